@@ -1,0 +1,1 @@
+"""How game files are made from masters: rate, channels, depth, peaks, and previews for the ear."""
