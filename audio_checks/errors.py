@@ -1,0 +1,108 @@
+"""What can go wrong with a file, a spec, a render or a sandboxed call, each named after the fact."""
+
+from __future__ import annotations
+
+
+class AudioChecksError(Exception):
+    """Anything that audio_checks reports about what it was given."""
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
+
+
+class Unreadable(AudioChecksError):
+    """A file that breaks one of the structure rules R1-R7, R11 or R12.
+
+    Parameters
+    ----------
+    message : str
+        What was found and what was wanted, for a sound designer.
+    rule : str
+        "R1" … "R12".
+    code : str
+        Stable name of the condition, such as "structure:truncated" or "container:mp3".
+    fix : str
+        How to mend it.
+    """
+
+    def __init__(self, message: str, rule: str, code: str, fix: str) -> None:
+        super().__init__(message, rule, code, fix)
+        self.rule = rule
+        self.code = code
+        self.fix = fix
+
+
+class SpecError(AudioChecksError):
+    """A spec or a sound list that cannot be understood.
+
+    Parameters
+    ----------
+    message : str
+        What is wrong.
+    where : str
+        The file, row or dotted key it was found at; empty when the whole is meant.
+    """
+
+    def __init__(self, message: str, where: str = "") -> None:
+        super().__init__(message, where)
+        self.where = where
+
+
+class RenderRefused(AudioChecksError):
+    """A render that would harm the sound, such as one to a higher rate than its master's.
+
+    Parameters
+    ----------
+    message : str
+        What was asked, and why it is not done.
+    code : str
+        Stable name of the condition, such as "render:upwards".
+    fix : str
+        What to do instead.
+    """
+
+    def __init__(self, message: str, code: str, fix: str) -> None:
+        super().__init__(message, code, fix)
+        self.code = code
+        self.fix = fix
+
+
+class SandboxFailed(AudioChecksError):
+    """A sandboxed call that gave no result; never the file's fault in itself.
+
+    Parameters
+    ----------
+    message : str
+        What happened to the child.
+    detail : str
+        The child's traceback, when it had one to give.
+    """
+
+    def __init__(self, message: str, detail: str = "") -> None:
+        super().__init__(message, detail)
+        self.detail = detail
+
+
+class SandboxTimedOut(SandboxFailed):
+    """The call took longer than its sandbox allows."""
+
+
+class SandboxOutOfMemory(SandboxFailed):
+    """The call wanted more memory than its sandbox allows."""
+
+
+class SandboxCrashed(SandboxFailed):
+    """The child died, or raised something other than an AudioChecksError.
+
+    Parameters
+    ----------
+    message, detail : str
+        As for SandboxFailed.
+    signal : int or None
+        The signal that ended the child; None when it ended by itself.
+    """
+
+    def __init__(self, message: str, detail: str = "", signal: int | None = None) -> None:
+        super().__init__(message, detail)
+        self.args = (message, detail, signal)
+        self.signal = signal
