@@ -1,0 +1,394 @@
+"""A file to judge: its facts from the header, its figures from one pass over its bytes."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+from pathlib import PurePath
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import wav
+from audio_checks.measure.bits import effective_bits
+from audio_checks.measure.edges import Edges
+from audio_checks.measure.flat_tops import FlatTops
+from audio_checks.measure.levels import Levels
+from audio_checks.measure.loudness import Loudness, channel_weights
+from audio_checks.measure.phase import Phase
+from audio_checks.measure.seam import Seam
+from audio_checks.measure.spectrum import Spectrum
+from audio_checks.measure.true_peak import TruePeak
+
+READ_BYTES = 1 << 20
+
+
+class Accumulator(Protocol):
+    """Something that measures while a file streams by."""
+
+    def add(self, block: NDArray[np.float64], /) -> None:
+        """Take the next samples, shape (n, channels)."""
+
+    def result(self) -> dict[str, Any]:
+        """Return the figures, by name."""
+
+
+FIGURES: dict[str, tuple[str, ...]] = {
+    "levels": Levels.FIGURES,
+    "true_peak": TruePeak.FIGURES,
+    "loudness": Loudness.FIGURES,
+    "edges": Edges.FIGURES,
+    "flat_tops": FlatTops.FIGURES,
+    "phase": Phase.FIGURES,
+    "spectrum": Spectrum.FIGURES,
+    "seam": Seam.FIGURES,
+}
+"""Families of figures; each family has one accumulator."""
+
+FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What a file is.
+
+    Attributes
+    ----------
+    container, encoding : str
+        "wav" or "rf64"; "pcm" or "float".
+    bit_depth : int
+        Bits that count, as the header says.
+    chunks : tuple of str
+        The ids in their order.
+    """
+
+    container: str
+    encoding: str
+    sample_rate_hz: int
+    bit_depth: int
+    channels: int
+    frames: int
+    duration_s: float
+    chunks: tuple[str, ...]
+    _effective_bits: Callable[[], int | None] = field(repr=False, compare=False)
+
+    @property
+    def effective_bits(self) -> int | None:
+        """Bits that the samples make use of, the sign included; None for float. Streams the file once."""
+        return self._effective_bits()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the facts as the report lists them. Streams the file once."""
+        return {
+            "container": self.container,
+            "encoding": self.encoding,
+            "sample_rate_hz": self.sample_rate_hz,
+            "bit_depth": self.bit_depth,
+            "effective_bits": self.effective_bits,
+            "channels": self.channels,
+            "frames": self.frames,
+            "duration_s": self.duration_s,
+            "chunks": list(self.chunks),
+        }
+
+
+class AudioFile:
+    """A WAV file, opened and found readable by its header.
+
+    Parameters
+    ----------
+    path : path
+        A regular file.
+    name : str, optional
+        The file name as delivered, when it differs from the path's.
+
+    Raises
+    ------
+    Unreadable
+        When a rule of structure is broken. R7 (finite samples) shows only when the file streams.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], *, name: str | None = None) -> None:
+        self.path = path
+        self.name = PurePath(os.fspath(path)).name if name is None else name
+        self._file = wav.open_regular(path)
+        try:
+            self.layout = wav.read_layout(self._file)
+        except BaseException:
+            self._file.close()
+            raise
+        self._wanted: set[str] | None = None
+        self._figures: dict[str, Any] = {}
+        self._measured: set[str] = set()
+        self._hashes: tuple[str, str] | None = None
+        self._effective_bits: int | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file; what was measured stays."""
+        self._file.close()
+
+    @property
+    def stem(self) -> str:
+        """The name without its ending."""
+        return PurePath(self.name).stem
+
+    @property
+    def warnings(self) -> tuple[wav.StructureWarning, ...]:
+        """What is odd about the structure, and harmless."""
+        return self.layout.warnings
+
+    @cached_property
+    def facts(self) -> Facts:
+        """What the header says; only `effective_bits` streams the file."""
+        layout = self.layout
+        return Facts(
+            container=layout.container,
+            encoding=layout.encoding,
+            sample_rate_hz=layout.sample_rate_hz,
+            bit_depth=layout.bit_depth,
+            channels=layout.channels,
+            frames=layout.frames,
+            duration_s=layout.duration_s,
+            chunks=tuple(chunk.id for chunk in layout.chunks),
+            _effective_bits=self._bits_in_use,
+        )
+
+    @cached_property
+    def measurements(self) -> Measurements:
+        """The figures; the first one asked for streams the file."""
+        return Measurements(self)
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of the whole file, in hexadecimal. Streams the file once."""
+        return self._hashed()[0]
+
+    @property
+    def pcm_sha256(self) -> str:
+        """SHA-256 of the bytes of the `data` chunk, in hexadecimal. Streams the file once."""
+        return self._hashed()[1]
+
+    def prepare(self, figures: Iterable[str]) -> None:
+        """Say which figures will be asked for, before the first one is; without this, all are measured."""
+        wanted = self._wanted or set()
+        for figure in figures:
+            if figure not in FAMILIES:
+                raise ValueError(f"no such figure: {figure}")
+            wanted.add(FAMILIES[figure])
+        self._wanted = wanted
+
+    def measured(self) -> dict[str, Any]:
+        """Return every figure of the prepared families, by name. Streams the file once."""
+        self._hashed()
+        return dict(self._figures)
+
+    def figure(self, name: str) -> Any:
+        """Return one figure; one that was not prepared costs another pass."""
+        family = FAMILIES[name]
+        if self._hashes is None:
+            self._stream(set(FIGURES) if self._wanted is None else self._wanted | {family})
+        elif family not in self._measured:
+            self._stream({family})
+        return self._figures[name]
+
+    def _hashed(self) -> tuple[str, str]:
+        if self._hashes is None:
+            self._stream(set(FIGURES) if self._wanted is None else self._wanted)
+        if self._hashes is None:
+            raise AssertionError("streaming leaves the hashes behind")
+        return self._hashes
+
+    def _bits_in_use(self) -> int | None:
+        self._hashed()
+        return self._effective_bits
+
+    def _stream(self, families: set[str]) -> None:
+        """Read every byte once, for the hashes and the accumulators."""
+        layout = self.layout
+        accumulators = [self._accumulator(family) for family in sorted(families)]
+        whole, sound = hashlib.sha256(), hashlib.sha256()
+        self._file.seek(0)
+        left = layout.data_offset
+        while left and (head := self._file.read(min(left, READ_BYTES))):
+            whole.update(head)
+            left -= len(head)
+        used = 0
+        for raw in wav.raw_blocks(self._file, layout):
+            whole.update(raw)
+            sound.update(raw)
+            if layout.encoding == "pcm":
+                values = wav.integers(raw, layout)
+                used |= int(np.bitwise_or.reduce(values))
+                block = wav.scaled(values, layout.channels)
+            else:
+                block = wav.decode(raw, layout)
+            for accumulator in accumulators:
+                accumulator.add(block)
+        while tail := self._file.read(READ_BYTES):
+            whole.update(tail)
+        for accumulator in accumulators:
+            self._figures.update(accumulator.result())
+        self._measured |= families
+        self._hashes = (whole.hexdigest(), sound.hexdigest())
+        self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
+
+    def _accumulator(self, family: str) -> Accumulator:
+        layout = self.layout
+        step = 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
+        makers: dict[str, Callable[[int, int, int], Accumulator]] = {
+            "levels": Levels,
+            "true_peak": TruePeak,
+            "loudness": partial(Loudness, weights=channel_weights(layout.channels, layout.channel_mask)),
+            "edges": Edges,
+            "flat_tops": partial(FlatTops, step=step),
+            "phase": Phase,
+            "spectrum": partial(Spectrum, step=step),
+            "seam": partial(Seam, loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None),
+        }
+        return makers[family](layout.sample_rate_hz, layout.channels, layout.frames)
+
+
+class Measurements:
+    """The figures of one file; levels are -inf where there is only silence."""
+
+    def __init__(self, file: AudioFile) -> None:
+        self._file = file
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the measured figures by name; levels of silence are -inf still."""
+        hidden = ("edges", "clipped_spans")
+        return {name: value for name, value in self._file.measured().items() if name not in hidden}
+
+    @property
+    def is_silence(self) -> bool:
+        """Whether every sample is zero."""
+        return bool(self._file.figure("is_silence"))
+
+    @property
+    def sample_peak_dbfs(self) -> float:
+        """The largest sample, in dBFS."""
+        return float(self._file.figure("sample_peak_dbfs"))
+
+    @property
+    def sample_peak_s(self) -> float:
+        """When the largest sample comes first, in seconds; 0 for silence."""
+        return float(self._file.figure("sample_peak_s"))
+
+    @property
+    def true_peak_dbtp(self) -> float:
+        """The highest point of the curve between the samples, in dBTP."""
+        return float(self._file.figure("true_peak_dbtp"))
+
+    @property
+    def true_peak_s(self) -> float:
+        """When the curve is highest, in seconds; 0 for silence."""
+        return float(self._file.figure("true_peak_s"))
+
+    @property
+    def rms_dbfs(self) -> float:
+        """RMS over all channels and the whole length, in dBFS (a full-scale square is 0)."""
+        return float(self._file.figure("rms_dbfs"))
+
+    @property
+    def crest_db(self) -> float:
+        """Sample peak over RMS, in dB; 0 for silence."""
+        return float(self._file.figure("crest_db"))
+
+    @property
+    def dc_offset_percent(self) -> float:
+        """The mean of the channel where it is farthest from zero, unsigned, in percent of full scale."""
+        return float(self._file.figure("dc_offset_percent"))
+
+    @property
+    def silent_channels(self) -> tuple[int, ...]:
+        """Channels of nothing but zeros; 1 is the first."""
+        return tuple(self._file.figure("silent_channels"))
+
+    @property
+    def head_silence_ms(self) -> float:
+        """Silence before the sound, in ms; see `edges`, at -60 dBFS."""
+        return float(self._file.figure("head_silence_ms"))
+
+    @property
+    def tail_silence_ms(self) -> float:
+        """Silence after the sound, in ms; see `edges`, at -60 dBFS."""
+        return float(self._file.figure("tail_silence_ms"))
+
+    def edges(self, below_dbfs: float) -> tuple[float, float]:
+        """Return the silence at head and tail, in ms.
+
+        Silent is what stays below `below_dbfs` or 60 dB under the file's peak, whichever is lower,
+        in every channel. In a silent file both are the whole length.
+        """
+        head, tail = self._file.figure("edges")(below_dbfs)
+        return float(head), float(tail)
+
+    @property
+    def clipped_runs(self) -> int:
+        """Runs of three or more samples at full scale in one channel."""
+        return int(self._file.figure("clipped_runs"))
+
+    @property
+    def clipped_spans(self) -> tuple[tuple[float, float, int], ...]:
+        """The first of these runs: start and end in seconds, and the channel (1 is the first)."""
+        return tuple(self._file.figure("clipped_spans"))
+
+    @property
+    def channel_correlation(self) -> float | None:
+        """The least correlation of two channels, -1..1; None for mono or when only one channel sounds."""
+        value = self._file.figure("channel_correlation")
+        return None if value is None else float(value)
+
+    @property
+    def integrated_lufs(self) -> float:
+        """Gated loudness of the whole; -inf below 0.4 s, where `short_loudness_lufs` counts."""
+        return float(self._file.figure("integrated_lufs"))
+
+    @property
+    def max_momentary_lufs(self) -> float:
+        """The loudest 0.4 s, with silence before and after the file."""
+        return float(self._file.figure("max_momentary_lufs"))
+
+    @property
+    def max_short_term_lufs(self) -> float:
+        """The loudest 3 s, with silence before and after the file."""
+        return float(self._file.figure("max_short_term_lufs"))
+
+    @property
+    def loudness_range_lu(self) -> float | None:
+        """Loudness range; None when no 3 s of it are loud enough to count."""
+        value = self._file.figure("loudness_range_lu")
+        return None if value is None else float(value)
+
+    @property
+    def short_loudness_lufs(self) -> float:
+        """Loudness for sounds of any length: the loudest 0.4 s, with silence around the file."""
+        return float(self._file.figure("short_loudness_lufs"))
+
+    @property
+    def bandwidth_hz(self) -> float:
+        """The highest frequency that stands out of the noise; 0 for silence."""
+        return float(self._file.figure("bandwidth_hz"))
+
+    @property
+    def seam_step_db(self) -> float:
+        """Step from the loop's last frame to its first, over the largest step nearby, in dB."""
+        return float(self._file.figure("seam_step_db"))
+
+    @property
+    def seam_slope_db(self) -> float:
+        """Change of slope at the loop's seam, over the largest change nearby, in dB."""
+        return float(self._file.figure("seam_slope_db"))
