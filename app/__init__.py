@@ -1,0 +1,1 @@
+"""The Soundlist server: rooms over a kit, and the front doors main, worker and cli."""

@@ -1,0 +1,1 @@
+"""Studios, people, roles, sessions, tokens and the invitations into a studio."""

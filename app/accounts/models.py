@@ -1,0 +1,108 @@
+"""Who is who: the tables of this room."""
+
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import CheckConstraint, ForeignKey
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.kit import clock
+from app.kit.db import Base, new_id
+
+
+class Studio(Base):
+    """A game team; the tenant that everything belongs to."""
+
+    __tablename__ = "accounts_studios"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    name: Mapped[str]
+    is_demo: Mapped[bool] = mapped_column(default=False)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Person(Base):
+    """Somebody with an address; people are global, their memberships and engagements are not."""
+
+    __tablename__ = "accounts_people"
+    __table_args__ = (CheckConstraint("email = lower(email)", name="email_lower_case"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    email: Mapped[str] = mapped_column(unique=True)
+    name: Mapped[str]
+    password_hash: Mapped[str | None]  # None: signs in by the demo only
+    demo_part: Mapped[str | None] = mapped_column(unique=True)  # producer, decider, designer … of the demo studio
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Membership(Base):
+    """A person's place in a studio, with the roles held there."""
+
+    __tablename__ = "accounts_memberships"
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
+    roles: Mapped[list[str]]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
+    studio: Mapped[Studio] = relationship(lazy="raise")
+
+
+class SignIn(Base):
+    """One signed-in browser; the cookie's secret is kept as its SHA-256 only."""
+
+    __tablename__ = "accounts_sign_ins"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    expires_at: Mapped[datetime]
+
+
+class PasswordReset(Base):
+    """A mailed link that sets a new password, once and within an hour."""
+
+    __tablename__ = "accounts_password_resets"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    expires_at: Mapped[datetime]
+    used_at: Mapped[datetime | None]
+
+
+class Token(Base):
+    """A machine's key to one project, with narrow scopes."""
+
+    __tablename__ = "accounts_tokens"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(index=True)  # projects stand above this room: an id, not a relation
+    name: Mapped[str]
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    scopes: Mapped[list[str]]
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    last_used_at: Mapped[datetime | None]
+    revoked_at: Mapped[datetime | None]
+
+
+class StudioInvitation(Base):
+    """A mailed link that makes its holder a member of the studio."""
+
+    __tablename__ = "accounts_studio_invitations"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    email: Mapped[str]
+    roles: Mapped[list[str]]
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    expires_at: Mapped[datetime]
+    accepted_at: Mapped[datetime | None]
+    accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    revoked_at: Mapped[datetime | None]
+    studio: Mapped[Studio] = relationship(lazy="raise")

@@ -1,0 +1,56 @@
+"""The tables of this room."""
+
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import ForeignKey, Index, text
+from sqlalchemy.orm import Mapped, mapped_column
+
+from app.kit import clock
+from app.kit.db import Base, new_id
+
+
+class CheckRun(Base):
+    """What the checks said of one master against one spec, as one cue."""
+
+    __tablename__ = "conformance_check_runs"
+    __table_args__ = (
+        Index(
+            "uq_conformance_check_runs_current",
+            "take_id",
+            unique=True,
+            sqlite_where=text("is_current"),
+            postgresql_where=text("is_current"),
+        ),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
+    key: Mapped[str] = mapped_column(index=True)  # hash of master, resolved spec, cue facts and tool version
+    is_current: Mapped[bool] = mapped_column(default=True)
+    verdict: Mapped[str]  # conforming, rejected, unreadable, unjudged
+    pcm_sha256: Mapped[str | None]
+    report: Mapped[dict[str, Any]]  # the file object of the report: facts, measurements, judgements, findings
+    tool_version: Mapped[str]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Waiver(Base):
+    """The decider let a returned take through, with a reason; its findings stay."""
+
+    __tablename__ = "conformance_waivers"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    check_run_id: Mapped[UUID] = mapped_column(ForeignKey("conformance_check_runs.id"))
+    master_sha256: Mapped[str]
+    codes: Mapped[list[str]]
+    reason: Mapped[str]
+    waived_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)

@@ -1,0 +1,1 @@
+"""Read-only screens that join rooms: Today, the desk, the project page, find."""

@@ -1,0 +1,82 @@
+"""The tables of this room."""
+
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person
+from app.deliveries.rules import ArchiveState, TakeState
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.sound_lists.models import Cue
+
+
+class Delivery(Base):
+    """One upload of takes by a designer, with notes."""
+
+    __tablename__ = "deliveries_deliveries"
+    __table_args__ = (UniqueConstraint("project_id", "number"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    number: Mapped[int]
+    note: Mapped[str] = mapped_column(default="")
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    closed_at: Mapped[datetime | None]
+    designer: Mapped[Person] = relationship(lazy="raise")
+
+
+class Take(Base):
+    """One delivered file for a cue; its master is never altered."""
+
+    __tablename__ = "deliveries_takes"
+    __table_args__ = (
+        UniqueConstraint("cue_id", "variation", "number"),
+        CheckConstraint("master_bytes >= 0", name="master_size_known"),
+        CheckConstraint("(cue_id is null) = (number is null)", name="numbered_when_matched"),
+        Index("ix_deliveries_takes_queue", "project_id", "state", "cue_id"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)  # None: unmatched
+    variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
+    number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on
+    alternate: Mapped[int | None]  # 2 for _altB or __alt2; None for a file without such an ending
+    state: Mapped[TakeState] = mapped_column(default=TakeState.RECEIVED)
+    late: Mapped[bool] = mapped_column(default=False)
+    file_name: Mapped[str]  # as the designer named it
+    note: Mapped[str] = mapped_column(default="")
+    master_sha256: Mapped[str] = mapped_column(index=True)
+    master_bytes: Mapped[int]
+    received_at: Mapped[datetime] = mapped_column(default=clock.now)
+    state_since: Mapped[datetime] = mapped_column(default=clock.now)
+    edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
+    delivery: Mapped[Delivery] = relationship(lazy="raise")
+    cue: Mapped[Cue | None] = relationship(lazy="raise")
+
+
+class Archive(Base):
+    """A delivered ZIP and what became of it."""
+
+    __tablename__ = "deliveries_archives"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
+    file_name: Mapped[str]
+    sha256: Mapped[str]
+    archive_bytes: Mapped[int]
+    state: Mapped[ArchiveState] = mapped_column(default=ArchiveState.RECEIVED)
+    message: Mapped[str] = mapped_column(default="")
+    entries: Mapped[list[dict[str, Any]]] = mapped_column(default=list)  # path, taken or why left out
+    received_at: Mapped[datetime] = mapped_column(default=clock.now)

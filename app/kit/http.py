@@ -1,0 +1,250 @@
+"""What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
+
+import hashlib
+from collections.abc import Awaitable, Callable, Coroutine, Iterator, Sequence
+from datetime import datetime
+from typing import Annotated, Any, Generic, TypeVar
+from uuid import UUID
+
+import structlog
+from fastapi import Depends, FastAPI, HTTPException, Request, Response
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse
+from fastapi.routing import APIRoute
+from pydantic import BaseModel, ConfigDict
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Mapped, Session, mapped_column
+from starlette.exceptions import HTTPException as StarletteHTTPException
+
+from app.kit import clock
+from app.kit.db import Base, Database, new_id
+from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
+from app.kit.runtime import Runtime
+
+SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
+PROBLEM_TYPE = "application/problem+json"
+log = structlog.get_logger(__name__)
+Item = TypeVar("Item")
+CallNext = Callable[[Request], Awaitable[Response]]
+
+
+class Schema(BaseModel):
+    """The base of every body: unknown keys are refused when reading, attributes are accepted when answering."""
+
+    model_config = ConfigDict(from_attributes=True, extra="forbid", str_strip_whitespace=True)
+
+
+class Problem(BaseModel):
+    """Problem details (RFC 9457); `code` never changes for one condition."""
+
+    type: str = "about:blank"
+    title: str
+    status: int
+    code: str
+    detail: str
+    fix: str | None = None
+    errors: list[FieldProblem] = []
+    request_id: str | None = None
+
+
+class IdempotencyKeyReused(Conflict):
+    """The same Idempotency-Key came with another request."""
+
+
+class AlreadyDone(Conflict):
+    """The request with this Idempotency-Key was carried out; its answer was lost before it could be kept."""
+
+
+class SavedAnswer(Base):
+    """The answer to a write that carried an Idempotency-Key, written in the write's own transaction."""
+
+    __tablename__ = "kit_saved_answers"
+
+    key: Mapped[str] = mapped_column(primary_key=True)  # hash of caller, method, path and Idempotency-Key
+    request_sha256: Mapped[str]
+    status: Mapped[int | None]
+    media_type: Mapped[str | None]
+    body: Mapped[str | None]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+def problems(*errors: type[Refused]) -> dict[int | str, dict[str, Any]]:
+    """Return the `responses` of an endpoint that can refuse in these ways."""
+    by_status: dict[int | str, dict[str, Any]] = {}
+    for error in errors:
+        known = by_status.get(error.status)
+        codes = f"{known['description']}, `{error.code()}`" if known else f"`{error.code()}`"
+        by_status[error.status] = {"model": Problem, "description": codes}
+    return by_status
+
+
+def runtime_of(request: Request) -> Runtime:
+    """Return what the running application was wired with."""
+    runtime: Runtime = request.app.state.runtime
+    return runtime
+
+
+def database_of(request: Request) -> Database:
+    """Return the database of the running application."""
+    return runtime_of(request).database
+
+
+CurrentRuntime = Annotated[Runtime, Depends(runtime_of)]
+
+
+def _session(request: Request) -> Iterator[Session]:
+    database = database_of(request)
+    if request.method in SAFE_METHODS:
+        with database.reading() as session:
+            yield session
+        return
+    with database.writing() as session:
+        pending: SavedAnswer | None = getattr(request.state, "saved_answer", None)
+        if pending is not None:
+            session.add(pending)
+            session.flush()
+        yield session
+
+
+# scope="function": the commit happens before the answer leaves, so a failed commit cannot have answered 201.
+DbSession = Annotated[Session, Depends(_session, scope="function")]
+
+
+class Route(APIRoute):
+    """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Wrap the handler of writes."""
+        handle = super().get_route_handler()
+
+        async def handle_once(request: Request) -> Response:
+            given = request.headers.get("idempotency-key")
+            if given is None or request.method in SAFE_METHODS or request.headers.get("tus-resumable"):
+                return await handle(request)
+            body = await request.body()
+            caller = request.headers.get("authorization", "") + request.headers.get("cookie", "")
+            key = _digest(caller, request.method, str(request.url), given)
+            request_sha256 = hashlib.sha256(body).hexdigest()
+            database = database_of(request)
+            if (saved := _saved(database, key)) is not None:
+                return _replay(saved, request_sha256)
+            request.state.saved_answer = SavedAnswer(key=key, request_sha256=request_sha256)
+            try:
+                response = await handle(request)
+            except IntegrityError:
+                if (saved := _saved(database, key)) is not None:  # a twin of this request was faster
+                    return _replay(saved, request_sha256)
+                raise
+            _keep(database, key, response)
+            return response
+
+        return handle_once
+
+
+def _digest(*parts: str) -> str:
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+
+
+def _saved(database: Database, key: str) -> SavedAnswer | None:
+    with database.reading() as session:
+        return session.get(SavedAnswer, key)
+
+
+def _keep(database: Database, key: str, response: Response) -> None:
+    with database.writing() as session:
+        saved = session.get(SavedAnswer, key)
+        if saved is not None:
+            saved.status = response.status_code
+            saved.media_type = response.media_type or "application/json"
+            saved.body = bytes(response.body).decode()
+
+
+def _replay(saved: SavedAnswer, request_sha256: str) -> Response:
+    if saved.request_sha256 != request_sha256:
+        raise IdempotencyKeyReused(
+            "this Idempotency-Key came before with another body; use a new key for a new request"
+        )
+    if saved.status is None or saved.body is None:
+        raise AlreadyDone("this request was carried out before; read the list to see what it made")
+    answer = Response(saved.body, status_code=saved.status, media_type=saved.media_type)
+    answer.headers["Idempotent-Replayed"] = "true"
+    return answer
+
+
+class Page(BaseModel, Generic[Item]):
+    """One page of a list; `next` is the cursor of the following page, null at the end."""
+
+    items: Sequence[Item]
+    next: str | None = None
+
+
+class BadCursor(Invalid):
+    """The page cursor is not one of ours."""
+
+
+def cursor_of(*values: str | int | UUID | None) -> str:
+    """Pack the sort key of the last row of a page."""
+    return ".".join("" if value is None else str(value) for value in values)
+
+
+def uuid_cursor(cursor: str | None) -> UUID | None:
+    """Read a cursor that is one id."""
+    if cursor is None:
+        return None
+    try:
+        return UUID(cursor)
+    except ValueError:
+        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
+
+
+def _problem(request: Request, status: int, code: str, detail: str, **more: Any) -> JSONResponse:
+    problem = Problem(
+        title=code.replace("-", " ").capitalize(),
+        status=status,
+        code=code,
+        detail=detail,
+        request_id=getattr(request.state, "request_id", None),
+        **more,
+    )
+    headers = {"WWW-Authenticate": "Bearer"} if status == 401 else None
+    return JSONResponse(problem.model_dump(mode="json"), status, headers, media_type=PROBLEM_TYPE)
+
+
+def install(app: FastAPI) -> None:
+    """Give the application its error answers and request ids."""
+
+    @app.exception_handler(Refused)
+    def _refused(request: Request, error: Refused) -> JSONResponse:
+        return _problem(request, error.status, error.code(), error.message, errors=error.errors, fix=error.fix)
+
+    @app.exception_handler(RequestValidationError)
+    def _invalid(request: Request, error: RequestValidationError) -> JSONResponse:
+        errors: list[FieldProblem] = [
+            {"where": ".".join(str(part) for part in e["loc"] if part != "body"), "message": _in_words(e)}
+            for e in error.errors()
+        ]
+        detail = "; ".join(f"{e['where']}: {e['message']}" if e["where"] else e["message"] for e in errors[:5])
+        return _problem(request, 422, "invalid-request", detail, errors=errors)
+
+    @app.exception_handler(StarletteHTTPException)
+    def _http(request: Request, error: HTTPException) -> JSONResponse:
+        code = {404: "not-found", 405: "method-not-allowed", 413: "too-large"}.get(error.status_code, "http-error")
+        return _problem(request, error.status_code, code, str(error.detail))
+
+    @app.exception_handler(Exception)
+    def _broken(request: Request, error: Exception) -> JSONResponse:
+        log.error("request failed", path=request.url.path, exc_info=error)
+        return _problem(request, 500, "our-fault", "This is our fault; nothing that you sent was half-done.")
+
+    @app.middleware("http")
+    async def _with_request_id(request: Request, call_next: CallNext) -> Response:
+        request.state.request_id = str(new_id())
+        with structlog.contextvars.bound_contextvars(request_id=request.state.request_id):
+            response = await call_next(request)
+        response.headers["X-Request-Id"] = request.state.request_id
+        return response
+
+
+def _in_words(error: Any) -> str:
+    message = str(error["msg"])
+    return message.removeprefix("Value error, ")

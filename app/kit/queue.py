@@ -1,0 +1,175 @@
+"""Durable jobs: written in the transaction of their row, run at least once by a worker, resumed after kill -9.
+
+Nothing else imports DBOS. Its tables live in the application's own database.
+"""
+
+import contextlib
+import logging
+import threading
+from collections.abc import Callable
+from datetime import datetime
+from typing import TYPE_CHECKING, Any
+
+import sqlalchemy as sa
+from dbos import DBOS, DBOSClient, DBOSConfig
+from sqlalchemy.orm import Mapped, Session, mapped_column
+
+from app.kit import clock
+from app.kit.db import Base, Database
+
+if TYPE_CHECKING:
+    from app.kit.runtime import Runtime
+
+JOB_QUEUE = "jobs"
+# Changes only when a job's steps change incompatibly: DBOS resumes only jobs of the version it runs.
+STEPS_VERSION = "1"
+APPLICATION = "soundlist"
+RUN_JOB = "soundlist.run_job"
+ATTEMPTS = 4
+RECOVERY_ATTEMPTS = 20
+URGENT, NORMAL, BULK = 1, 10, 100
+BEAT_EVERY_S = 5.0
+
+Payload = dict[str, Any]
+Handler = Callable[["Runtime", Payload], None]
+_handlers: dict[str, Handler] = {}
+_runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
+log = logging.getLogger(__name__)
+
+
+class Heartbeat(Base):
+    """When a worker process last said that it lives."""
+
+    __tablename__ = "kit_heartbeats"
+
+    worker_id: Mapped[str] = mapped_column(primary_key=True)
+    beat_at: Mapped[datetime]
+
+
+def job(name: str) -> Callable[[Handler], Handler]:
+    """Register a function as the job of that name (`room.verb_noun`)."""
+
+    def register(handler: Handler) -> Handler:
+        if name in _handlers:
+            raise ValueError(f"two jobs are called {name}")
+        _handlers[name] = handler
+        return handler
+
+    return register
+
+
+def job_names() -> frozenset[str]:
+    """Return the names of the jobs that this process can run."""
+    return frozenset(_handlers)
+
+
+class JobQueue:
+    """Writes jobs into the caller's transaction; needs no running worker."""
+
+    def __init__(self, database: Database) -> None:
+        self._client = DBOSClient(
+            system_database_url=_system_url(database),
+            application_name=APPLICATION,
+            lazy=True,
+        )
+
+    def enqueue(self, session: Session, name: str, payload: Payload, *, key: str, priority: int = NORMAL) -> None:
+        """Write one job; a second with the same key is the same job."""
+        self._client.enqueue_in_transaction(
+            session,
+            {
+                "workflow_name": RUN_JOB,
+                "queue_name": JOB_QUEUE,
+                "workflow_id": key,
+                "app_version": STEPS_VERSION,
+                "priority": priority,
+            },
+            name,
+            payload,
+        )
+
+    def close(self) -> None:
+        """Close the client's own connections."""
+        self._client.destroy()
+
+
+def _system_url(database: Database) -> str:
+    return database.engine.url.render_as_string(hide_password=False)
+
+
+def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
+    return {
+        "name": APPLICATION,
+        "system_database_url": _system_url(database),
+        "application_version": STEPS_VERSION,
+        "executor_id": worker_id,
+        "max_executor_threads": max(8, jobs_at_once * 4),
+        "log_level": "WARNING",
+        "notification_listener_polling_interval_sec": 1.0,
+    }
+
+
+def create_tables(database: Database) -> None:
+    """Create or upgrade DBOS's own tables."""
+    DBOS.migrate(system_database_url=_system_url(database))
+
+
+def _run_job(name: str, payload: Payload) -> None:
+    handler = _handlers[name]
+    runtime = _runtime
+    if runtime is None:
+        raise RuntimeError("no worker was started in this process")
+    DBOS.run_step(
+        {
+            "name": name,
+            "retries_allowed": True,
+            "max_attempts": ATTEMPTS,
+            "interval_seconds": 0.5,
+            "backoff_rate": 4.0,
+        },
+        handler,
+        runtime,
+        payload,
+    )
+
+
+class Worker:
+    """Runs jobs in this process until stopped."""
+
+    def __init__(self, runtime: "Runtime", *, worker_id: str, jobs_at_once: int, poll_every_s: float = 0.05) -> None:
+        self._runtime = runtime
+        self._database = runtime.database
+        self._worker_id = worker_id
+        self._jobs_at_once = jobs_at_once
+        self._poll_every_s = poll_every_s
+        self._stopped = threading.Event()
+        self._beating = threading.Thread(target=self._beat, name="heartbeat", daemon=True)
+
+    def start(self) -> None:
+        """Take up what this worker id left half-done, then whatever waits."""
+        global _runtime  # noqa: PLW0603
+        _runtime = self._runtime
+        DBOS.destroy(destroy_registry=True)
+        DBOS(config=_config(self._database, self._worker_id, self._jobs_at_once))
+        DBOS.workflow(name=RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
+        DBOS.launch()
+        DBOS.register_queue(
+            JOB_QUEUE,
+            worker_concurrency=self._jobs_at_once,
+            polling_interval_sec=self._poll_every_s,
+            on_conflict="always_update",
+        )
+        self._beating.start()
+
+    def stop(self, *, wait_s: int = 10) -> None:
+        """Let running jobs end, then stop; what is not done by then is taken up at the next start."""
+        self._stopped.set()
+        self._beating.join(timeout=2)
+        DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
+
+    def _beat(self) -> None:
+        while True:
+            with contextlib.suppress(sa.exc.SQLAlchemyError), self._database.writing() as session:
+                session.merge(Heartbeat(worker_id=self._worker_id, beat_at=clock.now()))
+            if self._stopped.wait(BEAT_EVERY_S):
+                return

@@ -1,0 +1,29 @@
+"""What a process is wired with: settings, database, store and queue, handed to endpoints and jobs."""
+
+from dataclasses import dataclass
+
+from app.kit.db import Database
+from app.kit.queue import JobQueue
+from app.kit.storage import Store
+from app.settings import Settings
+
+
+@dataclass(frozen=True)
+class Runtime:
+    """The parts of one running process."""
+
+    settings: Settings
+    database: Database
+    store: Store
+    queue: JobQueue
+
+    @classmethod
+    def of(cls, settings: Settings) -> "Runtime":
+        """Open what the settings name."""
+        database = Database(settings.resolved_database_url)
+        return cls(settings, database, Store(settings.blob_dir), JobQueue(database))
+
+    def close(self) -> None:
+        """Close connections."""
+        self.queue.close()
+        self.database.dispose()

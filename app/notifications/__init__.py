@@ -1,0 +1,1 @@
+"""Mails: written with the fact they tell, kept in an outbox until an SMTP server has them."""

@@ -1,0 +1,1 @@
+"""Projects: their delivery spec, liaisons and decider, engagements and the invitations of designers."""

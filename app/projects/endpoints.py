@@ -1,0 +1,7 @@
+"""The endpoints of this room."""
+
+from fastapi import APIRouter
+
+from app.kit.http import Route
+
+router = APIRouter(prefix="/v1", tags=["projects"], route_class=Route)

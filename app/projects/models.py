@@ -1,0 +1,109 @@
+"""The tables of this room."""
+
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import ForeignKey, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person, Studio
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.projects.rules import EngagementKind
+
+
+class Project(Base):
+    """One game, or one part of it, that needs sounds."""
+
+    __tablename__ = "projects_projects"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    name: Mapped[str]
+    description: Mapped[str] = mapped_column(default="")
+    cue_prefix: Mapped[str]  # SW makes SW-001
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    archived_at: Mapped[datetime | None]
+    studio: Mapped[Studio] = relationship(lazy="raise")
+
+
+class Spec(Base):
+    """One version of a project's delivery spec, as TOML; the newest holds."""
+
+    __tablename__ = "projects_specs"
+    __table_args__ = (UniqueConstraint("project_id", "version"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    version: Mapped[int]
+    toml: Mapped[str]
+    sha256: Mapped[str]
+    note: Mapped[str] = mapped_column(default="")
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Liaison(Base):
+    """A person of the studio who speaks for the team in a project."""
+
+    __tablename__ = "projects_liaisons"
+
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
+
+
+class DeciderChange(Base):
+    """Who has had the last word since when, and why it changed; the newest row holds."""
+
+    __tablename__ = "projects_decider_changes"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    reason: Mapped[str]
+    changed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
+
+
+class Engagement(Base):
+    """A designer's tie to a project; while it lasts the designer sees spec, list and their own work."""
+
+    __tablename__ = "projects_engagements"
+    __table_args__ = (UniqueConstraint("project_id", "designer_id"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    kind: Mapped[EngagementKind]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    ended_at: Mapped[datetime | None]
+    designer: Mapped[Person] = relationship(lazy="raise")
+
+
+class ProjectInvitation(Base):
+    """A mailed link that shows a designer the list at once, and makes an engagement when accepted."""
+
+    __tablename__ = "projects_invitations"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    email: Mapped[str]
+    kind: Mapped[EngagementKind]
+    note: Mapped[str] = mapped_column(default="")
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    expires_at: Mapped[datetime]
+    accepted_at: Mapped[datetime | None]
+    accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    revoked_at: Mapped[datetime | None]
+    project: Mapped[Project] = relationship(lazy="raise")

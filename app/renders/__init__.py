@@ -1,0 +1,1 @@
+"""Game files made from masters, and the pictures and previews that a review needs."""

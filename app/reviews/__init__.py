@@ -1,0 +1,1 @@
+"""The review queue: verdicts, change requests and rounds, comments, cuts."""

@@ -1,0 +1,106 @@
+"""The tables of this room."""
+
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, text
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person
+from app.deliveries.models import Take
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.reviews.rules import VerdictKind
+
+
+class Verdict(Base):
+    """What the decider said of a take; rows are added, never changed."""
+
+    __tablename__ = "reviews_verdicts"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    kind: Mapped[VerdictKind]
+    note: Mapped[str] = mapped_column(default="")
+    given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Sending(Base):
+    """One consolidated set of notes that the decider sent to a designer."""
+
+    __tablename__ = "reviews_sendings"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    sent_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    note: Mapped[str] = mapped_column(default="")
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class ChangeRequest(Base):
+    """What to change in a take, at a time in the sound; a draft until it is sent with others."""
+
+    __tablename__ = "reviews_change_requests"
+    __table_args__ = (
+        CheckConstraint("end_s is null or end_s >= start_s", name="range_forwards"),
+        Index(
+            "uq_reviews_change_requests_draft",
+            "take_id",
+            unique=True,
+            sqlite_where=text("sending_id is null"),
+            postgresql_where=text("sending_id is null"),
+        ),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    text: Mapped[str]
+    start_s: Mapped[float | None]
+    end_s: Mapped[float | None]
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    sending_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_sendings.id"), index=True)
+    take: Mapped[Take] = relationship(lazy="raise")
+
+
+class Round(Base):
+    """One sending counted once for a cue or set, or the reason why it is not counted."""
+
+    __tablename__ = "reviews_rounds"
+    __table_args__ = (UniqueConstraint("cue_id", "sending_id"), UniqueConstraint("cue_id", "number"))
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    sending_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_sendings.id"))
+    number: Mapped[int | None]  # None: not counted
+    why_not_counted: Mapped[str | None]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Comment(Base):
+    """Advice on a take, at a time in the sound."""
+
+    __tablename__ = "reviews_comments"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    text: Mapped[str]
+    start_s: Mapped[float | None]
+    end_s: Mapped[float | None]
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    resolved_at: Mapped[datetime | None]
+    resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])

@@ -1,0 +1,47 @@
+"""Which rooms there are, and who listens to which event."""
+
+from fastapi import APIRouter
+
+from app.accounts.endpoints import router as accounts
+from app.builds.endpoints import router as builds
+from app.conformance.endpoints import router as conformance
+from app.dashboards.endpoints import router as dashboards
+from app.deliveries.endpoints import router as deliveries
+from app.notifications.endpoints import router as notifications
+from app.projects.endpoints import router as projects
+from app.renders.endpoints import router as renders
+from app.reviews.endpoints import router as reviews
+from app.sound_lists.endpoints import router as sound_lists
+
+ROUTERS: tuple[APIRouter, ...] = (
+    accounts,
+    projects,
+    sound_lists,
+    deliveries,
+    conformance,
+    renders,
+    reviews,
+    builds,
+    dashboards,
+    notifications,
+)
+JOB_MODULES = ("app.deliveries.jobs", "app.conformance.jobs", "app.renders.jobs", "app.notifications.jobs")
+SUBSCRIBERS: dict[str, tuple[str, ...]] = {
+    "archive.received": ("deliveries.unpack_archive",),
+    "take.received": ("conformance.check_take", "renders.draw_take"),
+    "take.checked": ("renders.make_renders", "notifications.tell_check"),
+    "take.waived": ("renders.make_renders",),
+    "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
+    "cue.changed": ("conformance.recheck_takes",),
+    "list.revised": ("notifications.tell_list_revised",),
+    "question.asked": ("notifications.tell_question",),
+    "question.answered": ("notifications.tell_answer",),
+    "changes.sent": ("notifications.tell_changes",),
+    "take.approved": ("notifications.tell_approval",),
+    "cue.cut": ("notifications.tell_cut",),
+    "build.posted": ("notifications.tell_build",),
+    "designer.invited": ("notifications.mail_link",),
+    "member.invited": ("notifications.mail_link",),
+    "password.reset_asked": ("notifications.mail_link",),
+    "mail.written": ("notifications.send_mail",),
+}

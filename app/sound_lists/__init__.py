@@ -1,0 +1,1 @@
+"""The sound list: cues, the names they own, revisions, imports and questions."""

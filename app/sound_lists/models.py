@@ -1,0 +1,113 @@
+"""The tables of this room."""
+
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.sound_lists.rules import CueState, Reverb
+
+
+class Cue(Base):
+    """One line of the list: one sound that the game needs."""
+
+    __tablename__ = "sound_lists_cues"
+    __table_args__ = (
+        UniqueConstraint("project_id", "number"),
+        CheckConstraint("variations between 1 and 99", name="variations_in_range"),
+        CheckConstraint("duration_s is null or duration_s > 0", name="duration_positive"),
+        CheckConstraint("(state = 'cut') = (cut_at is not null)", name="cut_is_dated"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    number: Mapped[int]  # shown as SW-014
+    position: Mapped[int]
+    name: Mapped[str]
+    file_name: Mapped[str] = mapped_column(default="")  # as typed; empty: the slug of the name
+    category: Mapped[str] = mapped_column(default="")
+    description: Mapped[str] = mapped_column(default="")
+    use: Mapped[str] = mapped_column(default="")
+    trigger: Mapped[str] = mapped_column(default="")
+    duration_s: Mapped[float | None]
+    length_locked: Mapped[bool] = mapped_column(default=False)
+    frame_rate_fps: Mapped[float | None]
+    loop: Mapped[bool] = mapped_column(default=False)
+    reverb: Mapped[Reverb | None]
+    variations: Mapped[int] = mapped_column(default=1)
+    state: Mapped[CueState] = mapped_column(default=CueState.PROTOTYPE)
+    playback_priority: Mapped[int | None]
+    placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a stand-in until the sound comes
+    palette: Mapped[bool] = mapped_column(default=False)
+    extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # imported columns that we have no name for
+    edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other
+    cut_reason: Mapped[str | None]
+    cut_at: Mapped[datetime | None]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    stems: Mapped[list["Stem"]] = relationship(lazy="raise", back_populates="cue", cascade="all, delete-orphan")
+
+
+class Stem(Base):
+    """A file name without its ending that one variation of a cue owns; unique in the project."""
+
+    __tablename__ = "sound_lists_stems"
+    __table_args__ = (UniqueConstraint("project_id", "stem"), UniqueConstraint("cue_id", "variation"))
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    variation: Mapped[int]
+    stem: Mapped[str]
+    cue: Mapped[Cue] = relationship(lazy="raise", back_populates="stems")
+
+
+class Revision(Base):
+    """One saved change of the list, with what each touched cue said before and after."""
+
+    __tablename__ = "sound_lists_revisions"
+    __table_args__ = (UniqueConstraint("project_id", "number"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    number: Mapped[int]
+    summary: Mapped[str]
+    changed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    author: Mapped[Person] = relationship(lazy="raise")
+
+
+class CueChange(Base):
+    """What one revision did to one cue: only the facts that differ."""
+
+    __tablename__ = "sound_lists_cue_changes"
+
+    revision_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_revisions.id"), primary_key=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), primary_key=True, index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    before: Mapped[dict[str, Any]]  # empty: the cue was added
+    after: Mapped[dict[str, Any]]
+
+
+class Question(Base):
+    """What a designer asks on a cue; the answer becomes part of the cue."""
+
+    __tablename__ = "sound_lists_questions"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    text: Mapped[str]
+    asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    asked_at: Mapped[datetime] = mapped_column(default=clock.now)
+    answer: Mapped[str | None]
+    answered_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    answered_at: Mapped[datetime | None]

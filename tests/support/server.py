@@ -1,0 +1,185 @@
+"""A real server inside the test process, and the people who use it."""
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+from uuid import UUID
+
+import sqlalchemy as sa
+from fastapi.testclient import TestClient
+from sqlalchemy.orm import Session
+
+import audio_checks
+from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
+from app.accounts.models import Membership, Person, SignIn, Studio
+from app.accounts.rules import Role
+from app.kit import clock
+from app.kit.db import new_id
+from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import migrate
+from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
+from app.projects.rules import EngagementKind
+from app.settings import Settings
+from app.worker import start_worker
+
+LONG_AGO_S = 30.0
+
+
+@dataclass
+class RunningServer:
+    """The parts of a running server that tests reach into."""
+
+    runtime: Runtime
+    application: Any
+
+    def browser(self) -> TestClient:
+        """Return a client without credentials."""
+        return TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
+
+    def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
+        """Return when no job waits or runs."""
+        deadline = time.monotonic() + seconds
+        unfinished = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING', 'DELAYED')")
+        while time.monotonic() < deadline:
+            with self.runtime.database.reading() as session:
+                if session.scalar(unfinished) == 0:
+                    return
+            time.sleep(0.03)
+        raise AssertionError(f"jobs still run after {seconds} s")
+
+    def in_database(self, work: Callable[[Session], Any]) -> Any:
+        """Run work in a transaction of its own."""
+        with self.runtime.database.writing() as session:
+            return work(session)
+
+
+@contextmanager
+def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
+    """Run web application and worker in this process."""
+    runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests", **settings))  # type: ignore[arg-type]
+    migrate(runtime.database)
+    application = create_app(runtime)
+    worker = start_worker(runtime)
+    try:
+        yield RunningServer(runtime, application)
+    finally:
+        worker.stop(wait_s=2)
+        runtime.close()
+
+
+class World:
+    """A studio of one test, and the people in it and outside."""
+
+    def __init__(self, server: RunningServer, preset: str = "44k1") -> None:
+        self.server = server
+        with server.runtime.database.writing() as session:
+            studio = Studio(name="Test studio")
+            session.add(studio)
+            self.producer_id = self._person(session, "Producer")
+            self.decider_id = self._person(session, "Audio director")
+            self.reviewer_id = self._person(session, "Composer")
+            self.designer_id = self._person(session, "Sound designer")
+            self.other_designer_id = self._person(session, "Another sound designer")
+            self.stranger_id = self._person(session, "Producer elsewhere")
+            session.flush()
+            self.studio_id: UUID = studio.id
+            elsewhere = Studio(name="Another studio")
+            session.add(elsewhere)
+            session.flush()
+            for studio_id, person_id, roles in (
+                (studio.id, self.producer_id, [Role.PRODUCER]),
+                (studio.id, self.decider_id, [Role.LIAISON]),
+                (studio.id, self.reviewer_id, [Role.REVIEWER]),
+                (elsewhere.id, self.stranger_id, [Role.PRODUCER]),
+            ):
+                session.add(Membership(studio_id=studio_id, person_id=person_id, roles=list(roles)))
+            project = Project(studio_id=studio.id, name="Shield Wing", cue_prefix="SW", created_by=self.producer_id)
+            session.add(project)
+            session.flush()
+            self.project_id: UUID = project.id
+            session.add(Liaison(project_id=project.id, person_id=self.decider_id, studio_id=studio.id))
+            session.add(
+                DeciderChange(
+                    studio_id=studio.id,
+                    project_id=project.id,
+                    person_id=self.decider_id,
+                    reason="named when the project opened",
+                    changed_by=self.producer_id,
+                )
+            )
+            session.add(
+                Engagement(
+                    studio_id=studio.id,
+                    project_id=project.id,
+                    designer_id=self.designer_id,
+                    kind=EngagementKind.CONTRACT,
+                )
+            )
+            toml = audio_checks.new_spec(preset, name="Shield Wing")
+            session.add(
+                Spec(
+                    studio_id=studio.id,
+                    project_id=project.id,
+                    version=1,
+                    toml=toml,
+                    sha256=audio_checks.parse_spec(toml).sha256,
+                    created_by=self.producer_id,
+                )
+            )
+
+    @staticmethod
+    def _person(session: Session, name: str) -> UUID:
+        person_id = new_id()
+        session.add(Person(id=person_id, email=f"{person_id}@example.test", name=name))
+        return person_id
+
+    def signed_in(self, person_id: UUID) -> TestClient:
+        """Return a browser in which this person is signed in."""
+        secret = f"secret of {new_id()}"
+        expires_at = clock.now().replace(year=clock.now().year + 1)
+        with self.server.runtime.database.writing() as session:
+            session.add(SignIn(person_id=person_id, secret_sha256=sha256_of(secret), expires_at=expires_at))
+        client = self.server.browser()
+        client.cookies.set(SESSION_COOKIE, secret)
+        client.headers[CSRF_HEADER] = csrf_token(self.server.runtime.settings, secret)
+        return client
+
+    @cached_property
+    def producer(self) -> TestClient:
+        """The producer's browser."""
+        return self.signed_in(self.producer_id)
+
+    @cached_property
+    def decider(self) -> TestClient:
+        """The browser of the audio director, who decides."""
+        return self.signed_in(self.decider_id)
+
+    @cached_property
+    def reviewer(self) -> TestClient:
+        """The browser of the composer, who advises."""
+        return self.signed_in(self.reviewer_id)
+
+    @cached_property
+    def designer(self) -> TestClient:
+        """The browser of the designer who is engaged on the project."""
+        return self.signed_in(self.designer_id)
+
+    @cached_property
+    def other_designer(self) -> TestClient:
+        """The browser of a designer who is engaged on nothing here."""
+        return self.signed_in(self.other_designer_id)
+
+    @cached_property
+    def stranger(self) -> TestClient:
+        """The browser of another studio's producer."""
+        return self.signed_in(self.stranger_id)
+
+    @cached_property
+    def nobody(self) -> TestClient:
+        """A browser without credentials."""
+        return self.server.browser()
