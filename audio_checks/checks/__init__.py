@@ -1,0 +1,80 @@
+"""The checks: one module each, found by being here.
+
+A check module has a docstring (one line `name`: what holds; then Why, How to fix, Source), from
+which its page is made, and
+
+- `FIGURES`: the measurements it reads, so that they are made while the file streams by;
+- `applies(spec, cue)`, where some limit must be stated for the check to be called;
+- `check(file, spec)` or `check(file, spec, cue)`, which yields findings.
+
+The module's name, with `-` for `_`, is the check's name.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from audio_checks import check_names
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+
+@dataclass(frozen=True)
+class Check:
+    """One check, as found."""
+
+    name: str
+    module: ModuleType
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """The measurements it reads."""
+        figures: tuple[str, ...] = self.module.FIGURES
+        return figures
+
+    @property
+    def summary(self) -> str:
+        """What holds when it finds nothing, in one line."""
+        return self.parts["summary"]
+
+    @property
+    def parts(self) -> dict[str, str]:
+        """The parts of its docstring: summary, why, how to fix, source."""
+        return parts_of(self.module.__doc__ or "")
+
+    def applies(self, spec: DeliverySpec, cue: CueFacts | None) -> bool:
+        """Tell whether the spec, or the cue, states anything that it could hold a file to."""
+        ask = getattr(self.module, "applies", None)
+        return ask is None or bool(ask(spec, cue))
+
+    def run(self, file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
+        """Yield what it finds."""
+        wants_cue = self.module.check.__code__.co_argcount == 3
+        found: Iterator[Finding] = self.module.check(file, spec, *([cue] if wants_cue else []))
+        return found
+
+
+@cache
+def all_checks() -> dict[str, Check]:
+    """Return every check of this version by name, in the order of the format."""
+    here = check_names.present()
+    return {name: _load(name) for name in check_names.DEFAULT_SEVERITY if name in here}
+
+
+def _load(name: str) -> Check:
+    return Check(name, import_module(f"{__name__}.{name.replace('-', '_')}"))
+
+
+def parts_of(docstring: str) -> dict[str, str]:
+    """Return the parts of a check's docstring, each as one paragraph; empty where it says nothing."""
+    head, *rest = re.split(r"^(Why|How to fix|Source): ", docstring, flags=re.MULTILINE)
+    paragraphs = {title.lower(): " ".join(text.split()) for title, text in zip(rest[::2], rest[1::2], strict=True)}
+    summary = " ".join(head.split()).partition(": ")[2].rstrip(".")
+    return {"summary": summary, "why": "", "how to fix": "", "source": "", **paragraphs}

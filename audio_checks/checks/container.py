@@ -1,0 +1,35 @@
+"""`container`: the file is of a kind the project accepts.
+
+Why: a game's build takes one or two kinds of file, and what is inside decides, not the ending of
+the name. An MP3 renamed to .wav is still an MP3.
+How to fix: export as WAV from the session; do not rename or convert a compressed file.
+Source: the delivery spec, `[accept] containers`.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ()
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Only where the spec lists containers."""
+    return spec.accept.containers is not None
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield `container:not-accepted` for a readable container that the spec does not list."""
+    wanted = spec.accept.containers or ()
+    found = file.facts.container
+    if found not in wanted:
+        yield Finding(
+            code="container:not-accepted",
+            message=f"container {found.upper()}, accepted {', '.join(wanted).upper()}",
+            fix=f"export the sound as {wanted[0].upper()}",
+        )

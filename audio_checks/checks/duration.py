@@ -1,0 +1,92 @@
+"""`duration`: the sound is as long as the project accepts, and about as long as its cue asks.
+
+Why: memory is budgeted by length, and a sound cut to an animation must fit it. Other requests
+are estimates, so a length beyond a quarter more or less only warns; where the sound list locks
+a length, more than one video frame is an error.
+How to fix: trim or extend the sound in the session; if the request is what is wrong, say so on
+the cue.
+Source: the delivery spec, `[accept] duration_s`; the sound list, `duration_s` and `length_locked`.
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ()
+USUAL_FPS = 60.0
+SPREAD = Fraction(1, 4)  # of the length asked for, either way
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
+    """Where the spec bounds lengths, or the cue asks for one."""
+    return bool(spec.accept.duration_s) or (cue is not None and cue.duration_s is not None)
+
+
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
+    """Yield `duration:short`, `duration:long` against the spec, `duration:cue`, `duration:locked` against the cue."""
+    length = Fraction(file.facts.frames, file.facts.sample_rate_hz)
+    low, high = spec.accept.duration_s.min, spec.accept.duration_s.max
+    if low is not None and length < _exact(low):
+        yield Finding(
+            code="duration:short",
+            message=f"{_seconds(length)}, at least {low:g} s accepted",
+            fix="check that the export holds the whole sound",
+            measured=float(length),
+            limit=low,
+            unit="s",
+        )
+    if high is not None and length > _exact(high):
+        yield Finding(
+            code="duration:long",
+            message=f"{_seconds(length)}, at most {high:g} s accepted",
+            fix=f"shorten the sound by {_seconds(length - _exact(high))} or more",
+            measured=float(length),
+            limit=high,
+            unit="s",
+            start_s=high,
+            end_s=float(length),
+        )
+    if cue is not None and cue.duration_s is not None:
+        yield from _against_request(length, _exact(cue.duration_s), cue)
+
+
+def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterator[Finding]:
+    off = length - asked
+    turn = "shorten" if off > 0 else "lengthen"
+    if cue.length_locked:
+        fps = cue.frame_rate_fps or USUAL_FPS
+        if abs(off) > 1 / _exact(fps):
+            yield Finding(
+                code="duration:locked",
+                message=f"{_seconds(length)}, locked to {float(asked):g} s within one frame of {fps:g} fps",
+                fix=f"{turn} the sound by {_seconds(abs(off))}",
+                severity="error",
+                measured=float(length),
+                limit=float(asked),
+                unit="s",
+            )
+    elif abs(off) > asked * SPREAD:
+        yield Finding(
+            code="duration:cue",
+            message=f"{_seconds(length)}, the cue asks for about {float(asked):g} s",
+            fix=f"{turn} the sound, or say on the cue why it needs this length",
+            severity="warning",
+            measured=float(length),
+            limit=float(asked),
+            unit="s",
+        )
+
+
+def _exact(value: float) -> Fraction:
+    """Return the decimal as it was written: 0.1 s means a tenth, not the float nearest to it."""
+    return Fraction(repr(value))
+
+
+def _seconds(length: Fraction) -> str:
+    return f"{float(length):.3f} s"

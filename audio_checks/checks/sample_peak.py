@@ -1,0 +1,41 @@
+"""`sample-peak`: no sample lies above the peak limit of the spec.
+
+Why: a file at full scale leaves the game's mixer no room, and any later gain, fade or conversion
+clips it. It is often the sign of a limiter driven too hard.
+How to fix: lower the level by the amount named, in the session rather than in the finished file.
+Source: the delivery spec, `[limits] sample_peak_dbfs`; ±1.0 is 0 dBFS.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("sample_peak_dbfs", "sample_peak_s")
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Only where the spec limits sample peaks."""
+    return spec.limits.sample_peak_dbfs is not None
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield `sample-peak:over` when the loudest sample of any channel exceeds the limit."""
+    limit = spec.limits.sample_peak_dbfs
+    peak = file.measurements.sample_peak_dbfs
+    if limit is not None and peak > limit + spec.limits.tolerance_db:
+        at_s = file.measurements.sample_peak_s
+        yield Finding(
+            code="sample-peak:over",
+            message=f"sample peak {peak:.2f} dBFS, limit {limit:g} dBFS",
+            fix=f"lower the level by {peak - limit:.2f} dB or more",
+            measured=peak,
+            limit=limit,
+            unit="dBFS",
+            start_s=at_s,
+            end_s=at_s,
+        )

@@ -1,0 +1,55 @@
+"""`silence`: the file holds a sound, in every channel.
+
+Why: an export from a muted track, or from the wrong range of the session, looks like any other
+file until someone listens. A stereo file with one dead channel is heard from one side only.
+How to fix: unmute the track, or choose the right range, and export again.
+Source: the delivery spec, `[limits] silence_below_dbfs`.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("sample_peak_dbfs", "silent_channels")
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Only where the spec says what silence is."""
+    return spec.limits.silence_below_dbfs is not None
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield `silence:file` for a file that never exceeds the limit, else `silence:channel` for a dead channel."""
+    limit = spec.limits.silence_below_dbfs
+    if limit is None:
+        return
+    peak = file.measurements.sample_peak_dbfs
+    if peak < limit - spec.limits.tolerance_db:
+        level = "digital silence" if peak == float("-inf") else f"never louder than {peak:.1f} dBFS"
+        yield Finding(
+            code="silence:file",
+            message=f"{level}, silent below {limit:g} dBFS",
+            fix="unmute the track or choose the right range, and export again",
+            measured=peak,
+            limit=limit,
+            unit="dBFS",
+            start_s=0.0,
+            end_s=file.facts.duration_s,
+        )
+        return
+    dead = list(file.measurements.silent_channels)
+    if dead:
+        named = ", ".join(map(str, dead))
+        yield Finding(
+            code="silence:channel",
+            message=f"no sound in channel {named} of {file.facts.channels}",
+            fix="export the sound in mono, or bring the missing channel back",
+            severity="warning",
+            start_s=0.0,
+            end_s=file.facts.duration_s,
+        )

@@ -1,0 +1,24 @@
+"""`structure`: the file is whole, and says of itself what it holds.
+
+Why: players are lenient in different ways. A file whose header and content disagree plays in one
+tool, is cut short in another and crashes a third; in a game it is the last tool that counts.
+How to fix: export the file again from the session, or copy it again if a transfer was cut off.
+Source: RIFF and RF64 (EBU Tech 3306), WAVE and WAVEFORMATEXTENSIBLE; rules R1 to R7, R11 and R12.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ()
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+    """Yield what the reader tolerated; what it cannot tolerate makes a file unreadable, and no check is called."""
+    for warning in file.warnings:
+        yield Finding(code=warning.code, message=warning.message, fix=warning.fix, severity="warning")

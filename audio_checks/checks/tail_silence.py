@@ -1,0 +1,44 @@
+"""`tail-silence`: the file ends when the sound does.
+
+Why: silence after the sound costs memory on every platform and holds a voice of the game's mixer
+that another sound could have had. Loops rightly end in mid-wave, so they are left alone.
+How to fix: trim the tail to where the sound has faded out.
+Source: the delivery spec, `[limits] tail_silence_ms` and `edge_silence_below_dbfs`; silence is
+what lies below that level, or 60 dB under the file's peak, whichever is lower.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("sample_peak_dbfs", "tail_silence_ms")
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
+    """Only where the spec limits it, and not for a loop."""
+    return spec.limits.tail_silence_ms is not None and not (cue is not None and cue.loop)
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield `tail-silence:over` when the silence after the sound is longer than the limit."""
+    limit = spec.limits.tail_silence_ms
+    if limit is None or file.layout.loops or file.measurements.sample_peak_dbfs == float("-inf"):
+        return
+    _, tail_ms = file.measurements.edges(spec.limits.edge_silence_below_dbfs)
+    if tail_ms > limit:
+        length_s = file.facts.duration_s
+        yield Finding(
+            code="tail-silence:over",
+            message=f"{tail_ms:.1f} ms of silence after the sound, limit {limit:g} ms",
+            fix=f"trim {tail_ms - limit:.1f} ms or more from the end",
+            measured=tail_ms,
+            limit=limit,
+            unit="ms",
+            start_s=length_s - tail_ms / 1000,
+            end_s=length_s,
+        )

@@ -1,0 +1,41 @@
+"""`true-peak`: the waveform stays under the true-peak limit of the spec.
+
+Why: a converter rebuilds the curve that runs between the samples. A file whose samples all lie
+below 0 dBFS can exceed full scale there, and clip in the player's device or in a lossy encoder.
+How to fix: lower the level, or use a true-peak limiter at the ceiling that the spec names.
+Source: ITU-R BS.1770, Annex 2.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("true_peak_dbtp", "true_peak_s")
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Only where the spec limits true peaks."""
+    return spec.limits.true_peak_dbtp is not None
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield `true-peak:over` when the curve of the loudest channel exceeds the limit."""
+    limit = spec.limits.true_peak_dbtp
+    level = file.measurements.true_peak_dbtp
+    if limit is not None and level > limit + spec.limits.tolerance_db:
+        at_s = file.measurements.true_peak_s
+        yield Finding(
+            code="true-peak:over",
+            message=f"true peak {level:.2f} dBTP, limit {limit:g} dBTP",
+            fix=f"lower the level by {level - limit:.2f} dB or more",
+            measured=level,
+            limit=limit,
+            unit="dBTP",
+            start_s=at_s,
+            end_s=at_s,
+        )

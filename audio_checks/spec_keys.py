@@ -1,0 +1,327 @@
+"""The keys of a delivery spec: what each may hold, how it is read, and its JSON Schema.
+
+A value that is read comes back in its plain form (a level is always a float), so that two specs
+that say the same have the same tables, and so the same hash.
+"""
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from audio_checks.check_names import DEFAULT_SEVERITY
+from audio_checks.errors import SpecError
+
+ANY = "any"  # lifts a limit
+SLUG = r"[a-z0-9]+([_-][a-z0-9]+)*"
+
+
+class Kind(Protocol):
+    """What a key may hold."""
+
+    def read(self, value: object, where: str) -> Any:
+        """Return the value in its plain form, or raise SpecError naming the place."""
+
+    def schema(self) -> dict[str, Any]:
+        """Return the JSON Schema of the value."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A finite number between two bounds, or "any"."""
+
+    low: float = -math.inf
+    high: float = math.inf
+
+    def read(self, value: object, where: str) -> float | str:
+        """Return a float, or "any"."""
+        if value == ANY:
+            return ANY
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            raise SpecError(f'wanted a number or "any", found {_shown(value)}', where=where)
+        if not self.low <= value <= self.high:
+            raise SpecError(f"{value:g} is outside {self.low:g} to {self.high:g}", where=where)
+        return float(value)
+
+    def schema(self) -> dict[str, Any]:
+        """Return a number within the bounds, or "any"."""
+        number: dict[str, Any] = {"type": "number"}
+        if math.isfinite(self.low):
+            number["minimum"] = self.low
+        if math.isfinite(self.high):
+            number["maximum"] = self.high
+        return {"anyOf": [number, {"const": ANY}]}
+
+
+@dataclass(frozen=True)
+class Whole:
+    """A whole number between two bounds, one of a few, or a word instead of it."""
+
+    low: int
+    high: int
+    words: tuple[str, ...] = ()
+
+    def read(self, value: object, where: str) -> int | str:
+        """Return the whole number, or the word."""
+        if isinstance(value, str) and value in self.words:
+            return value
+        if isinstance(value, bool) or not isinstance(value, int):
+            wanted = " or ".join(["a whole number", *(f'"{word}"' for word in self.words)])
+            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
+        if not self.low <= value <= self.high:
+            raise SpecError(f"{value} is outside {self.low} to {self.high}", where=where)
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return an integer within the bounds, or one of the words."""
+        number = {"type": "integer", "minimum": self.low, "maximum": self.high}
+        return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
+
+
+@dataclass(frozen=True)
+class Word:
+    """One of a few words."""
+
+    words: tuple[str, ...]
+
+    def read(self, value: object, where: str) -> str:
+        """Return the word."""
+        if not isinstance(value, str) or value not in self.words:
+            hint = _nearest(value, self.words) if isinstance(value, str) else ""
+            raise SpecError(f"wanted one of {', '.join(self.words)}, found {_shown(value)}{hint}", where=where)
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return the enumeration."""
+        return {"enum": list(self.words)}
+
+
+@dataclass(frozen=True)
+class Text:
+    """Any text, or "any" to lift what it limits."""
+
+    regex: bool = False
+
+    def read(self, value: object, where: str) -> str:
+        """Return the text; a pattern must compile."""
+        if not isinstance(value, str) or not value:
+            raise SpecError(f"wanted text, found {_shown(value)}", where=where)
+        if self.regex and value != ANY:
+            try:
+                re.compile(value, re.ASCII)
+            except (re.error, RecursionError, OverflowError) as error:
+                raise SpecError(f"not a regular expression: {error}", where=where) from None
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return a string."""
+        return {"type": "string", "minLength": 1, **({"format": "regex"} if self.regex else {})}
+
+
+@dataclass(frozen=True)
+class Listed:
+    """A list of values of one kind, without repeats; or "any" where it limits."""
+
+    kind: Kind
+    may_be_any: bool = True
+
+    def read(self, value: object, where: str) -> list[Any] | str:
+        """Return the list, or "any"."""
+        if self.may_be_any and value == ANY:
+            return ANY
+        if not isinstance(value, list):
+            wanted = 'a list or "any"' if self.may_be_any else "a list"
+            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
+        if self.may_be_any and not value:
+            raise SpecError('an empty list accepts nothing; "any" accepts everything', where=where)
+        return list(dict.fromkeys(self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)))
+
+    def schema(self) -> dict[str, Any]:
+        """Return an array, or "any"."""
+        array = {"type": "array", "items": self.kind.schema(), **({"minItems": 1} if self.may_be_any else {})}
+        return {"anyOf": [array, {"const": ANY}]} if self.may_be_any else array
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of known keys."""
+
+    keys: Mapping[str, Kind]
+    may_be_any: bool = False
+    needed: tuple[str, ...] = ()
+
+    def read(self, value: object, where: str) -> Any:
+        """Return the table with each value read; an unknown key is refused with the nearest known one."""
+        if self.may_be_any and value == ANY:
+            return ANY
+        table = _table(value, where)
+        for key in table:
+            if key not in self.keys:
+                raise SpecError(f"no such key{_nearest(key, self.keys)}", where=_join(where, key))
+        return {key: self.keys[key].read(one, _join(where, key)) for key, one in table.items()}
+
+    def schema(self) -> dict[str, Any]:
+        """Return a closed object."""
+        table: dict[str, Any] = {
+            "type": "object",
+            "additionalProperties": False,
+            "properties": {key: kind.schema() for key, kind in self.keys.items()},
+        }
+        if self.needed:
+            table["required"] = list(self.needed)
+        return {"anyOf": [table, {"const": ANY}]} if self.may_be_any else table
+
+
+@dataclass(frozen=True)
+class Named:
+    """A table whose keys are chosen by the writer: slugs, or any text."""
+
+    kind: Kind
+    slugs: bool = True
+
+    def read(self, value: object, where: str) -> dict[str, Any]:
+        """Return the table with each value read."""
+        table = _table(value, where)
+        for key in table:
+            if self.slugs and not re.fullmatch(SLUG, key):
+                raise SpecError(
+                    "a name here is lower-case letters and digits, joined by _ or -", where=_join(where, key)
+                )
+        return {key: self.kind.read(one, _join(where, key)) for key, one in table.items()}
+
+    def schema(self) -> dict[str, Any]:
+        """Return an object of any names."""
+        names = {"propertyNames": {"pattern": f"^{SLUG}$"}} if self.slugs else {}
+        return {"type": "object", **names, "additionalProperties": self.kind.schema()}
+
+
+@dataclass(frozen=True)
+class Later:
+    """A key of the format that this version cannot follow yet."""
+
+    instead: str
+
+    def read(self, value: object, where: str) -> Any:
+        """Refuse it in words."""
+        raise SpecError(f"this version cannot follow {_shown(value)} yet: {self.instead}", where=where)
+
+    def schema(self) -> dict[str, Any]:
+        """Return nothing that validates."""
+        return {"not": {}}
+
+
+@dataclass(frozen=True)
+class Containers:
+    """The containers a delivered file may have."""
+
+    inner: Listed = field(default_factory=lambda: Listed(Word(("wav", "rf64", "flac"))))
+
+    def read(self, value: object, where: str) -> list[Any] | str:
+        """Return the list; FLAC is known to the format, but not yet read."""
+        containers = self.inner.read(value, where)
+        if "flac" in containers:
+            raise SpecError("this version of audio-checks cannot read FLAC yet; accept wav", where=where)
+        return containers
+
+    def schema(self) -> dict[str, Any]:
+        """Return the list of what this version reads."""
+        return Listed(Word(("wav", "rf64"))).schema()
+
+
+LEVEL_DB = Number(-200.0, 60.0)
+MS = Number(0.0, 3_600_000.0)
+RATES = Whole(1000, 768_000)
+LEVEL = Word(("error", "warning", "off"))
+
+DURATION = Table({"min": Number(0.0), "max": Number(0.0)}, may_be_any=True)
+LOUDNESS = Table({"min": LEVEL_DB, "max": LEVEL_DB}, may_be_any=True)
+
+ACCEPT = Table(
+    {
+        "containers": Containers(),
+        "encodings": Listed(Word(("pcm", "float"))),
+        "sample_rates_hz": Listed(RATES),
+        "bit_depths": Listed(Whole(8, 64)),
+        "channels": Listed(Whole(1, 64)),
+        "duration_s": DURATION,
+    }
+)
+LIMITS = Table(
+    {
+        "sample_peak_dbfs": LEVEL_DB,
+        "true_peak_dbtp": LEVEL_DB,
+        "dc_offset_percent": Number(0.0, 100.0),
+        "silence_below_dbfs": LEVEL_DB,
+        "head_silence_ms": MS,
+        "tail_silence_ms": MS,
+        "edge_silence_below_dbfs": LEVEL_DB,
+        "tolerance_db": Number(0.0, 12.0),
+        "loudness_lufs": LOUDNESS,
+        "noise_floor_dbfs": LEVEL_DB,
+    }
+)
+NAMING = Table(
+    {
+        "pattern": Text(regex=True),
+        "extension": Text(),
+        "tokens": Later("write the rule as a pattern"),
+        "grammar": Later("write the rule as a pattern"),
+    }
+)
+ENGINE = Table({"adds": Listed(Word(("reverb", "occlusion", "pitch", "doppler")), may_be_any=False)})
+TARGET = Table(
+    {
+        "sample_rate_hz": RATES,
+        "bit_depth": Whole(8, 64),
+        "encoding": Word(("pcm", "float")),
+        "channels": Whole(1, 2, words=("master",)),
+        "dither": Word(("tpdf", "shaped", "none")),
+        "over_peak": Word(("attenuate", "refuse")),
+    }
+)
+CHECKS = Table(dict.fromkeys(DEFAULT_SEVERITY, LEVEL))
+KIND = Word(("event", "natural-decay", "ambience", "voice", "music"))
+
+TABLES: dict[str, Kind] = {
+    "accept": ACCEPT,
+    "limits": LIMITS,
+    "naming": NAMING,
+    "engine": ENGINE,
+    "targets": Named(TARGET),
+    "checks": CHECKS,
+}
+CATEGORY = Table({"kind": KIND, **TABLES})
+SPEC = Table(
+    {
+        "format": Whole(1, 1),
+        "name": Text(),
+        "extend": Text(),
+        **TABLES,
+        "targets": Named(Table(TARGET.keys, needed=("sample_rate_hz", "bit_depth"))),
+        "categories": Named(CATEGORY),
+        "files": Named(Text(), slugs=False),
+    },
+    needed=("format",),
+)
+
+
+def _table(value: object, where: str) -> dict[str, object]:
+    if not isinstance(value, dict):
+        raise SpecError(f"wanted a table, found {_shown(value)}", where=where)
+    return value
+
+
+def _join(where: str, key: str) -> str:
+    return f"{where}.{key}" if where else key
+
+
+def _shown(value: object) -> str:
+    text = f'"{value}"' if isinstance(value, str) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _nearest(key: str, known: Mapping[str, object] | tuple[str, ...]) -> str:
+    from difflib import get_close_matches  # only where a mistake is reported
+
+    return f'; the nearest known is "{get_close_matches(key, list(known), n=1, cutoff=0.0)[0]}"'
