@@ -1,0 +1,3 @@
+export { answered, api, csrfToken, newIdempotencyKey } from './client'
+export { ApiProblem, type FieldProblem, lineLost, problemOf } from './problem'
+export { queryClient } from './queryClient'

@@ -1,0 +1,54 @@
+import { type ErrorComponentProps, useRouter } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api/problem'
+import { Button } from '@/ui/Button'
+import { EmptyState } from '@/ui/EmptyState'
+
+import { NotFoundPage } from './NotFoundPage'
+import { ShellLink } from './shell/ShellLink'
+import { useTitle } from './title'
+
+/** A page that could not be shown: what happened, and the ways on. */
+export function ErrorPage({ error, reset }: ErrorComponentProps) {
+  const router = useRouter()
+  if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
+  const again = () => {
+    reset()
+    void router.invalidate()
+  }
+  return <Broken error={error} onAgain={again} />
+}
+
+function Broken({ error, onAgain }: { error: unknown; onAgain: () => void }) {
+  useTitle('This page did not open')
+  const problem = error instanceof ApiProblem ? error : null
+  return (
+    <div className="page page-narrow" role="alert">
+      <EmptyState
+        head={problem?.status === 403 ? 'This page is not yours to open.' : 'This page did not open.'}
+        level={1}
+        action={
+          <>
+            <Button variant="primary" onClick={onAgain}>
+              Try again
+            </Button>
+            <ShellLink path="/" className="link">
+              To the start
+            </ShellLink>
+          </>
+        }
+      >
+        {problem ? (
+          <>
+            {problem.detail} {problem.fix}
+          </>
+        ) : (
+          'That is our fault; nothing of yours is lost.'
+        )}
+      </EmptyState>
+      <p className="micro dim mono">
+        {problem ? problem.code : error instanceof Error ? error.message : String(error)}
+      </p>
+    </div>
+  )
+}

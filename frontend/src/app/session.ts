@@ -1,0 +1,41 @@
+import type { ReactNode } from 'react'
+
+export interface ShellProject {
+  id: string
+  name: string
+}
+
+/** What the top bar shows of the person at the screen. */
+export interface ShellData {
+  /** Nobody is signed in: null. */
+  person: { name: string; role: string } | null
+  /** Designers have a Desk; everyone of the studio has Today and Review. */
+  side: 'studio' | 'designer'
+  project: ShellProject | null
+  projects: ShellProject[]
+  /** What waits for this person, beside the tab where it is done. */
+  counts: { today?: number; desk?: number; review?: number }
+  signOut: () => void
+  /** A row of the menu that changes who one is: in the demo only. */
+  switcher?: ReactNode
+}
+
+/** Who is at the screen, as the account feature tells the shell through the router's context. */
+export interface Session {
+  useShell: () => ShellData
+  /** Called before every page of the shell; throws a redirect to sign-in when nobody is signed in. */
+  ensureSignedIn: (href: string) => Promise<void>
+}
+
+/** What is shown while nobody is signed in. */
+export const NOBODY: ShellData = {
+  person: null,
+  side: 'studio',
+  project: null,
+  projects: [],
+  counts: {},
+  signOut: () => undefined,
+}
+
+/** The session of a page that asks for no one. */
+export const guestSession: Session = { useShell: () => NOBODY, ensureSignedIn: () => Promise.resolve() }

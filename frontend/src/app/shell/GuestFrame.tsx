@@ -1,0 +1,33 @@
+import { Outlet } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { useHotkeys } from '../keys'
+import { NOBODY } from '../session'
+import { KeysSheet } from './KeysSheet'
+import { Mark } from './Mark'
+import classes from './Shell.module.css'
+import { ShellLink } from './ShellLink'
+import { WhoMenu } from './WhoMenu'
+
+/** The frame of the pages before an account. */
+export function GuestFrame() {
+  const [showingKeys, setShowingKeys] = useState(false)
+  useHotkeys([{ keys: '?', label: 'All keys', group: 'Everywhere', run: () => setShowingKeys(true) }])
+  return (
+    <>
+      <header className={classes.bar}>
+        <ShellLink path="/" className={classes.mark} aria-label="Soundlist, start">
+          <Mark />
+          <span className="strong">Soundlist</span>
+        </ShellLink>
+        <span className="end">
+          <WhoMenu data={NOBODY} onKeys={() => setShowingKeys(true)} />
+        </span>
+      </header>
+      <main id="main" tabIndex={-1} className={classes.main}>
+        <Outlet />
+      </main>
+      <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
+    </>
+  )
+}

@@ -1,0 +1,80 @@
+import { Outlet, useRouteContext, useRouter } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { isMac } from '@/ui/keyNames'
+
+import { useHotkeys } from '../keys'
+import { CommandPalette, useCommands } from '../palette'
+import { ProjectName } from '../title'
+import { KeysSheet } from './KeysSheet'
+import { useScheme } from './scheme'
+import { screensOf } from './screens'
+import classes from './Shell.module.css'
+import { TopBar } from './TopBar'
+
+/** The frame of every page for people who are signed in. */
+export function Shell() {
+  const { session } = useRouteContext({ from: '__root__' })
+  const data = session.useShell()
+  const router = useRouter()
+  const [finding, setFinding] = useState(false)
+  const [showingKeys, setShowingKeys] = useState(false)
+  const { next: nextScheme, set: setScheme } = useScheme()
+
+  const screens = screensOf(data)
+  const go = (path: string) => void router.navigate({ href: path })
+
+  useHotkeys([
+    { keys: 'mod+k', label: 'Find or do', group: 'Everywhere', run: () => setFinding(true) },
+    { keys: '?', label: 'All keys', group: 'Everywhere', run: () => setShowingKeys(true) },
+    ...screens.map(({ label, path, letter }) => ({
+      keys: `g ${letter}`,
+      label: `Go to ${label}`,
+      group: 'Everywhere',
+      run: () => go(path),
+    })),
+  ])
+  useCommands([
+    ...screens.map(({ label, path, letter, icon }) => ({
+      id: `go-${letter}`,
+      label: `Go to ${label}`,
+      icon,
+      keys: `g ${letter}`,
+      run: () => go(path),
+    })),
+    ...data.projects
+      .filter(({ id }) => id !== data.project?.id)
+      .map(({ id, name }) => ({
+        id: `project-${id}`,
+        label: `Open ${name}`,
+        icon: 'box' as const,
+        also: ['project'],
+        run: () => go(`/projects/${id}`),
+      })),
+    {
+      id: 'scheme',
+      label: `Switch to ${nextScheme}`,
+      icon: nextScheme === 'dark' ? 'moon' : 'sun',
+      also: ['theme', 'colours'],
+      run: () => setScheme(nextScheme),
+    },
+    { id: 'keys', label: 'Show all keys', icon: 'question', keys: '?', run: () => setShowingKeys(true) },
+  ])
+
+  return (
+    <ProjectName value={data.project?.name}>
+      <TopBar
+        data={data}
+        screens={screens}
+        findKeys={isMac() ? '⌘ K' : 'Ctrl K'}
+        onFind={() => setFinding(true)}
+        onKeys={() => setShowingKeys(true)}
+      />
+      <main id="main" tabIndex={-1} className={classes.main}>
+        <Outlet />
+      </main>
+      <CommandPalette opened={finding} onClose={() => setFinding(false)} />
+      <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
+    </ProjectName>
+  )
+}

@@ -1,0 +1,55 @@
+import { Count } from '@/ui/Count'
+import { Icon } from '@/ui/Icon'
+
+import type { ShellData } from '../session'
+import { Mark } from './Mark'
+import { ProjectSwitcher } from './ProjectSwitcher'
+import type { Screen } from './screens'
+import classes from './Shell.module.css'
+import { ShellLink } from './ShellLink'
+import { WhoMenu } from './WhoMenu'
+
+interface TopBarProps {
+  data: ShellData
+  screens: Screen[]
+  findKeys: string
+  onFind: () => void
+  onKeys: () => void
+}
+
+export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps) {
+  const home = screens[0]?.path ?? '/'
+  return (
+    <header className={classes.bar}>
+      <ShellLink path={home} className={classes.mark} aria-label={`Soundlist, ${screens[0]?.label ?? 'start'}`}>
+        <Mark />
+      </ShellLink>
+      {data.person && <ProjectSwitcher data={data} />}
+      {screens.length > 0 && (
+        <nav className={classes.tabs} aria-label="Screens">
+          {screens.map(({ label, path, icon, exact, count }) => (
+            <ShellLink key={path} path={path} exact={exact}>
+              <Icon name={icon} size={18} />
+              <span>{label}</span>
+              {count !== undefined && count > 0 && <Count of={count} what="waiting" />}
+            </ShellLink>
+          ))}
+        </nav>
+      )}
+      <button
+        type="button"
+        className={classes.find}
+        aria-label="Find or do"
+        aria-keyshortcuts="Control+K Meta+K"
+        onClick={onFind}
+      >
+        <Icon name="search" />
+        <span className={classes.findWords}>Find or do</span>
+        <kbd className={classes.findKeys} aria-hidden="true">
+          {findKeys}
+        </kbd>
+      </button>
+      <WhoMenu data={data} onKeys={onKeys} />
+    </header>
+  )
+}

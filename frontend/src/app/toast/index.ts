@@ -1,0 +1,2 @@
+export { dismissToast, showToast } from './store'
+export { ToastRegion } from './ToastRegion'

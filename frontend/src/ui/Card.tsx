@@ -1,0 +1,30 @@
+import type { ComponentPropsWithRef, ReactNode } from 'react'
+
+import classes from './Card.module.css'
+import { Count } from './Count'
+
+/** A flat panel with a hairline. Cards never stand in cards. */
+export function Card({ className, ...rest }: ComponentPropsWithRef<'section'>) {
+  return <section {...rest} className={[classes.card, className].filter(Boolean).join(' ')} />
+}
+
+interface CardHeadProps {
+  title: string
+  id?: string
+  count?: number
+  /** After the title, quietly. */
+  note?: ReactNode
+  /** At the right: a note, or actions. */
+  end?: ReactNode
+}
+
+export function CardHead({ title, id, count, note, end }: CardHeadProps) {
+  return (
+    <header className={classes.head}>
+      <h2 id={id}>{title}</h2>
+      {count !== undefined && <Count of={count} />}
+      {note && <span className={classes.note}>{note}</span>}
+      {end && <span className={classes.end}>{end}</span>}
+    </header>
+  )
+}

@@ -1,0 +1,37 @@
+import type { ReactNode } from 'react'
+
+import classes from './Finding.module.css'
+import { Icon } from './Icon'
+
+interface FindingProps {
+  severity: 'error' | 'warning'
+  /** The measured figure: "Sample peak 0.0 dBFS"; for a judgement the question it asks. */
+  head: string
+  /** Where in the sound, or how much: "0.418 s". */
+  where?: string
+  /** The limit and what follows from it, then what to do. */
+  children: ReactNode
+  /** The spot, Mend, the check's page. */
+  actions?: ReactNode
+}
+
+/** One finding: what, the limit, where, and what to do next. */
+export function Finding({ severity, head, where, children, actions }: FindingProps) {
+  const error = severity === 'error'
+  return (
+    <article className={`${classes.finding} tone-${error ? 'bad' : 'warn'}`} aria-label={head}>
+      <header className={classes.head}>
+        <span className={classes.icon}>
+          <Icon name={error ? 'back' : 'triangle'} />
+        </span>
+        <span className="strong toned">
+          <span className="visually-hidden">{error ? 'Error: ' : 'Warning: '}</span>
+          {head}
+        </span>
+        {where && <span className="mono small dim end nowrap">{where}</span>}
+      </header>
+      <p className={classes.text}>{children}</p>
+      {actions && <div className={classes.actions}>{actions}</div>}
+    </article>
+  )
+}

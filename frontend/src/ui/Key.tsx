@@ -1,0 +1,15 @@
+import classes from './Key.module.css'
+import { capsOf } from './keyNames'
+
+/** The cap of a key, or of each press of a sequence. Quiet to screen readers: the control names its keys itself. */
+export function Key({ keys }: { keys: string }) {
+  return (
+    <>
+      {capsOf(keys).map((cap, index) => (
+        <kbd key={index} className={classes.key} aria-hidden="true">
+          {cap}
+        </kbd>
+      ))}
+    </>
+  )
+}

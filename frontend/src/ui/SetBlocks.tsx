@@ -1,0 +1,36 @@
+import { countOf } from './format'
+import classes from './SetBlocks.module.css'
+import type { Tone } from './State'
+
+export interface SetBlock {
+  tone: Tone
+  /** The odd one of its set is drawn taller. */
+  odd?: boolean
+}
+
+interface SetBlocksProps {
+  blocks: SetBlock[]
+  /** In words beside the blocks, "4 of 4" where nothing else is said. */
+  words?: string
+}
+
+const LEFT: Tone = 'idle'
+
+/** A set: one block a variation, filled by its state, and the count in words. */
+export function SetBlocks({ blocks, words }: SetBlocksProps) {
+  const here = blocks.filter(({ tone }) => tone !== LEFT).length
+  return (
+    <span className={classes.set}>
+      <span className={classes.blocks} aria-hidden="true">
+        {blocks.map(({ tone, odd }, index) => (
+          <i
+            key={index}
+            className={`tone-${tone} ${tone === LEFT ? classes.empty : classes.full}`}
+            data-odd={odd || undefined}
+          />
+        ))}
+      </span>
+      <span className="small mid">{words ?? countOf(here, blocks.length)}</span>
+    </span>
+  )
+}

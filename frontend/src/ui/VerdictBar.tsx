@@ -1,0 +1,30 @@
+import type { ReactNode } from 'react'
+
+import classes from './VerdictBar.module.css'
+
+interface VerdictBarProps {
+  /** Who decides, and the round: "You decide. Round 1 of 2." */
+  who: ReactNode
+  /** What follows from it: "A makes Alpha 4 of 10." */
+  follows?: ReactNode
+  /** Buttons, the first one last and filled. */
+  children: ReactNode
+  /** What opens in place above the bar: the reasons of a change. */
+  above?: ReactNode
+}
+
+/** Where a verdict is given: who decides and what it costs at the left, the actions at the right. */
+export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
+  return (
+    <section aria-label="Verdict" className={classes.bar}>
+      {above && <div className={classes.above}>{above}</div>}
+      <div className={classes.line}>
+        <div className={classes.says}>
+          <p className="strong">{who}</p>
+          {follows && <p className="small mid">{follows}</p>}
+        </div>
+        <div className={classes.acts}>{children}</div>
+      </div>
+    </section>
+  )
+}
