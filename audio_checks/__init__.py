@@ -1,1 +1,114 @@
-"""Checks game audio against a delivery spec, and renders the game's files from masters."""
+"""Checks game audio against a delivery spec, and renders the game's files from masters.
+
+>>> from audio_checks import check_file, load_spec
+>>> entry = check_file("shield.wav", load_spec("spec.toml"))  # doctest: +SKIP
+>>> entry.verdict, [finding.message for finding in entry.findings]  # doctest: +SKIP
+
+Every name below is loaded when it is first used, so that importing the package costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from audio_checks.version import TOOL_VERSION
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+    from audio_checks.errors import (
+        AudioChecksError,
+        RenderRefused,
+        SandboxCrashed,
+        SandboxFailed,
+        SandboxOutOfMemory,
+        SandboxTimedOut,
+        SpecError,
+        Unreadable,
+    )
+    from audio_checks.findings import FileReport, Finding, Report
+    from audio_checks.render.render import Rendered, render_master
+    from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
+    from audio_checks.sandbox import Sandbox
+    from audio_checks.sound_list import (
+        SoundList,
+        TakeName,
+        parse_file_name,
+        read_sound_list,
+        slug,
+        stems_of,
+        write_sound_list,
+    )
+    from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
+
+__all__ = [
+    "TOOL_VERSION",
+    "AudioChecksError",
+    "AudioFile",
+    "CueFacts",
+    "DeliverySpec",
+    "FileReport",
+    "Finding",
+    "RenderRefused",
+    "Rendered",
+    "Report",
+    "Sandbox",
+    "SandboxCrashed",
+    "SandboxFailed",
+    "SandboxOutOfMemory",
+    "SandboxTimedOut",
+    "SoundList",
+    "SpecError",
+    "TakeName",
+    "Target",
+    "Unreadable",
+    "check_file",
+    "check_files",
+    "is_placeholder",
+    "load_spec",
+    "measure_file",
+    "new_spec",
+    "parse_file_name",
+    "parse_spec",
+    "read_sound_list",
+    "render_master",
+    "slug",
+    "stems_of",
+    "write_sound_list",
+]
+
+_HOMES = {
+    "audio_checks.audio": ("AudioFile",),
+    "audio_checks.errors": (
+        "AudioChecksError",
+        "RenderRefused",
+        "SandboxCrashed",
+        "SandboxFailed",
+        "SandboxOutOfMemory",
+        "SandboxTimedOut",
+        "SpecError",
+        "Unreadable",
+    ),
+    "audio_checks.findings": ("FileReport", "Finding", "Report"),
+    "audio_checks.render.render": ("Rendered", "render_master"),
+    "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
+    "audio_checks.sandbox": ("Sandbox",),
+    "audio_checks.sound_list": (
+        "SoundList",
+        "TakeName",
+        "parse_file_name",
+        "read_sound_list",
+        "slug",
+        "stems_of",
+        "write_sound_list",
+    ),
+    "audio_checks.spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name from its module, once."""
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_HOME_OF[name]), name)
+    globals()[name] = value
+    return value

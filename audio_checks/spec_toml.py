@@ -11,7 +11,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 def to_toml(tables: Mapping[str, Any]) -> str:
     """Return TOML that reads back to the same tables."""
-    return "\n".join(_lines(tables, "")).strip("\n") + "\n"
+    return re.sub("\n{3,}", "\n\n", "\n".join(_lines(tables, ""))).strip("\n") + "\n"
 
 
 def _lines(tables: Mapping[str, Any], path: str) -> Iterator[str]:

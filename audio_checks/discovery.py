@@ -1,0 +1,101 @@
+"""Finds the files that paths mean, and the spec that each of them stands under."""
+
+import os
+import stat
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from audio_checks.errors import SpecError
+from audio_checks.sound_list import AUDIO_SUFFIXES
+from audio_checks.spec import DeliverySpec, has_spec, load_spec
+
+SPEC_NAMES = ("audio-checks.toml", "pyproject.toml")
+
+
+@dataclass(frozen=True)
+class Found:
+    """A file to look at, and its place below the path that was given."""
+
+    path: str
+    relative: str
+
+
+class NotThere(Exception):
+    """A path that was given, or a folder below it, that cannot be looked into."""
+
+
+def audio_files(paths: Iterable[str]) -> Iterator[Found]:
+    """Yield every file that the paths mean, each once, folders in the order of their names.
+
+    A file that is named is taken whatever its ending; in folders, those with the ending of an audio
+    format are taken, hidden ones are not, and links to folders are not followed.
+
+    Raises
+    ------
+    NotThere
+        A path does not exist, or a folder cannot be listed.
+    """
+    seen: set[str] = set()
+    for path in paths:
+        for found in _below(path):
+            key = os.path.normpath(found.path)
+            if key not in seen:
+                seen.add(key)
+                yield found
+
+
+def _below(path: str) -> Iterator[Found]:
+    try:
+        is_folder = stat.S_ISDIR(os.stat(path).st_mode)
+    except (OSError, ValueError) as error:
+        if not (isinstance(error, OSError) and os.path.lexists(path)):
+            raise NotThere(f"{path}: no such file or folder") from None
+        is_folder = False  # a link that leads nowhere, or a file out of reach: the check says so
+    if not is_folder:
+        yield Found(path, os.path.basename(path))
+        return
+    for folder, folders, names in os.walk(path, onerror=_refuse):
+        folders[:] = sorted(one for one in folders if not one.startswith("."))
+        for name in sorted(names):
+            if not name.startswith(".") and os.path.splitext(name)[1].lower() in AUDIO_SUFFIXES:
+                whole = os.path.join(folder, name)
+                yield Found(whole, os.path.relpath(whole, path))
+
+
+def _refuse(error: OSError) -> None:
+    raise NotThere(f"{error.filename}: the folder cannot be listed: {error.strerror}")
+
+
+class SpecFinder:
+    """Finds the spec of a file: the one that is named, or the nearest, walking up from the file.
+
+    The nearest is an audio-checks.toml, or a pyproject.toml with a table for it.
+    """
+
+    def __init__(self, named: str | None = None) -> None:
+        self._named = load_spec(named) if named else None
+        self._by_folder: dict[Path, DeliverySpec | None] = {}
+
+    def spec_of(self, path: str) -> DeliverySpec | None:
+        """Return the spec that a file stands under; None where no folder above it has one."""
+        return self._named or self._in(Path(path).absolute().parent)
+
+    def _in(self, folder: Path) -> DeliverySpec | None:
+        if folder not in self._by_folder:
+            self._by_folder[folder] = self._look(folder)
+        return self._by_folder[folder]
+
+    def _look(self, folder: Path) -> DeliverySpec | None:
+        for name in SPEC_NAMES:
+            path = folder / name
+            if path.is_file() and _is_ours(path):
+                return load_spec(path)
+        return None if folder.parent == folder else self._in(folder.parent)
+
+
+def _is_ours(path: Path) -> bool:
+    try:
+        return has_spec(path)
+    except SpecError:
+        return False  # somebody else's broken pyproject.toml

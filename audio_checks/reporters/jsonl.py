@@ -1,0 +1,13 @@
+"""One JSON object a line, one line a file."""
+
+from audio_checks.findings import Report, dumps
+
+
+def judged(report: Report, *, colour: bool) -> str:  # noqa: ARG001
+    """Return the lines."""
+    return "".join(dumps(entry.to_dict()) + "\n" for entry in report.files)
+
+
+def measured(report: Report, *, colour: bool) -> str:  # noqa: ARG001
+    """Return the lines of figures, without verdict and findings."""
+    return "".join(dumps(entry.to_measured()) + "\n" for entry in report.files)

@@ -1,0 +1,337 @@
+"""Runs the checks that a spec asks for on files, and gives every finding its severity.
+
+A check that crashes is the tool's fault: the file is `unjudged`, whatever else was found.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass, replace
+from functools import cache
+from multiprocessing import get_all_start_methods, get_context
+
+from audio_checks import check_names
+from audio_checks.audio import AudioFile
+from audio_checks.check_names import Severity
+from audio_checks.checks import Check, all_checks, placeholder
+from audio_checks.errors import Unreadable
+from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
+from audio_checks.sound_list import SoundList
+from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.version import TOOL_VERSION
+
+PathLike = str | os.PathLike[str]
+_NO_SPEC = DeliverySpec(tables={})
+_MOST_AT_ONCE = 16  # files a worker process takes at a time
+
+
+@dataclass(frozen=True)
+class Task:
+    """One file to judge, with all that is known of it.
+
+    `spec` is the view for the file's category and the target, None for structure only; `unlisted`
+    says that there is a sound list, and no cue in it owns the file's name.
+    """
+
+    path: str
+    spec: DeliverySpec | None = None
+    cue: CueFacts | None = None
+    unlisted: bool = False
+
+
+def check_file(
+    path: PathLike,
+    spec: DeliverySpec | None = None,
+    *,
+    target: str | None = None,
+    category: str | None = None,
+    cue: CueFacts | None = None,
+    name: str | None = None,
+    checks: Iterable[str] | None = None,
+    all_figures: bool = False,
+) -> FileReport:
+    """Judge one file.
+
+    Parameters
+    ----------
+    path : path
+        Any path: what cannot be opened or read is a finding, never an exception.
+    spec : DeliverySpec, optional
+        Without one, only the structure is judged.
+    target : str, optional
+        Judge a render made to this target, not a delivery.
+    category : str, optional
+        Whose limits hold; else the cue's, else what `[files]` of the spec says.
+    cue : CueFacts, optional
+        What the sound list asks of this sound.
+    name : str, optional
+        The file's name as delivered, when it is stored under another; the report calls it so.
+    checks : iterable of str, optional
+        Run only these.
+    all_figures : bool
+        Measure everything, not only what the checks read.
+
+    Returns
+    -------
+    FileReport
+
+    Raises
+    ------
+    SpecError
+        The spec has no such target.
+    ValueError
+        There is no check of a name in `checks`.
+    """
+    if spec is not None:
+        spec = view_of(spec, path, target=target, category=category, cue=cue)
+    return _judge(Task(os.fspath(path), spec, cue), name=name, checks=checks, all_figures=all_figures)
+
+
+def check_files(
+    paths: Iterable[PathLike],
+    spec: DeliverySpec | None = None,
+    *,
+    target: str | None = None,
+    sound_list: SoundList | None = None,
+    category: str | None = None,
+    jobs: int = 1,
+) -> Report:
+    """Judge many files by one spec, in their order; see `check_file`.
+
+    `jobs` is the number of processes, 0 for one a core. A process that dies leaves its file unjudged.
+    """
+    tasks = [task_for(path, spec, target=target, category=category, sound_list=sound_list) for path in paths]
+    entries = judge(tasks, jobs=jobs)
+    return report_on(entries, [spec] if spec else [], [task.spec for task in tasks if task.spec])
+
+
+def measure_file(path: PathLike, *, category: str | None = None, name: str | None = None) -> FileReport:
+    """Measure everything in one file and judge nothing: its entry has no findings, and is `unjudged`.
+
+    Raises
+    ------
+    Unreadable
+        The file breaks a rule of structure.
+    """
+    with AudioFile(path, name=name) as file:
+        return FileReport(
+            path=legible(path) if name is None else name,
+            verdict="unjudged",
+            sha256=file.sha256,
+            pcm_sha256=file.pcm_sha256,
+            category=category,
+            facts=file.facts.to_dict(),
+            measurements=file.measurements.to_dict(),
+        )
+
+
+def is_placeholder(path: PathLike) -> bool:
+    """Tell whether a file carries the mark of a stand-in; Unreadable when it is no sound at all."""
+    with AudioFile(path) as file:
+        return placeholder.cue_marked(file) is not None
+
+
+def view_of(
+    spec: DeliverySpec, path: PathLike, *, target: str | None, category: str | None, cue: CueFacts | None
+) -> DeliverySpec:
+    """Return the view of the spec that a file is judged by."""
+    if spec.category is None:
+        category = category or (cue.category if cue else None) or spec.category_of(os.fspath(path))
+        spec = spec.for_category(category)
+    return spec if target is None else spec.for_target(target)
+
+
+def task_for(
+    path: PathLike,
+    spec: DeliverySpec | None,
+    *,
+    target: str | None = None,
+    category: str | None = None,
+    sound_list: SoundList | None = None,
+) -> Task:
+    """Return the task of judging one file: its cue found by name, its limits by category and target."""
+    slot = sound_list.slot_of_file(os.path.basename(os.fspath(path))) if sound_list else None
+    cue = slot[0] if slot else None
+    view = view_of(spec, path, target=target, category=category, cue=cue) if spec else None
+    return Task(os.fspath(path), view, cue, unlisted=sound_list is not None and slot is None)
+
+
+def judge(tasks: list[Task], *, jobs: int = 1, done: Callable[[FileReport], None] | None = None) -> list[FileReport]:
+    """Return what is said of each file, in order; `done` hears of each as it is finished."""
+    jobs = jobs or os.cpu_count() or 1
+    if jobs > 1 and len(tasks) > 1:
+        return _in_processes(tasks, min(jobs, len(tasks)), done)
+    entries = []
+    for task in tasks:
+        entries.append(_judge(task))
+        if done:
+            done(entries[-1])
+    return entries
+
+
+def report_on(
+    entries: Iterable[FileReport], specs: Iterable[DeliverySpec], views: Iterable[DeliverySpec] = ()
+) -> Report:
+    """Return the report over what was said of files, the specs that were used, and the views of them."""
+    specs = list(specs)
+    lacking = {name for spec in [*specs, *views] for name in spec.not_run}
+    return Report(
+        files=tuple(entries),
+        specs=tuple(dict.fromkeys(SpecRef(spec.name, spec.sha256) for spec in specs)),
+        not_run=tuple(name for name in check_names.DEFAULT_SEVERITY if name in lacking),
+        tool_version=TOOL_VERSION,
+    )
+
+
+def legible(path: PathLike) -> str:
+    """Return a path as text that any encoding of Unicode can hold; undecodable bytes are shown as escapes."""
+    return os.fsencode(path).decode("utf-8", "backslashreplace")
+
+
+def _judge(
+    task: Task, *, name: str | None = None, checks: Iterable[str] | None = None, all_figures: bool = False
+) -> FileReport:
+    spec = _NO_SPEC if task.spec is None else task.spec
+    selected = _selected(spec, task.cue, ["structure"] if task.spec is None and checks is None else checks)
+    shown = legible(task.path) if name is None else name
+    blank = FileReport(path=shown, verdict="unjudged", category=spec.category)
+    try:
+        with AudioFile(task.path, name=name) as file:
+            if not all_figures:
+                file.prepare(figure for check in selected for figure in check.figures)
+            whole = replace(
+                blank,
+                facts=file.facts.to_dict(),
+                sha256=file.sha256,
+                pcm_sha256=file.pcm_sha256,
+                measurements=file.measurements.to_dict(),
+            )
+            found, crashed = _found(selected, file, spec, task.cue)
+    except Unreadable as error:
+        return _refused(blank, error)
+    except Exception as error:  # whatever breaks in the tool must not be held against the file
+        return replace(blank, findings=(_crash("audio-checks", error),))
+    if task.unlisted:
+        found.append(_unlisted())
+    graded = [one for one in (_graded(finding, spec) for finding in found) if one is not None]
+    verdict: Verdict = "rejected" if any(one.severity == "error" for one in graded) else "conforming"
+    findings = sorted([*crashed, *graded], key=lambda one: one.severity != "error")
+    return replace(whole, verdict="unjudged" if crashed else verdict, findings=tuple(findings))
+
+
+def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | None) -> list[Check]:
+    known = all_checks()
+    names = list(known) if wanted is None else list(wanted)
+    for name in names:
+        if name not in known:
+            raise ValueError(f"no check {name!r}")
+    return [known[name] for name in names if spec.checks.get(name) != "off" and known[name].applies(spec, cue)]
+
+
+def _found(
+    checks: Iterable[Check], file: AudioFile, spec: DeliverySpec, cue: CueFacts | None
+) -> tuple[list[Finding], list[Finding]]:
+    """Return what the checks found, and which of them broke."""
+    found: list[Finding] = []
+    crashed: list[Finding] = []
+    for check in checks:
+        try:
+            found += list(check.run(file, spec, cue))
+        except Unreadable:
+            raise
+        except Exception as error:  # a check's bug is the tool's, and the other checks still count
+            crashed.append(_crash(check.name, error))
+    return found, crashed
+
+
+def _graded(finding: Finding, spec: DeliverySpec) -> Finding | None:
+    """Return the finding with its severity: the spec's word first, then the check's, then the default."""
+    level = spec.checks.get(finding.check)
+    if level == "off":
+        return None
+    severity: Severity = level or finding.severity or check_names.DEFAULT_SEVERITY[finding.check]
+    return replace(finding, severity=severity)
+
+
+def _refused(blank: FileReport, error: Unreadable) -> FileReport:
+    finding = Finding(code=error.code, message=f"{error} ({error.rule})", fix=error.fix, severity="error")
+    whole_flac = error.code == "container:flac" and blank.path.lower().endswith(".flac")  # lawful, but not accepted
+    return replace(blank, verdict="rejected" if whole_flac else "unreadable", findings=(finding,))
+
+
+def _crash(what: str, error: BaseException) -> Finding:
+    return Finding(
+        code=f"{what}:crashed",
+        message=f"the check itself broke ({type(error).__name__}: {error}); nothing is known to be wrong with the file",
+        fix="report it to whoever maintains audio-checks, with the file",
+        severity="error",
+    )
+
+
+def _unlisted() -> Finding:
+    return Finding(
+        code="naming:unlisted",
+        message="no cue of the sound list owns this name",
+        fix="rename it to the file name of its cue, or add the cue to the list",
+        severity="warning",
+    )
+
+
+@cache
+def _start_method() -> str:
+    return "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
+
+
+def _pool(workers: int) -> ProcessPoolExecutor:
+    context = get_context(_start_method())
+    if _start_method() == "forkserver":
+        context.set_forkserver_preload([__name__])
+    return ProcessPoolExecutor(workers, mp_context=context)
+
+
+def _judge_all(tasks: list[Task]) -> list[FileReport]:
+    return [_judge(task) for task in tasks]
+
+
+def _in_processes(tasks: list[Task], workers: int, done: Callable[[FileReport], None] | None) -> list[FileReport]:
+    entries: dict[int, FileReport] = {}
+
+    def keep(first: int, finished: list[FileReport]) -> None:
+        for place, entry in enumerate(finished, start=first):
+            entries[place] = entry
+            if done:
+                done(entry)
+
+    size = max(1, min(_MOST_AT_ONCE, len(tasks) // (workers * 4)))
+    with _pool(workers) as pool:
+        running: dict[Future[list[FileReport]], int] = {
+            pool.submit(_judge_all, tasks[first : first + size]): first for first in range(0, len(tasks), size)
+        }
+        while running:
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                first = running.pop(future)
+                if not isinstance(future.exception(), BrokenProcessPool):
+                    keep(first, future.result())
+    for place, entry in _one_by_one(tasks, [place for place in range(len(tasks)) if place not in entries]):
+        keep(place, [entry])
+    return [entries[place] for place in range(len(tasks))]
+
+
+def _one_by_one(tasks: list[Task], places: list[int]) -> Iterator[tuple[int, FileReport]]:
+    """Judge what a dead process left over, so that only the file that kills its process goes unjudged."""
+    pool = _pool(1) if places else None
+    for place in places:
+        if pool is None:
+            pool = _pool(1)
+        try:
+            yield place, pool.submit(_judge, tasks[place]).result()
+        except BrokenProcessPool as error:
+            task = tasks[place]
+            category = task.spec.category if task.spec else None
+            crash = _crash("audio-checks", error)
+            yield place, FileReport(legible(task.path), "unjudged", category=category, findings=(crash,))
+            pool.shutdown()
+            pool = None
+    if pool is not None:
+        pool.shutdown()
