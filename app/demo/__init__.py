@@ -1,0 +1,1 @@
+"""The demo project "Shield Wing": its sounds, made from nothing by our own synthesiser."""
