@@ -18,6 +18,7 @@ class Settings(BaseSettings):
     store_url: str = Field("", description="Where masters and renders live; empty means a folder inside data_dir.")
     smtp_url: str = Field("", description="smtp://user:password@host:port; empty keeps mails in the outbox.")
     mail_from: str = "Soundlist <soundlist@localhost>"
+    digest_delay_s: float = Field(60.0, ge=0, description="How long a mail waits for more news of its kind.")
     base_url: str = "http://127.0.0.1:8000"
     secret_key: SecretStr = SecretStr("")
     demo: bool = Field(False, description="Only `soundlist demo` sets this: the demo studio needs no sign-in.")

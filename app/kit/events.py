@@ -24,7 +24,12 @@ def connect(queue: JobQueue, subscribers: Mapping[str, tuple[str, ...]]) -> None
 
 
 def publish(
-    session: Session, event: str, *, priority: int = NORMAL, **facts: UUID | str | int | list[str] | None
+    session: Session,
+    event: str,
+    *,
+    priority: int = NORMAL,
+    delay_s: float = 0,
+    **facts: UUID | str | int | list[str] | None,
 ) -> UUID:
     """Write one job per subscriber into the caller's transaction, and return the event's id."""
     if _queue is None or event not in _subscribers:
@@ -33,5 +38,5 @@ def publish(
     payload: dict[str, Any] = {"event": event, "event_id": str(event_id)}
     payload |= {name: str(value) if isinstance(value, UUID) else value for name, value in facts.items()}
     for subscriber in _subscribers[event]:
-        _queue.enqueue(session, subscriber, payload, key=f"{event_id}:{subscriber}", priority=priority)
+        _queue.enqueue(session, subscriber, payload, key=f"{event_id}:{subscriber}", priority=priority, delay_s=delay_s)
     return event_id

@@ -7,11 +7,12 @@ import contextlib
 import logging
 import threading
 from collections.abc import Callable
-from datetime import datetime
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
 import sqlalchemy as sa
-from dbos import DBOS, DBOSClient, DBOSConfig
+from dbos import DBOS, DBOSClient, DBOSConfig, EnqueueOptions
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.kit import clock
@@ -29,6 +30,8 @@ ATTEMPTS = 4
 RECOVERY_ATTEMPTS = 20
 URGENT, NORMAL, BULK = 1, 10, 100
 BEAT_EVERY_S = 5.0
+OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
+FAILED_STATES = ["ERROR", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "CANCELLED"]
 
 Payload = dict[str, Any]
 Handler = Callable[["Runtime", Payload], None]
@@ -63,6 +66,17 @@ def job_names() -> frozenset[str]:
     return frozenset(_handlers)
 
 
+@dataclass(frozen=True)
+class UnfinishedJob:
+    """A job that waits, runs or gave up."""
+
+    id: str
+    name: str
+    state: str
+    recoveries: int
+    since: datetime
+
+
 class JobQueue:
     """Writes jobs into the caller's transaction; needs no running worker."""
 
@@ -73,20 +87,46 @@ class JobQueue:
             lazy=True,
         )
 
-    def enqueue(self, session: Session, name: str, payload: Payload, *, key: str, priority: int = NORMAL) -> None:
-        """Write one job; a second with the same key is the same job."""
-        self._client.enqueue_in_transaction(
-            session,
-            {
-                "workflow_name": RUN_JOB,
-                "queue_name": JOB_QUEUE,
-                "workflow_id": key,
-                "app_version": STEPS_VERSION,
-                "priority": priority,
-            },
-            name,
-            payload,
-        )
+    def enqueue(
+        self,
+        session: Session,
+        name: str,
+        payload: Payload,
+        *,
+        key: str,
+        priority: int = NORMAL,
+        delay_s: float = 0,
+    ) -> None:
+        """Write one job, to be run after the delay; a second with the same key is the same job."""
+        options: EnqueueOptions = {
+            "workflow_name": RUN_JOB,
+            "queue_name": JOB_QUEUE,
+            "workflow_id": key,
+            "app_version": STEPS_VERSION,
+            "priority": priority,
+        }
+        if delay_s:
+            options["delay_seconds"] = delay_s
+        self._client.enqueue_in_transaction(session, options, name, payload)
+
+    def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
+        """Return the jobs that wait, run or gave up, oldest first."""
+        states = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
+        found = self._client.list_workflows(status=states, sort_desc=False, limit=1000, load_output=False)
+        return [
+            UnfinishedJob(
+                id=workflow.workflow_id,
+                name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
+                state=workflow.status.lower(),
+                recoveries=workflow.recovery_attempts or 0,
+                since=datetime.fromtimestamp((workflow.created_at or 0) / 1000, UTC),
+            )
+            for workflow in found
+        ]
+
+    def retry(self, job_id: str) -> None:
+        """Let a job run again that gave up."""
+        self._client.resume_workflow(job_id)
 
     def close(self) -> None:
         """Close the client's own connections."""

@@ -1,7 +1,45 @@
-"""The endpoints of this room."""
+"""The studio's outbox."""
+
+from uuid import UUID
 
 from fastapi import APIRouter
 
-from app.kit.http import Route
+from app.accounts.endpoints import allows
+from app.accounts.errors import ProducerNeeded, StudioNotFound
+from app.accounts.rules import Actor, Sight
+from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.notifications import service
+from app.notifications.errors import MailNotFound
+from app.notifications.models import Mail
+from app.notifications.rules import text_of
+from app.notifications.schemas import MailRead, OutboxRead
 
 router = APIRouter(prefix="/v1", tags=["notifications"], route_class=Route)
+
+
+def _read(mail: Mail) -> MailRead:
+    return MailRead(
+        id=mail.id,
+        recipient=mail.recipient,
+        subject=mail.subject,
+        text=text_of(mail.lines, mail.link),
+        link=mail.link,
+        created_at=mail.created_at,
+        sent_at=mail.sent_at,
+        failure=mail.failure,
+    )
+
+
+@router.get("/studios/{studio_id}/outbox", responses=problems(StudioNotFound, ProducerNeeded))
+def read_outbox(
+    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+) -> OutboxRead:
+    """Return the studio's mails, those that wait for an SMTP server first."""
+    mails = service.outbox(session, actor, studio_id)
+    return OutboxRead(can_send=bool(runtime.settings.smtp_url), mails=[_read(mail) for mail in mails])
+
+
+@router.post("/mails/{mail_id}/send", responses=problems(MailNotFound))
+def send_mail_again(mail_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> MailRead:
+    """Try a mail again that was not sent."""
+    return _read(service.send_again(session, actor, mail_id))

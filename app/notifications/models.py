@@ -3,7 +3,7 @@
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import ForeignKey
+from sqlalchemy import ForeignKey, Index, text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.kit import clock
@@ -11,17 +11,29 @@ from app.kit.db import Base, new_id
 
 
 class Mail(Base):
-    """One mail, waiting or sent."""
+    """One mail to one person, gathering news of one kind until it is sent."""
 
     __tablename__ = "notifications_mails"
+    __table_args__ = (
+        Index(
+            "uq_notifications_mails_open",
+            "topic",
+            "recipient",
+            unique=True,
+            sqlite_where=text("sealed_at is null"),
+            postgresql_where=text("sealed_at is null"),
+        ),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    key: Mapped[str] = mapped_column(unique=True)  # of the event and the recipient: told once
+    studio_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_studios.id"), index=True)  # None: account mail
+    topic: Mapped[str]  # what it is about: news of the same topic joins an open mail
     recipient: Mapped[str]
     subject: Mapped[str]
-    text: Mapped[str]
-    link: Mapped[str | None]  # what the producer may copy while no SMTP server is set
+    lines: Mapped[list[str]]
+    event_ids: Mapped[list[str]]  # each event is told once, however often its job runs
+    link: Mapped[str | None]  # the producer may copy it while no SMTP server is set
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    sealed_at: Mapped[datetime | None]  # from here on nothing is added
     sent_at: Mapped[datetime | None]
     failure: Mapped[str | None]

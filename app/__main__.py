@@ -1,0 +1,5 @@
+"""`python -m app` is `soundlist`."""
+
+from app.cli import main
+
+main()

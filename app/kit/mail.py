@@ -1,0 +1,44 @@
+"""Hands one mail to an SMTP server."""
+
+import asyncio
+from email.message import EmailMessage
+from email.utils import make_msgid
+from urllib.parse import unquote, urlsplit
+
+import aiosmtplib
+
+TIMEOUT_S = 20.0
+
+
+class BadSmtpUrl(ValueError):
+    """SOUNDLIST_SMTP_URL is not an address of an SMTP server."""
+
+
+def plain_mail(*, sender: str, recipient: str, subject: str, text: str) -> EmailMessage:
+    """Return a mail; a line break in a header is refused by the message class itself."""
+    message = EmailMessage()
+    message["From"] = sender
+    message["To"] = recipient
+    message["Subject"] = " ".join(subject.split())
+    message["Message-ID"] = make_msgid(domain="soundlist")
+    message["Auto-Submitted"] = "auto-generated"
+    message.set_content(text)
+    return message
+
+
+def send(smtp_url: str, message: EmailMessage) -> None:
+    """Deliver to the server; raise aiosmtplib.SMTPException or OSError where it does not take the mail."""
+    parts = urlsplit(smtp_url)
+    if parts.scheme not in ("smtp", "smtps") or not parts.hostname:
+        raise BadSmtpUrl(f"{parts.scheme}://{parts.hostname} is no SMTP server; write smtp://user:password@host:port")
+    asyncio.run(
+        aiosmtplib.send(
+            message,
+            hostname=parts.hostname,
+            port=parts.port or (465 if parts.scheme == "smtps" else 587),
+            username=unquote(parts.username) if parts.username else None,
+            password=unquote(parts.password) if parts.password else None,
+            use_tls=parts.scheme == "smtps",
+            timeout=TIMEOUT_S,
+        )
+    )

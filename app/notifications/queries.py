@@ -1,0 +1,98 @@
+"""Mails, and the facts that they tell."""
+
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from uuid import UUID
+
+from sqlalchemy import or_, select
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Membership, Person
+from app.accounts.rules import Role
+from app.deliveries.models import Take
+from app.notifications.models import Mail
+from app.projects.models import Engagement, Liaison, Project
+from app.projects.queries import decider_of
+from app.reviews.models import ChangeRequest
+from app.sound_lists.models import Cue
+
+OUTBOX_ROWS = 200
+
+
+def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
+    """Return the mail that still gathers news of this topic."""
+    return session.scalar(
+        select(Mail).where(Mail.topic == topic, Mail.recipient == recipient, Mail.sealed_at.is_(None))
+    )
+
+
+def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
+    """Return a studio's mails, those that wait first, then the newest."""
+    return session.scalars(
+        select(Mail)
+        .where(Mail.studio_id == studio_id)
+        .order_by(Mail.sent_at.is_not(None), Mail.id.desc())
+        .limit(OUTBOX_ROWS)
+    ).all()
+
+
+def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequence[UUID]:
+    """Return the mails that no job will send any more, oldest first: sealed ones, and those past their digest's time."""
+    begun_before = at - timedelta(seconds=2 * digest_delay_s)
+    return session.scalars(
+        select(Mail.id)
+        .where(Mail.sent_at.is_(None), or_(Mail.sealed_at.is_not(None), Mail.created_at < begun_before))
+        .order_by(Mail.id)
+    ).all()
+
+
+def changes_of(session: Session, sending_id: UUID) -> Sequence[tuple[ChangeRequest, Take, Cue]]:
+    """Return what was sent together, with the takes and cues it is about."""
+    return (
+        session.execute(
+            select(ChangeRequest, Take, Cue)
+            .join(Take, Take.id == ChangeRequest.take_id)
+            .join(Cue, Cue.id == ChangeRequest.cue_id)
+            .where(ChangeRequest.sending_id == sending_id)
+            .order_by(Cue.number, Take.variation)
+        )
+        .tuples()
+        .all()
+    )
+
+
+def address_of(session: Session, person_id: UUID) -> str:
+    """Return where a person reads mail."""
+    return session.scalars(select(Person.email).where(Person.id == person_id)).one()
+
+
+def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
+    """Return the addresses of the designers engaged on a project."""
+    return session.scalars(
+        select(Person.email)
+        .join(Engagement, Engagement.designer_id == Person.id)
+        .where(Engagement.project_id == project_id, Engagement.ended_at.is_(None))
+    ).all()
+
+
+def decider_address(session: Session, project: Project) -> str:
+    """Return the address of the project's decider."""
+    return address_of(session, decider_of(session, project))
+
+
+def speaker_addresses(session: Session, project: Project) -> set[str]:
+    """Return the addresses of decider and liaisons: those who answer for the team."""
+    liaisons = session.scalars(
+        select(Person.email).join(Liaison, Liaison.person_id == Person.id).where(Liaison.project_id == project.id)
+    )
+    return {decider_address(session, project), *liaisons}
+
+
+def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
+    """Return the addresses of the studio's producers."""
+    rows = session.execute(
+        select(Person.email, Membership.roles)
+        .join(Membership, Membership.person_id == Person.id)
+        .where(Membership.studio_id == studio_id)
+    ).tuples()
+    return {email for email, roles in rows if Role.PRODUCER in roles}

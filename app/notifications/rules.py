@@ -1,0 +1,25 @@
+"""How a mail reads, stated without a database."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+FOOTER = "Soundlist keeps what was asked, delivered and decided; answer there, not to this mail."
+
+
+def counted(count: int, one: str, many: str) -> str:
+    """Return a count with its noun: 1 file, 2 files."""
+    return f"{count} {one if count == 1 else many}"
+
+
+def text_of(lines: Sequence[str], link: str | None) -> str:
+    """Return the whole text of a mail."""
+    parts = ["\n\n".join(lines)]
+    if link:
+        parts.append(link)
+    parts.append(f"-- \n{FOOTER}")
+    return "\n\n".join(parts) + "\n"
+
+
+def finding_line(finding: Mapping[str, Any]) -> str:
+    """Return a finding on one line: what was found, and how to mend it."""
+    return f"{finding['message']}. {finding['fix']}" if finding.get("fix") else str(finding["message"])
