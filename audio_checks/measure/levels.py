@@ -1,0 +1,119 @@
+"""Peak, RMS and offset of the samples as they are."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.decibels import decibels, power_decibels
+
+Samples = NDArray[np.float64]
+
+
+def sample_peak_dbfs(samples: Samples) -> float:
+    """Return the level of the largest sample, in dBFS.
+
+    Parameters
+    ----------
+    samples : ndarray, shape (frames, channels)
+        Full scale is ±1.0. The loudest channel counts.
+
+    Returns
+    -------
+    float
+        -inf for digital silence and for no frames at all.
+    """
+    return decibels(float(np.abs(samples).max())) if samples.size else -math.inf
+
+
+def rms_dbfs(samples: Samples) -> float:
+    """Return the RMS level over all channels, in dBFS.
+
+    Parameters
+    ----------
+    samples : ndarray, shape (frames, channels)
+        A square wave at ±1.0 is 0 dBFS, a sine is -3.01 dBFS.
+
+    Returns
+    -------
+    float
+        -inf for digital silence and for no frames at all.
+    """
+    return power_decibels(float(np.square(samples).mean())) if samples.size else -math.inf
+
+
+def dc_offset_percent(samples: Samples) -> float:
+    """Return the mean of the channel where it is farthest from zero, unsigned, in percent of full scale.
+
+    Parameters
+    ----------
+    samples : ndarray, shape (frames, channels)
+        Full scale is ±1.0.
+
+    Returns
+    -------
+    float
+        0 for digital silence and for no frames at all.
+    """
+    return float(100 * np.abs(samples.mean(axis=0)).max()) if samples.size else 0.0
+
+
+class Levels:
+    """Measures peak, RMS, crest and offset of blocks.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole signal.
+    """
+
+    FIGURES = (
+        "is_silence",
+        "sample_peak_dbfs",
+        "sample_peak_s",
+        "rms_dbfs",
+        "crest_db",
+        "dc_offset_percent",
+        "silent_channels",
+    )
+
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
+        self._rate = sample_rate_hz
+        self._seen = 0
+        self._peak = 0.0
+        self._peak_frame = 0
+        self._peaks = np.zeros(channels)
+        self._sums = np.zeros(channels)
+        self._squares = np.zeros(channels)
+
+    def add(self, block: Samples) -> None:
+        """Take the next samples, shape (n, channels)."""
+        if not len(block):
+            return
+        peaks = np.maximum(block.max(axis=0), -block.min(axis=0))
+        if peaks.max() > self._peak:
+            self._peak = float(peaks.max())
+            at_peak = (np.abs(block[:, channel]) >= self._peak for channel in np.flatnonzero(peaks == self._peak))
+            self._peak_frame = self._seen + min(int(np.argmax(hit)) for hit in at_peak)
+        np.maximum(self._peaks, peaks, out=self._peaks)
+        self._sums += block.sum(axis=0)
+        self._squares += np.einsum("ij,ij->j", block, block)
+        self._seen += len(block)
+
+    def result(self) -> dict[str, Any]:
+        """Return the figures, by name."""
+        seen = max(self._seen, 1)
+        peak = decibels(self._peak)
+        rms = power_decibels(float(self._squares.mean()) / seen)
+        return {
+            "is_silence": self._peak == 0,
+            "sample_peak_dbfs": peak,
+            "sample_peak_s": self._peak_frame / self._rate,
+            "rms_dbfs": rms,
+            "crest_db": peak - rms if self._peak else 0.0,
+            "dc_offset_percent": float(100 * np.abs(self._sums).max() / seen),
+            "silent_channels": tuple(int(channel) + 1 for channel in np.flatnonzero(self._peaks == 0)),
+        }

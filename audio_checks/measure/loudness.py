@@ -1,0 +1,266 @@
+"""Loudness as ITU-R BS.1770 and EBU R 128 define it, at any sample rate.
+
+Sources: ITU-R BS.1770-5, Annex 1; EBU Tech 3341 (momentary and short-term); EBU Tech 3342 (range).
+The K-weighting is designed for each rate from the analogue prototypes that the tabulated filters
+stand for (De Man, "Evaluation of implementations of the EBU R128 loudness measurement", 2018).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.decibels import power_decibels
+
+OFFSET_LUFS = -0.691  # of K-weighted power, so that a 997 Hz sine reads its RMS level
+HOPS_PER_S = 100
+MOMENTARY_HOPS, SHORT_TERM_HOPS = 40, 300
+GATE_HOPS = 10  # gating blocks and the values of the loudness range start every 100 ms
+ABSOLUTE_GATE_LUFS, RELATIVE_GATE_LU, RANGE_GATE_LU = -70.0, -10.0, -20.0
+SETTLED_S = 0.1  # after this the K-weighting's response to a click has fallen by more than 170 dB
+REAR_WEIGHT = 10**0.15  # +1.5 dB
+
+
+def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float64]:
+    """Return how much each channel counts: 1 in front, 1.41 at the sides, 0 for the LFE.
+
+    Parameters
+    ----------
+    channels : int
+        How many there are.
+    mask : int, optional
+        Speaker positions as in WAVEFORMATEXTENSIBLE; without it, 4 channels are L R Ls Rs, 5 are
+        L R C Ls Rs and 6 are L R C LFE Ls Rs.
+    """
+    if mask is None or mask.bit_count() < channels:
+        mask = {4: 0x33, 5: 0x37, 6: 0x3F}.get(channels, 0)
+    positions = [1 << bit for bit in range(32) if mask >> bit & 1][:channels]
+    sides = 0x600 if mask & 0x600 else 0x30  # beside side speakers those at the back are behind the listener
+    weights = np.ones(channels)
+    for channel, position in enumerate(positions):
+        if position == 0x8:
+            weights[channel] = 0.0
+        elif position & sides:
+            weights[channel] = REAR_WEIGHT
+    return weights
+
+
+def k_weighting(sample_rate_hz: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the biquads of the K-weighting at a sample rate: numerators and denominators, shape (2, 3)."""
+    highest = 0.45 * sample_rate_hz  # below 3.7 kHz the shelf lies beyond the band
+    k = math.tan(math.pi * min(1681.974450955533, highest) / sample_rate_hz)
+    q, gain = 0.7071752369554196, 10 ** (3.999843853973347 / 20)
+    middle = gain**0.4996667741545416
+    scale = 1 + k / q + k * k
+    shelf = (
+        [(gain + middle * k / q + k * k) / scale, 2 * (k * k - gain) / scale, (gain - middle * k / q + k * k) / scale],
+        [1.0, 2 * (k * k - 1) / scale, (1 - k / q + k * k) / scale],
+    )
+    k = math.tan(math.pi * 38.13547087602444 / sample_rate_hz)
+    q = 0.5003270373238773
+    scale = 1 + k / q + k * k
+    highpass = ([1.0, -2.0, 1.0], [1.0, 2 * (k * k - 1) / scale, (1 - k / q + k * k) / scale])
+    return np.array([shelf[0], highpass[0]]), np.array([shelf[1], highpass[1]])
+
+
+class KWeighting:
+    """Filters blocks by the K-weighting, as one long signal with silence before it.
+
+    The response dies out within a tenth of a second, so each block is filtered by FFT together with
+    that much of what came before.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels : int
+        Of the signal.
+    """
+
+    def __init__(self, sample_rate_hz: int, channels: int) -> None:
+        self._numerators, self._denominators = k_weighting(sample_rate_hz)
+        self._before = np.zeros((channels, math.ceil(SETTLED_S * sample_rate_hz)))
+        self._responses: dict[int, NDArray[np.complex128]] = {}
+
+    def filter(self, planar: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the next samples filtered, shape (channels, n) as they came."""
+        reach = self._before.shape[1]
+        both = np.concatenate((self._before, planar), axis=1)
+        self._before = both[:, both.shape[1] - reach :].copy()
+        length = _fast_length(both.shape[1])
+        if length not in self._responses:
+            self._responses = {length: self._response(length)}
+        bins = np.fft.rfft(both, length, axis=1)
+        bins *= self._responses[length]
+        filtered: NDArray[np.float64] = np.fft.irfft(bins, length, axis=1)[:, reach : both.shape[1]]
+        return filtered
+
+    def _response(self, length: int) -> NDArray[np.complex128]:
+        delay = np.exp(-2j * np.pi * np.arange(length // 2 + 1) / length)
+        powers = np.stack((np.ones_like(delay), delay, delay * delay))
+        response: NDArray[np.complex128] = ((self._numerators @ powers) / (self._denominators @ powers)).prod(axis=0)
+        return response
+
+
+def _fast_length(least: int) -> int:
+    """Return the smallest length from `least` on whose only factors are 2, 3 and 5, and which is even."""
+    best = 1 << max(1, (least - 1).bit_length())
+    five = 1
+    while five < best:
+        three = five
+        while three < best:
+            rest = -(-least // three)
+            length = three * (1 << max(1, (rest - 1).bit_length()))
+            best = min(best, length) if length >= least else best
+            three *= 3
+        five *= 5
+    return best
+
+
+class Loudness:
+    """Measures loudness of blocks, with a hop of 10 ms.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole signal.
+    weights : ndarray, optional
+        How much each channel counts; see `channel_weights`.
+    """
+
+    FIGURES = (
+        "integrated_lufs",
+        "max_momentary_lufs",
+        "max_short_term_lufs",
+        "loudness_range_lu",
+        "short_loudness_lufs",
+    )
+
+    def __init__(
+        self,
+        sample_rate_hz: int,
+        channels: int,
+        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        *,
+        weights: NDArray[np.float64] | None = None,
+    ) -> None:
+        self._rate = sample_rate_hz
+        self._weights = channel_weights(channels) if weights is None else weights
+        self._filter = KWeighting(sample_rate_hz, channels)
+        self._seen = 0
+        self._hops: list[NDArray[np.float64]] = []  # energy of whole hops
+        self._whole = 0  # hops that are whole
+        self._open = 0.0  # energy of the hop that has begun
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (n, channels)."""
+        if not len(block):
+            return
+        filtered = self._filter.filter(block.T)
+        power = np.einsum("ij,ij,i->j", filtered, filtered, self._weights)
+        end = self._seen + len(block)
+        last = _hop_at(end, self._rate)
+        starts = _hop_start(np.arange(self._whole, last + 1), self._rate) - self._seen
+        starts[0] = max(starts[0], 0)
+        inside = starts[starts < len(block)]
+        energies = np.add.reduceat(power, inside)
+        if len(inside) < len(starts):
+            energies = np.append(energies, 0.0)
+        energies[0] += self._open
+        self._hops.append(energies[:-1])
+        self._open = float(energies[-1])
+        self._whole, self._seen = last, end
+
+    def result(self) -> dict[str, Any]:
+        """Return the figures, by name; -inf for silence."""
+        hops = np.concatenate([*self._hops, [self._open]])
+        momentary = self._levels(hops, MOMENTARY_HOPS)
+        short_term = self._levels(hops, SHORT_TERM_HOPS)
+        gating = self._powers(hops[:-1], MOMENTARY_HOPS)[::GATE_HOPS]
+        ranging = self._powers(hops[:-1], SHORT_TERM_HOPS)[::GATE_HOPS]
+        return {
+            "integrated_lufs": integrated_lufs(gating),
+            "max_momentary_lufs": momentary,
+            "max_short_term_lufs": short_term,
+            "loudness_range_lu": loudness_range_lu(ranging),
+            "short_loudness_lufs": momentary,
+        }
+
+    def _powers(self, hops: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+        """Return the mean power of every `count` hops in a row, wholly within the signal."""
+        if len(hops) < count:
+            return np.empty(0)
+        sums = np.concatenate(([0.0], np.cumsum(hops)))
+        bounds = _hop_start(np.arange(len(hops) + 1), self._rate)
+        powers: NDArray[np.float64] = (sums[count:] - sums[:-count]) / (bounds[count:] - bounds[:-count])
+        return np.maximum(powers, 0.0)
+
+    def _levels(self, hops: NDArray[np.float64], count: int) -> float:
+        """Return the loudest `count` hops in a row, in LUFS, with silence before and after the signal."""
+        if len(hops) < count:
+            hops = np.pad(hops, (0, count - len(hops)))
+        return _lufs(float(self._powers(hops, count).max()))
+
+
+def _hop_start(number: NDArray[np.int64], rate: int) -> NDArray[np.int64]:
+    """Return the frame that a hop begins with, to the nearest."""
+    return (2 * number * rate + HOPS_PER_S) // (2 * HOPS_PER_S)
+
+
+def _hop_at(frame: int, rate: int) -> int:
+    """Return how many hops end at `frame` or before."""
+    number = (frame * HOPS_PER_S) // rate + 1
+    while (2 * number * rate + HOPS_PER_S) // (2 * HOPS_PER_S) > frame:
+        number -= 1
+    return number
+
+
+def _lufs(power: float) -> float:
+    return OFFSET_LUFS + power_decibels(power)
+
+
+def _power(level_lufs: float) -> float:
+    return float(10 ** ((level_lufs - OFFSET_LUFS) / 10))
+
+
+def integrated_lufs(powers: NDArray[np.float64]) -> float:
+    """Return the gated loudness of 400 ms blocks that overlap by 300 ms, in LUFS.
+
+    Parameters
+    ----------
+    powers : ndarray
+        K-weighted mean power of each block.
+
+    Returns
+    -------
+    float
+        -inf when no block passes the gate of -70 LUFS.
+    """
+    loud = powers[powers > _power(ABSOLUTE_GATE_LUFS)]
+    if not len(loud):
+        return -math.inf
+    gate = float(loud.mean()) * 10 ** (RELATIVE_GATE_LU / 10)
+    return _lufs(float(loud[loud > gate].mean()))
+
+
+def loudness_range_lu(powers: NDArray[np.float64]) -> float | None:
+    """Return the spread of short-term loudness, from its 10th percentile to its 95th, in LU.
+
+    Parameters
+    ----------
+    powers : ndarray
+        K-weighted mean power of each 3 s block.
+
+    Returns
+    -------
+    float or None
+        None when no block reaches -70 LUFS.
+    """
+    loud = powers[powers >= _power(ABSOLUTE_GATE_LUFS)]
+    if not len(loud):
+        return None
+    gate = float(loud.mean()) * 10 ** (RANGE_GATE_LU / 10)
+    levels = 10 * np.log10(np.sort(loud[loud >= gate]))
+    low, high = (levels[round((len(levels) - 1) * share)] for share in (0.10, 0.95))
+    return float(high - low)

@@ -1,0 +1,64 @@
+"""The seam of a loop: what the ear meets between its last frame and its first."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.decibels import decibels
+
+NEARBY_S = 0.01
+INAUDIBLE = 1e-4  # -80 dBFS: nearby changes count as no smaller
+
+
+class Seam:
+    """Compares step and change of slope at a loop's seam with those in the 10 ms around it.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole signal.
+    loop : (int, int), optional
+        First and last frame of the loop; otherwise the whole signal.
+    """
+
+    FIGURES = ("seam_step_db", "seam_slope_db")
+
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, loop: tuple[int, int] | None = None) -> None:
+        start, last = loop or (0, frames - 1)
+        width = max(1, min(round(NEARBY_S * sample_rate_hz), last + 1 - start))
+        self._spans = ((last + 1 - width, last + 1), (start, start + width))  # before the seam, after it
+        self._sides = np.zeros((2, width, channels))
+        self._seen = 0
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (n, channels)."""
+        for side, (start, end) in zip(self._sides, self._spans, strict=True):
+            first, last = max(start, self._seen), min(end, self._seen + len(block))
+            if first < last:
+                side[first - start : last - start] = block[first - self._seen : last - self._seen]
+        self._seen += len(block)
+
+    def result(self) -> dict[str, Any]:
+        """Return, in dB over the largest nearby, the step and the change of slope; the worst channel counts.
+
+        Above 0 dB the seam moves faster than the sound around it. -inf where it does not move at all.
+        """
+        before, after = self._sides
+        across = np.concatenate((before, after))
+        return {
+            "seam_step_db": _excess(np.diff(across, axis=0), len(before) - 1, 1),
+            "seam_slope_db": _excess(np.diff(across, n=2, axis=0), len(before) - 2, 2),
+        }
+
+
+def _excess(changes: NDArray[np.float64], first: int, count: int) -> float:
+    """Return the largest change at the seam over the largest elsewhere, in dB."""
+    sizes = np.abs(changes)
+    at_seam = slice(max(first, 0), first + count)
+    elsewhere = np.delete(sizes, at_seam, axis=0).max(axis=0, initial=INAUDIBLE)
+    if not len(sizes[at_seam]):
+        return decibels(0.0)
+    return decibels(float((sizes[at_seam].max(axis=0) / elsewhere).max()))

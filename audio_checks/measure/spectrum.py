@@ -1,0 +1,70 @@
+"""The long-term spectrum, and how far up it reaches."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+WINDOW_FRAMES = 4_096
+BELOW_PEAK = 1e-8  # 80 dB under the strongest bin a part of the spectrum counts no more
+ABOVE_NOISE = 16.0  # 12 dB over the mean of the dither: its largest bin of a single window stays below
+
+
+class Spectrum:
+    """Averages power spectra of Hann windows that overlap by half, all channels together.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole signal.
+    step : float
+        The smallest step of the file's bit depth; 0 for float.
+    """
+
+    FIGURES = ("bandwidth_hz",)
+
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:
+        self._rate = sample_rate_hz
+        self._step = step
+        self._channels = channels
+        self._length = max(2, min(WINDOW_FRAMES, frames))
+        self._hop = max(1, self._length // 2)
+        self._window = np.sin(np.pi * (np.arange(self._length) + 0.5) / self._length) ** 2
+        self._power = np.zeros(self._length // 2 + 1)
+        self._windows = 0
+        self._kept = np.empty((channels, 0))  # from the start of the last window read
+        self._next = 0  # where in `_kept` the next window starts
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (n, channels)."""
+        kept = np.concatenate((self._kept, block.T), axis=1)
+        count = max(0, (kept.shape[1] - self._next - self._length) // self._hop + 1)
+        if count:
+            self._read(kept[:, self._next :], count)
+        self._next += count * self._hop
+        done = max(0, self._next - self._hop)
+        self._kept, self._next = kept[:, done:], self._next - done
+
+    def result(self) -> dict[str, Any]:
+        """Return `bandwidth_hz`, the highest frequency that stands out; 0 for silence.
+
+        It stands out of the dither that the bit depth has at most, and of what lies 80 dB under the
+        strongest frequency.
+        """
+        covered = self._next - self._hop + self._length
+        if self._kept.shape[1] > covered >= self._length:
+            self._read(self._kept[:, -self._length :], 1)
+        dither = self._step**2 / 4 * float(np.square(self._window).sum()) * self._windows * self._channels
+        floor = max(float(self._power.max()) * BELOW_PEAK, dither * ABOVE_NOISE)
+        above = np.flatnonzero(self._power > floor)
+        return {"bandwidth_hz": float(above[-1] * self._rate / self._length) if len(above) else 0.0}
+
+    def _read(self, kept: NDArray[np.float64], count: int) -> None:
+        """Add the power of `count` windows from the start of `kept`."""
+        for channel in kept:
+            windows = np.lib.stride_tricks.sliding_window_view(channel, self._length)[:: self._hop][:count]
+            bins = np.fft.rfft(windows * self._window, axis=1)
+            self._power += np.einsum("ij,ij->j", bins.real, bins.real) + np.einsum("ij,ij->j", bins.imag, bins.imag)
+        self._windows += count
