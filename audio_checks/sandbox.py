@@ -1,0 +1,494 @@
+"""Calls in a throw-away child: what it does to itself, the caller survives.
+
+On POSIX a small server process, warm with the modules that calls need, forks one child for each
+call, limits it, watches it and reaps it. Where there is no fork, each call gets a new interpreter
+with a time limit alone.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import dataclasses
+import enum
+import io
+import os
+import pickle
+import selectors
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+import traceback
+import weakref
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
+
+from audio_checks.errors import (
+    AudioChecksError,
+    SandboxCrashed,
+    SandboxFailed,
+    SandboxOutOfMemory,
+    SandboxTimedOut,
+)
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+NAME_BYTES = 256  # of a module's name on its way to the server
+LENGTH = struct.Struct("<cQ")
+RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
+DETAIL_CHARACTERS = 8_000
+GRACE_S = 5.0  # for the server to tell how a child ended
+PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
+CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
+ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+# What may be made from a child's answer, beside classes that carry data: a child whose decoder was
+# taken over must not run code here.
+PLAIN = {("builtins", name) for name in ("set", "frozenset", "complex", "bytearray", "slice", "range")} | {
+    ("datetime", "datetime"),
+    ("datetime", "timedelta"),
+    ("datetime", "timezone"),
+    ("datetime", "date"),
+    ("collections", "OrderedDict"),
+    ("pathlib", "PosixPath"),
+    ("pathlib", "PurePosixPath"),
+    ("pathlib", "WindowsPath"),
+    ("pathlib", "PureWindowsPath"),
+    ("pathlib._local", "PosixPath"),
+    ("pathlib._local", "PurePosixPath"),
+    ("uuid", "UUID"),
+    ("decimal", "Decimal"),
+    ("fractions", "Fraction"),
+    ("numpy", "ndarray"),
+    ("numpy", "dtype"),
+    ("numpy._core.multiarray", "_reconstruct"),
+    ("numpy._core.multiarray", "scalar"),
+    ("numpy._core.numeric", "_frombuffer"),
+    ("_codecs", "encode"),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class _Limits:
+    memory_bytes: int
+    cpu_s: int
+    file_bytes: int
+    open_files: int
+    result_bytes: int
+
+
+class Sandbox:
+    """Runs calls in throw-away children. Threads may share one.
+
+    Parameters
+    ----------
+    timeout_s : float
+        For one call, by the clock and in CPU time.
+    memory_bytes : int
+        Of address space, the interpreter and its libraries included.
+    file_bytes : int
+        The largest file that a call may write.
+    result_bytes : int
+        The largest result, pickled.
+    preload : sequence of str
+        Modules that the server imports before it forks; missing ones are passed over. Modules of
+        audio_checks that hold called functions are added as they come.
+    """
+
+    def __init__(
+        self,
+        *,
+        timeout_s: float = 60.0,
+        memory_bytes: int = 1 << 30,
+        file_bytes: int = 4 << 30,
+        result_bytes: int = 64 << 20,
+        preload: Sequence[str] = ("numpy", "audio_checks"),
+    ) -> None:
+        self.timeout_s = timeout_s
+        self._limits = _Limits(memory_bytes, int(timeout_s) + 2, file_bytes, 64, result_bytes)
+        self._preload = tuple(preload)
+        self._lock = threading.Lock()
+        self._server: _Server | None = None
+
+    def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
+        """Return what the function returns, from a child.
+
+        The function is one that can be imported by name; arguments and result can be pickled. A
+        result is made of plain values, numpy arrays and the data classes of audio_checks.
+
+        Raises
+        ------
+        SandboxTimedOut, SandboxOutOfMemory, SandboxCrashed
+            When the child gave no result.
+        AudioChecksError
+            When the function raised it.
+        """
+        request = pickle.dumps((self._limits, function, args, kwargs), protocol=5)
+        deadline = time.monotonic() + self.timeout_s
+        if CAN_FORK:
+            answer = self._forked(getattr(function, "__module__", None) or "", request, deadline)
+        else:
+            answer = _in_new_process(request, deadline)
+        return _resolved(answer)  # type: ignore[no-any-return]
+
+    def close(self) -> None:
+        """End the server and its children; another call starts it again."""
+        with self._lock:
+            if self._server is not None:
+                self._server.close()
+                self._server = None
+
+    def _forked(self, module: str, request: bytes, deadline: float) -> tuple[bytes, bytes]:
+        for attempt in (1, 2):
+            with self._lock:
+                if self._server is None or not self._server.alive():
+                    if self._server is not None:
+                        self._server.close()
+                    self._server = _Server(self._preload)
+                try:
+                    work, status = self._server.fork(module)
+                    break
+                except OSError:
+                    if attempt == 2:
+                        raise SandboxCrashed("the sandbox's server cannot be reached") from None
+        with work, status:
+            return _exchange(work, status, request, deadline, self._limits)
+
+
+class _Server:
+    """The parent's end of one server process."""
+
+    def __init__(self, preload: Sequence[str]) -> None:
+        self._control, theirs = socket.socketpair()
+        with theirs:
+            code = f"from audio_checks.sandbox import serve; serve({theirs.fileno()}, {tuple(preload)!r})"
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", "-c", code],
+                pass_fds=(theirs.fileno(),),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                start_new_session=True,  # Ctrl-C is for the caller, who ends the server by closing its socket
+                env=_environment(),
+            )
+        self.close = weakref.finalize(self, _end_server, self._control, self._process)
+
+    def alive(self) -> bool:
+        return self._process.poll() is None
+
+    def fork(self, module: str) -> tuple[socket.socket, socket.socket]:
+        """Ask for a child; return the socket to it, and the socket that ends it when closed."""
+        work, childs = socket.socketpair()
+        status, servers = socket.socketpair()
+        name = module.encode("utf-8", "replace")[:NAME_BYTES].ljust(NAME_BYTES, b"\0")
+        with childs, servers:
+            try:
+                socket.send_fds(self._control, [name], [childs.fileno(), servers.fileno()])
+            except BaseException:
+                work.close()
+                status.close()
+                raise
+        return work, status
+
+
+def _environment() -> dict[str, str]:
+    """Return this process's environment and import path, with libraries held to one thread."""
+    path = os.pathsep.join(entry or os.getcwd() for entry in sys.path)
+    return {**os.environ, **ENVIRONMENT, "PYTHONPATH": path}
+
+
+def _end_server(control: socket.socket, process: subprocess.Popen[bytes]) -> None:
+    control.close()
+    try:
+        process.wait(GRACE_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+def _exchange(
+    work: socket.socket, status: socket.socket, request: bytes, deadline: float, limits: _Limits
+) -> tuple[bytes, bytes]:
+    """Send the request and take the answer, whatever the child makes of its end."""
+    try:
+        work.settimeout(max(deadline - time.monotonic(), 0.001))
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+            work.sendall(LENGTH.pack(RETURNED, len(request)) + request)
+        head = _receive(work, LENGTH.size, deadline)
+        if head is not None:
+            kind, length = LENGTH.unpack(head)
+            if length > limits.result_bytes:
+                raise SandboxCrashed(f"the result has {length} bytes; {limits.result_bytes} are allowed")
+            body = _receive(work, length, deadline)
+            if body is not None:
+                return kind, body
+    except TimeoutError:
+        raise SandboxTimedOut("the call took too long and was stopped") from None
+    except ConnectionResetError:
+        pass
+    raise _ending(status, deadline)
+
+
+def _receive(work: socket.socket, count: int, deadline: float | None) -> bytes | None:
+    """Return exactly `count` bytes, or None when the other end closed before."""
+    content = bytearray()
+    while len(content) < count:
+        if deadline is not None:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise TimeoutError
+            work.settimeout(left)
+        piece = work.recv(min(count - len(content), 1 << 20))
+        if not piece:
+            return None
+        content += piece
+    return bytes(content)
+
+
+def _ending(status: socket.socket, deadline: float) -> SandboxFailed:
+    """Tell how a child ended that gave no answer."""
+    try:
+        told = _receive(status, 4, min(deadline, time.monotonic() + GRACE_S))
+    except (TimeoutError, ConnectionResetError):
+        return SandboxCrashed("the child closed its connection and went on without an answer; it was stopped")
+    if told is None:
+        return SandboxCrashed("the sandbox's server ended while the call ran")
+    code = os.waitstatus_to_exitcode(struct.unpack("<i", told)[0])
+    if code == -signal.SIGXCPU:
+        return SandboxTimedOut("the call used up its CPU time")
+    if code < 0:
+        name = signal.Signals(-code).name if -code in set(signal.Signals) else f"signal {-code}"
+        return SandboxCrashed(f"the child was ended by {name}", signal=-code)
+    return SandboxCrashed(f"the child left with exit code {code} and without an answer")
+
+
+def _resolved(answer: tuple[bytes, bytes]) -> Any:
+    """Return or raise what the child answered."""
+    kind, body = answer
+    if kind == NO_MEMORY:
+        raise SandboxOutOfMemory("the call wanted more memory than it may have")
+    if kind == FAILED:
+        detail = "".join(c if c.isprintable() or c == "\n" else "?" for c in body.decode("utf-8", "replace"))
+        detail = detail[-DETAIL_CHARACTERS:]
+        raise SandboxCrashed(f"the call failed: {detail.strip().splitlines()[-1] if detail.strip() else '?'}", detail)
+    try:
+        value = _Unpickler(io.BytesIO(body)).load()
+    except Exception as error:
+        raise SandboxCrashed(f"the child's answer cannot be read: {error}") from error
+    if kind == RAISED:
+        raise value if isinstance(value, AudioChecksError) else SandboxCrashed("the child raised no error of ours")
+    return value
+
+
+class _Unpickler(pickle.Unpickler):
+    """Makes plain values, numpy arrays, and data classes, enumerations and errors of audio_checks."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        if (module, name) in PLAIN:
+            return super().find_class(module, name)
+        if module.partition(".")[0] == "audio_checks" and "." not in name:
+            found = super().find_class(module, name)
+            if isinstance(found, type) and (
+                dataclasses.is_dataclass(found) or issubclass(found, (AudioChecksError, enum.Enum))
+            ):
+                return found
+        raise pickle.UnpicklingError(f"{module}.{name} may not come out of a sandbox")
+
+
+def _in_new_process(request: bytes, deadline: float) -> tuple[bytes, bytes]:
+    """Run one request in an interpreter of its own: for systems that cannot fork. No limit but time."""
+    with subprocess.Popen(
+        [sys.executable, "-P", "-c", "from audio_checks.sandbox import serve_once; serve_once()"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env=_environment(),
+    ) as process:
+        try:
+            output, _ = process.communicate(request, timeout=max(deadline - time.monotonic(), 0.001))
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise SandboxTimedOut("the call took too long and was stopped") from None
+    if len(output) < LENGTH.size:
+        code_or_signal = process.returncode
+        raise SandboxCrashed(
+            f"the child ended with code {code_or_signal} and without an answer",
+            signal=-code_or_signal if code_or_signal < 0 else None,
+        )
+    kind, _ = LENGTH.unpack(output[: LENGTH.size])
+    return kind, output[LENGTH.size :]
+
+
+def serve_once() -> None:
+    """Answer the request on standard input, and leave."""
+    output = os.dup(1)
+    os.dup2(2, 1)
+    kind, body = _answer(sys.stdin.buffer.read())
+    with os.fdopen(output, "wb") as stream:
+        stream.write(LENGTH.pack(kind, len(body)) + body)
+
+
+def serve(control_descriptor: int, preload: Sequence[str]) -> None:
+    """Fork a child for each request until the control socket closes. Runs in the server process."""
+    for name in preload:
+        with contextlib.suppress(ImportError):
+            import_module(name)
+    control = socket.socket(fileno=control_descriptor)
+    _prctl(PR_SET_CHILD_SUBREAPER, 1)
+    wake_reader, wake_writer = socket.socketpair()
+    wake_writer.setblocking(False)
+    signal.signal(signal.SIGCHLD, lambda *_: None)
+    signal.set_wakeup_fd(wake_writer.fileno(), warn_on_full_buffer=False)
+    selector = selectors.DefaultSelector()
+    selector.register(control, selectors.EVENT_READ)
+    selector.register(wake_reader, selectors.EVENT_READ)
+    running: dict[int, socket.socket] = {}
+    try:
+        while True:
+            for key, _ in selector.select():
+                if key.fileobj is control:
+                    _fork(control, selector, running)
+                elif key.fileobj is wake_reader:
+                    wake_reader.recv(4_096)
+                    _reap(selector, running)
+                elif key.data in running:  # the caller has what it wanted, or waits no longer
+                    _kill(key.data)
+                    selector.unregister(key.fileobj)
+    except EOFError:
+        pass
+    finally:
+        for pid in running:
+            _kill(pid)
+
+
+def _fork(control: socket.socket, selector: selectors.BaseSelector, running: dict[int, socket.socket]) -> None:
+    """Take one request from the control socket and fork its child."""
+    name, descriptors, _, _ = socket.recv_fds(control, NAME_BYTES, 2)
+    if not name:
+        raise EOFError
+    if len(descriptors) != 2:
+        for descriptor in descriptors:
+            os.close(descriptor)
+        return
+    module = name.rstrip(b"\0").decode()
+    if module.partition(".")[0] == "audio_checks" and module not in sys.modules:
+        with contextlib.suppress(Exception):
+            import_module(module)
+    work, status = descriptors
+    pid = os.fork()
+    if not pid:
+        _be_child(work)
+    os.close(work)
+    running[pid] = socket.socket(fileno=status)
+    selector.register(running[pid], selectors.EVENT_READ, pid)
+
+
+def _reap(selector: selectors.BaseSelector, running: dict[int, socket.socket]) -> None:
+    """Bury what has died, tell the callers how, and end what the dead have left behind."""
+    while True:
+        try:
+            pid, how = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            break
+        if not pid:
+            break
+        status = running.pop(pid, None)
+        if status is not None:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(pid, signal.SIGKILL)
+            with contextlib.suppress(KeyError):
+                selector.unregister(status)
+            with contextlib.suppress(OSError):
+                status.sendall(struct.pack("<i", how))
+            status.close()
+    orphans = Path(f"/proc/self/task/{os.getpid()}/children")
+    with contextlib.suppress(OSError):
+        for orphan in {int(word) for word in orphans.read_text().split()} - set(running):
+            _kill(orphan)
+
+
+def _kill(pid: int) -> None:
+    """End a child of the server and its group; it is not reaped yet, so the number is still its own."""
+    for end in (os.killpg, os.kill):
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            end(pid, signal.SIGKILL)
+
+
+def _be_child(work: int) -> None:
+    """Answer one request, and leave without a trace."""
+    code = 1
+    try:
+        signal.set_wakeup_fd(-1)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        os.setsid()
+        _prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        null = os.open(os.devnull, os.O_RDWR)
+        for standard in (0, 1, 2):
+            os.dup2(null, standard)
+        os.dup2(work, 3)
+        os.closerange(4, 1 << 16)
+        connection = socket.socket(fileno=3)
+        head = _receive(connection, LENGTH.size, None)
+        request = _receive(connection, LENGTH.unpack(head)[1], None) if head else None
+        if request is not None:
+            kind, body = _answer(request)
+            connection.sendall(LENGTH.pack(kind, len(body)) + body)
+            code = 0
+    except OSError:
+        pass
+    finally:
+        os._exit(code)
+
+
+def _prctl(option: int, value: int) -> None:
+    """Set a trait of this process where the system is Linux."""
+    with contextlib.suppress(OSError, AttributeError, TypeError):
+        ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
+
+
+def _limit(limits: _Limits) -> None:
+    """Take from this process what it does not need."""
+    import resource
+
+    for kind, most in (
+        (resource.RLIMIT_AS, limits.memory_bytes),
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_NOFILE, limits.open_files),
+        (resource.RLIMIT_FSIZE, limits.file_bytes),
+        (resource.RLIMIT_NPROC, 0),
+    ):
+        with contextlib.suppress(ValueError, OSError):
+            resource.setrlimit(kind, (most, most))
+    with contextlib.suppress(ValueError, OSError):
+        resource.setrlimit(resource.RLIMIT_CPU, (limits.cpu_s, limits.cpu_s + 1))
+
+
+def _answer(request: bytes) -> tuple[bytes, bytes]:
+    """Run a request; return the kind of its answer, and the answer pickled."""
+    limits: _Limits | None = None
+    try:
+        limits, function, args, kwargs = pickle.loads(request)  # noqa: S301 - it comes from the caller
+        if CAN_FORK:
+            _limit(limits)
+        kind, value = RETURNED, function(*args, **kwargs)
+    except AudioChecksError as error:
+        kind, value = RAISED, error.with_traceback(None)
+    except MemoryError:
+        return NO_MEMORY, b""
+    except BaseException:
+        return FAILED, traceback.format_exc()[-DETAIL_CHARACTERS:].encode("utf-8", "replace")
+    try:
+        body = pickle.dumps(value, protocol=5)
+    except MemoryError:
+        return NO_MEMORY, b""
+    except Exception:
+        return FAILED, traceback.format_exc()[-DETAIL_CHARACTERS:].encode("utf-8", "replace")
+    if limits is not None and len(body) > limits.result_bytes:
+        return FAILED, f"the result has {len(body)} bytes; {limits.result_bytes} are allowed".encode()
+    return kind, body
