@@ -1,7 +1,59 @@
-"""The endpoints of this room."""
+"""The joining screens, read only."""
 
-from fastapi import APIRouter
+from typing import Annotated
+from uuid import UUID
 
-from app.kit.http import Route
+from fastapi import APIRouter, Query, Request
+
+from app.accounts.endpoints import allows, demo_part_of
+from app.accounts.rules import Actor, Sight
+from app.dashboards import schemas, service
+from app.kit.http import DbSession, Route, problems
+from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 
 router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=Route)
+
+
+@router.get("/me")
+def read_me(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
+    """Return who is signed in, and everything they can open."""
+    part = demo_part_of(request)
+    demo = schemas.DemoParts(part=part[0], parts=list(part[1])) if part else None
+    return service.me(session, actor, demo)
+
+
+@router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound))
+def read_list_standing(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.ListStanding:
+    """Return where every cue of the list stands; a designer sees their own takes only."""
+    return service.list_standing(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/today", responses=problems(ProjectNotFound, TeamNeeded))
+def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> schemas.Today:
+    """Return what waits for the team today, beside the review queue."""
+    return service.today(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))
+def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> schemas.Desk:
+    """Return a designer's work in one project."""
+    return service.desk(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/overview", responses=problems(ProjectNotFound))
+def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.Overview:
+    """Return a project at one glance."""
+    return service.overview(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/find", responses=problems(ProjectNotFound))
+def find(
+    project_id: UUID,
+    q: Annotated[str, Query(min_length=1, max_length=100)],
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+) -> schemas.FindResult:
+    """Return the cues, then what was said, that hold the typed words."""
+    return service.find(session, actor, project_id, q)

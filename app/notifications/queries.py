@@ -37,7 +37,7 @@ def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
 
 
 def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequence[UUID]:
-    """Return the mails that no job will send any more, oldest first: sealed ones, and those past their digest's time."""
+    """Return the mails that no job will send any more, oldest first: sealed, or past their digest's time."""
     begun_before = at - timedelta(seconds=2 * digest_delay_s)
     return session.scalars(
         select(Mail.id)

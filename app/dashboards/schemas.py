@@ -1,0 +1,262 @@
+"""What the joining screens answer."""
+
+from datetime import datetime
+from typing import Any, Literal
+from uuid import UUID
+
+from app.accounts.rules import Role
+from app.dashboards.rules import CueStatus
+from app.kit.http import Schema
+from app.projects.rules import EngagementKind
+
+
+class PersonBrief(Schema):
+    """Somebody, by name."""
+
+    id: UUID
+    name: str
+
+
+class MyStudio(Schema):
+    """A studio that the caller is a member of."""
+
+    id: UUID
+    name: str
+    roles: list[Role]
+
+
+class MyProject(Schema):
+    """A project that the caller sees, and what they are in it."""
+
+    id: UUID
+    name: str
+    studio_id: UUID
+    studio_name: str
+    cue_prefix: str
+    part: Literal["team", "designer"]
+    is_producer: bool
+    is_liaison: bool
+    is_decider: bool
+    engagement_kind: EngagementKind | None
+
+
+class DemoParts(Schema):
+    """The demo's switch."""
+
+    part: str
+    parts: list[str]
+
+
+class Me(Schema):
+    """Who is signed in, and everything they can open."""
+
+    person: PersonBrief
+    email: str
+    studios: list[MyStudio]
+    projects: list[MyProject]
+    demo: DemoParts | None
+
+
+class CueBrief(Schema):
+    """A cue, by number and name."""
+
+    id: UUID
+    label: str
+    name: str
+
+
+class VariationStanding(Schema):
+    """Where one variation of a cue stands."""
+
+    variation: int
+    stem: str
+    status: CueStatus
+
+
+class NewestTake(Schema):
+    """The take that a list row shows."""
+
+    id: UUID
+    number: int
+    variation: int
+    state: str
+    file_name: str
+    received_at: datetime
+    duration_s: float | None
+    thumb: dict[str, Any] | None
+    preview_url: str | None
+
+
+class Standing(Schema):
+    """Where one cue stands."""
+
+    cue_id: UUID
+    status: CueStatus
+    since: datetime | None
+    accepted: int
+    wanted: int
+    alternates: int
+    versions: int
+    rounds: int
+    variations: list[VariationStanding]
+    newest_take: NewestTake | None
+    worst_finding: dict[str, Any] | None
+    open_question: str | None
+    waived: bool
+    not_to_spec: bool
+
+
+class ListStanding(Schema):
+    """Where every cue of a list stands."""
+
+    cues: list[Standing]
+    counts: dict[CueStatus, int]
+    files_to_review: int
+
+
+class AskedQuestion(Schema):
+    """A question that waits for an answer."""
+
+    id: UUID
+    cue: CueBrief
+    text: str
+    asked_by: PersonBrief
+    asked_at: datetime
+    answer: str | None
+    answered_at: datetime | None
+
+
+class WithOthers(Schema):
+    """What waits for somebody else."""
+
+    cue: CueBrief | None
+    file_name: str
+    status: Literal["returned", "unmatched", "change_requested", "unjudged"]
+    who: str
+    since: datetime
+
+
+class BuildBrief(Schema):
+    """One run of the game's CI."""
+
+    id: UUID
+    label: str
+    commit: str
+    target: str
+    files: int
+    rejected: int
+    warnings: int
+    created_at: datetime
+
+
+class Today(Schema):
+    """What waits for the team today, beside the review queue."""
+
+    questions: list[AskedQuestion]
+    with_others: list[WithOthers]
+    builds: list[BuildBrief]
+    counts: dict[CueStatus, int]
+    draft_changes: int
+    placeholders: int
+    unsent_mails: int
+
+
+class CameBack(Schema):
+    """A take that is with the designer again."""
+
+    take_id: UUID
+    cue: CueBrief | None
+    number: int | None
+    variation: int
+    file_name: str
+    status: Literal["returned", "change_requested", "unjudged"]
+    since: datetime
+    duration_s: float | None
+    thumb: dict[str, Any] | None
+    preview_url: str | None
+    peaks_url: str | None
+    findings: list[dict[str, Any]]
+    changes: list[dict[str, Any]]
+    round: int | None
+    limit_dbfs: float | None
+
+
+class ToMake(Schema):
+    """A cue that waits for a file from the designer."""
+
+    cue: CueBrief
+    use: str
+    category: str
+    duration_s: float | None
+    loop: bool
+    variations: int
+    missing: int
+    state: str
+    status: CueStatus
+
+
+class Desk(Schema):
+    """A designer's work in one project."""
+
+    came_back: list[CameBack]
+    to_make: list[ToMake]
+    with_approver: list[CueBrief]
+    with_approver_files: int
+    accepted: int
+    cues: int
+    unmatched: int
+    checking: int
+    questions: list[AskedQuestion]
+
+
+class Step(Schema):
+    """One cell of the project's steps."""
+
+    cue: CueBrief
+    palette: bool
+    status: CueStatus
+
+
+class PaletteSound(Schema):
+    """One sound of the palette."""
+
+    cue: CueBrief
+    loop: bool
+    thumb: dict[str, Any] | None
+    preview_url: str | None
+    loudness_lufs: float | None
+
+
+class Happening(Schema):
+    """Something that happened lately."""
+
+    at: datetime
+    kind: Literal["delivery", "build", "returned", "approved", "changes", "cut", "question", "answer"]
+    who: str
+    text: str
+
+
+class Overview(Schema):
+    """A project at one glance."""
+
+    steps: list[Step]
+    counts: dict[CueStatus, int]
+    builds: list[BuildBrief]
+    palette: list[PaletteSound]
+    lately: list[Happening]
+    reviewers: int
+
+
+class Found(Schema):
+    """One hit of the search."""
+
+    kind: Literal["cue", "comment", "question"]
+    cue: CueBrief
+    text: str
+    take_id: UUID | None
+
+
+class FindResult(Schema):
+    """What the search found, best first."""
+
+    hits: list[Found]
