@@ -217,9 +217,22 @@ def _exchange(
 ) -> tuple[bytes, bytes]:
     """Send the request and take the answer, whatever the child makes of its end."""
     try:
+        answer = _converse(work, request, deadline, limits)
+        if answer is None:
+            raise _ending(status, deadline)
+        return answer
+    except TimeoutError:
+        raise SandboxTimedOut("the call took too long and was stopped") from None
+    finally:
+        _finish(status)
+
+
+def _converse(work: socket.socket, request: bytes, deadline: float, limits: _Limits) -> tuple[bytes, bytes] | None:
+    """Return the child's answer, or None when it closed its end without one."""
+    with contextlib.suppress(BrokenPipeError, ConnectionResetError):
         work.settimeout(max(deadline - time.monotonic(), 0.001))
-        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
-            work.sendall(LENGTH.pack(RETURNED, len(request)) + request)
+        work.sendall(LENGTH.pack(RETURNED, len(request)) + request)
+    with contextlib.suppress(ConnectionResetError):
         head = _receive(work, LENGTH.size, deadline)
         if head is not None:
             kind, length = LENGTH.unpack(head)
@@ -228,11 +241,16 @@ def _exchange(
             body = _receive(work, length, deadline)
             if body is not None:
                 return kind, body
-    except TimeoutError:
-        raise SandboxTimedOut("the call took too long and was stopped") from None
-    except ConnectionResetError:
-        pass
-    raise _ending(status, deadline)
+    return None
+
+
+def _finish(status: socket.socket) -> None:
+    """Have the child ended, and wait until nothing of it is left."""
+    with contextlib.suppress(OSError):
+        status.shutdown(socket.SHUT_WR)
+        status.settimeout(GRACE_S)
+        while status.recv(16):
+            pass
 
 
 def _receive(work: socket.socket, count: int, deadline: float | None) -> bytes | None:
@@ -391,26 +409,24 @@ def _fork(control: socket.socket, selector: selectors.BaseSelector, running: dic
 
 def _reap(selector: selectors.BaseSelector, running: dict[int, socket.socket]) -> None:
     """Bury what has died, tell the callers how, and end what the dead have left behind."""
-    while True:
-        try:
-            pid, how = os.waitpid(-1, os.WNOHANG)
-        except ChildProcessError:
-            break
-        if not pid:
-            break
-        status = running.pop(pid, None)
-        if status is not None:
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(pid, signal.SIGKILL)
-            with contextlib.suppress(KeyError):
-                selector.unregister(status)
-            with contextlib.suppress(OSError):
-                status.sendall(struct.pack("<i", how))
-            status.close()
+    ended: list[tuple[socket.socket, int]] = []
+    with contextlib.suppress(ChildProcessError):
+        while (death := os.waitpid(-1, os.WNOHANG))[0]:
+            pid, how = death
+            if pid in running:
+                ended.append((running.pop(pid), how))
+                with contextlib.suppress(ProcessLookupError, PermissionError):
+                    os.killpg(pid, signal.SIGKILL)
     orphans = Path(f"/proc/self/task/{os.getpid()}/children")
     with contextlib.suppress(OSError):
         for orphan in {int(word) for word in orphans.read_text().split()} - set(running):
             _kill(orphan)
+    for status, how in ended:
+        with contextlib.suppress(KeyError):
+            selector.unregister(status)
+        with contextlib.suppress(OSError):
+            status.sendall(struct.pack("<i", how))
+        status.close()
 
 
 def _kill(pid: int) -> None:

@@ -401,7 +401,7 @@ class _Reading:
         """Allow nothing but zeros after the RIFF (R12)."""
         self.file.seek(riff_end)
         while block := self.file.read(1 << 20):
-            if block.count(0) != len(block):
+            if block != bytes(len(block)):
                 raise Unreadable(
                     f"{self.size - riff_end} bytes that are not part of the WAV file follow its end",
                     "R12",
@@ -465,7 +465,7 @@ class _Reading:
         remaining = left
         while remaining:
             block = self.file.read(min(remaining, 1 << 20))
-            if block.count(0) != len(block) or not block:
+            if not block or block != bytes(len(block)):
                 raise Unreadable(
                     f"{left} bytes at position {position} are no chunk: a name of four letters was wanted there",
                     "R1",
