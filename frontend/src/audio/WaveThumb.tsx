@@ -1,0 +1,34 @@
+import { useCallback } from 'react'
+
+import { Drawing } from './Drawing'
+import { drawAxis, drawWave, type Surface } from './draw'
+import type { Peaks } from './peaks'
+import classes from './WaveThumb.module.css'
+
+interface WaveThumbProps {
+  /** null: nothing was delivered yet. */
+  peaks: Peaks | null
+  /** In the hand. */
+  lit?: boolean
+  /** Set aside: drawn at 55 %. */
+  faded?: boolean
+  heightPx?: number
+}
+
+/** A sound's shape in a row. Full scale is the full height, so that quiet looks quiet. */
+export function WaveThumb({ peaks, lit = false, faded = false, heightPx = 20 }: WaveThumbProps) {
+  const draw = useCallback(
+    (surface: Surface) => {
+      if (peaks === null) return
+      drawAxis(surface)
+      drawWave(surface, peaks, { lit })
+    },
+    [peaks, lit],
+  )
+  if (peaks === null) return <span className={classes.nothing} aria-hidden="true" />
+  return (
+    <span className={classes.thumb} style={{ height: heightPx, opacity: faded ? 0.55 : undefined }}>
+      <Drawing draw={draw} />
+    </span>
+  )
+}

@@ -1,0 +1,411 @@
+import {
+  type CSSProperties,
+  type KeyboardEvent,
+  type PointerEvent,
+  useCallback,
+  useEffect,
+  useLayoutEffect,
+  useMemo,
+  useRef,
+  useState,
+} from 'react'
+
+import { figure, place, placeInWords } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import { gridStepS, type Layout, stack, ticksOf } from './axis'
+import { type Clock, useAt } from './clock'
+import { Drawing } from './Drawing'
+import { drawAxis, drawCuts, drawGrid, drawLimit, drawWave, type Surface, type TimeRange } from './draw'
+import { amplitudeOf, type Peaks } from './peaks'
+import classes from './Waveform.module.css'
+
+/** A finding on the wave: a label above it, and its range or its point inside. */
+export interface FindingMark {
+  id: string
+  severity: 'error' | 'warning'
+  label: string
+  /** After the label, quietly; left out on narrow screens. */
+  more?: string
+  startS?: number
+  endS?: number
+}
+
+/** A comment on the wave: a pin for a point, a bar for a range. */
+export interface CommentMark {
+  id: string
+  number: number
+  startS: number
+  endS?: number
+}
+
+export interface WaveformProps {
+  /** What sounds: "shield_hit, A". */
+  label: string
+  /** undefined while it is on its way; null while the server still draws it. */
+  peaks: Peaks | null | undefined
+  durationS: number
+  findings?: readonly FindingMark[]
+  comments?: readonly CommentMark[]
+  /** The comment that is open in the list. */
+  openComment?: string
+  playheadS?: number
+  /** Follows a player; then `playheadS` is not needed. */
+  clock?: Clock
+  onSeek?: (s: number) => void
+  /** A marker was pressed: 0.3 s before it, and itself. */
+  onMark?: (fromS: number, mark: FindingMark | CommentMark) => void
+  selection?: TimeRange | null
+  /** Dragging across the wave picks a range; a short press takes it away. */
+  onSelect?: (range: TimeRange | null) => void
+  limitDbfs?: number
+  /** What a mend takes away. */
+  cuts?: readonly TimeRange[]
+  /** The whole of it is in the hand, not only what was played. */
+  lit?: boolean
+  /** Height of the wave; without it, it fills its place. */
+  heightPx?: number
+  /** Without grid, ruler and figures, as in a card. */
+  plain?: boolean
+}
+
+const PAD_PX = 8
+const LEAD_IN_S = 0.3
+const DRAG_PX = 4
+const STEP_S = 0.01
+const BIG_STEP_S = 0.1
+const PIN_PX = 24
+
+/** Where playing from a marker starts. */
+export const spotOf = (startS: number): number => Math.max(0, startS - LEAD_IN_S)
+
+/** Letters of 12 px are at most this wide in the widest fall-back font. */
+const LETTER_PX = 7
+const labelPx = ({ label, more }: FindingMark, narrow: boolean): number =>
+  30 + (label.length + (more && !narrow ? more.length + 1 : 0)) * LETTER_PX
+
+function useWidth(): [React.RefObject<HTMLDivElement | null>, number] {
+  const ref = useRef<HTMLDivElement>(null)
+  const [width, setWidth] = useState(0)
+  useLayoutEffect(() => {
+    const element = ref.current
+    if (element === null) return
+    const measure = () => setWidth(element.clientWidth)
+    measure()
+    const observer = new ResizeObserver(measure)
+    observer.observe(element)
+    return () => observer.disconnect()
+  }, [])
+  return [ref, width]
+}
+
+/** A sound with everything that was found and said about it, on one axis of time. */
+export function Waveform(props: WaveformProps) {
+  const { label, peaks, durationS, findings = [], comments = [], clock, playheadS, plain = false, heightPx } = props
+  const [rootRef, width] = useWidth()
+  const narrow = width > 0 && width < 560
+  const stepS = gridStepS(durationS, width, narrow ? 60 : 84)
+  useAt(rootRef, durationS, playheadS, clock)
+
+  return (
+    <div ref={rootRef} className={classes.root} data-fill={heightPx === undefined || undefined}>
+      {findings.length > 0 && (
+        <FindingsLane findings={findings} durationS={durationS} width={width} narrow={narrow} onMark={props.onMark} />
+      )}
+      <div className={classes.well} style={{ height: heightPx }}>
+        <Shape {...props} stepS={plain ? undefined : stepS} />
+        {props.selection && <span className={classes.selection} style={spanStyle(props.selection, durationS)} />}
+        {findings.map(
+          (mark) =>
+            mark.startS !== undefined && (
+              <span
+                key={mark.id}
+                className={`${classes.flag} tone-${mark.severity === 'error' ? 'bad' : 'warn'}`}
+                style={spanStyle({ startS: mark.startS, endS: mark.endS ?? mark.startS }, durationS)}
+              />
+            ),
+        )}
+        {peaks === null && <p className={classes.missing}>The waveform is still being drawn; the sound plays.</p>}
+        {!plain && <Scale limitDbfs={props.limitDbfs} />}
+        <Slider {...props} label={label} />
+        <span className={classes.playhead} />
+        {comments.length > 0 && (
+          <Pins
+            comments={comments}
+            open={props.openComment}
+            durationS={durationS}
+            width={width}
+            onMark={props.onMark}
+          />
+        )}
+      </div>
+      {!plain && <Ruler durationS={durationS} stepS={stepS} width={width} />}
+    </div>
+  )
+}
+
+function spanStyle({ startS, endS }: TimeRange, durationS: number): CSSProperties {
+  return { left: `${(startS / durationS) * 100}%`, width: `${((endS - startS) / durationS) * 100}%` }
+}
+
+function Shape({ peaks, durationS, limitDbfs, cuts, lit = false, stepS }: WaveformProps & { stepS?: number }) {
+  const drawBase = useCallback(
+    (surface: Surface) => {
+      if (stepS !== undefined) drawGrid(surface, durationS, stepS, PAD_PX)
+      if (cuts) drawCuts(surface, cuts, durationS)
+      drawAxis(surface)
+      if (peaks) drawWave(surface, peaks, { lit, limitDbfs, pad: PAD_PX })
+      if (limitDbfs !== undefined) drawLimit(surface, limitDbfs, PAD_PX)
+    },
+    [peaks, durationS, stepS, cuts, limitDbfs, lit],
+  )
+  const drawPlayed = useCallback(
+    (surface: Surface) => {
+      if (peaks) drawWave(surface, peaks, { lit: true, limitDbfs, pad: PAD_PX })
+    },
+    [peaks, limitDbfs],
+  )
+  return (
+    <>
+      <Drawing draw={drawBase} />
+      {!lit && <Drawing draw={drawPlayed} className={classes.played} />}
+    </>
+  )
+}
+
+function Scale({ limitDbfs }: { limitDbfs?: number }) {
+  const lines = [...new Set([...(limitDbfs === undefined ? [] : [limitDbfs]), -6, -12])]
+  return (
+    <span aria-hidden="true">
+      {lines.map((db) => (
+        <span
+          key={db}
+          className={classes.scale}
+          style={{ top: `calc(50% - (50% - ${PAD_PX}px) * ${amplitudeOf(db).toFixed(4)} - 7px)` }}
+        >
+          {figure(db, Number.isInteger(db) ? 0 : 1)}
+        </span>
+      ))}
+    </span>
+  )
+}
+
+function Ruler({ durationS, stepS, width }: { durationS: number; stepS: number; width: number }) {
+  const ticks = ticksOf(durationS, stepS, width)
+  return (
+    <div className={classes.ruler} aria-hidden="true">
+      {ticks.map(({ atS, text }, index) => (
+        <span
+          key={text}
+          data-edge={index === 0 ? 'start' : index === ticks.length - 1 ? 'end' : undefined}
+          style={{ left: `${(atS / durationS) * 100}%` }}
+        >
+          {text}
+        </span>
+      ))}
+    </div>
+  )
+}
+
+function Slider({ label, durationS, playheadS = 0, clock, onSeek, selection, onSelect }: WaveformProps) {
+  const ref = useRef<HTMLDivElement>(null)
+  const drag = useRef<{ fromPx: number; fromS: number; dragging: boolean } | null>(null)
+  const at = useCallback(() => (clock ? clock.positionS() : playheadS), [clock, playheadS])
+
+  useEffect(() => {
+    const say = () => {
+      const s = at()
+      ref.current?.setAttribute('aria-valuenow', s.toFixed(3))
+      ref.current?.setAttribute('aria-valuetext', placeInWords(s))
+    }
+    say()
+    // While it plays, a figure that changes at every frame would be read out without end.
+    return clock?.subscribe(() => {
+      if (!clock.isPlaying()) say()
+    })
+  }, [at, clock])
+
+  const timeAt = (event: PointerEvent): number => {
+    const box = event.currentTarget.getBoundingClientRect()
+    const share = box.width > 0 ? (event.clientX - box.left) / box.width : 0
+    return Math.min(1, Math.max(0, share)) * durationS
+  }
+  const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
+    if (event.button !== 0) return
+    drag.current = { fromPx: event.clientX, fromS: timeAt(event), dragging: false }
+    event.currentTarget.setPointerCapture?.(event.pointerId)
+  }
+  const onPointerMove = (event: PointerEvent<HTMLDivElement>) => {
+    const held = drag.current
+    if (held === null) return
+    held.dragging ||= Math.abs(event.clientX - held.fromPx) > DRAG_PX
+    if (!held.dragging) return
+    const now = timeAt(event)
+    if (onSelect) onSelect({ startS: Math.min(held.fromS, now), endS: Math.max(held.fromS, now) })
+    else onSeek?.(now)
+  }
+  const onPointerUp = (event: PointerEvent<HTMLDivElement>) => {
+    const held = drag.current
+    drag.current = null
+    if (held === null || held.dragging) return
+    if (selection) onSelect?.(null)
+    onSeek?.(timeAt(event))
+  }
+  const onKeyDown = (event: KeyboardEvent<HTMLDivElement>) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return
+    const step = event.shiftKey ? BIG_STEP_S : STEP_S
+    const moves: Record<string, number> = {
+      ArrowLeft: at() - step,
+      ArrowDown: at() - step,
+      ArrowRight: at() + step,
+      ArrowUp: at() + step,
+      PageDown: at() - 1,
+      PageUp: at() + 1,
+      Home: 0,
+      End: durationS,
+    }
+    const to = moves[event.key]
+    if (to === undefined) return
+    event.preventDefault()
+    onSeek?.(Math.min(durationS, Math.max(0, to)))
+  }
+
+  return (
+    <div
+      ref={ref}
+      role="slider"
+      tabIndex={0}
+      className={classes.slider}
+      aria-label={`Position in ${label}`}
+      aria-valuemin={0}
+      aria-valuemax={Number(durationS.toFixed(3))}
+      aria-valuenow={Number(playheadS.toFixed(3))}
+      aria-valuetext={placeInWords(playheadS)}
+      onPointerDown={onPointerDown}
+      onPointerMove={onPointerMove}
+      onPointerUp={onPointerUp}
+      onPointerCancel={() => (drag.current = null)}
+      onKeyDown={onKeyDown}
+    />
+  )
+}
+
+interface LaneProps {
+  durationS: number
+  width: number
+  onMark: WaveformProps['onMark']
+}
+
+function FindingsLane({
+  findings,
+  durationS,
+  width,
+  narrow,
+  onMark,
+}: LaneProps & { findings: readonly FindingMark[]; narrow: boolean }) {
+  const [all, setAll] = useState(false)
+  const layout = useMemo<Layout<FindingMark>>(
+    () =>
+      stack(
+        findings,
+        width,
+        (mark) => ({
+          leftPx: ((mark.startS ?? 0) / durationS) * width,
+          widthPx: Math.min(width, labelPx(mark, narrow)),
+        }),
+        all ? findings.length : 3,
+      ),
+    [findings, width, durationS, narrow, all],
+  )
+  return (
+    <div className={classes.lane} style={{ height: Math.max(1, layout.lanes) * 26 }}>
+      {layout.placed.map(({ item, leftPx, lane }) => (
+        <button
+          type="button"
+          key={item.id}
+          className={`${classes.label} tone-${item.severity === 'error' ? 'bad' : 'warn'}`}
+          style={{ left: leftPx, top: lane * 26, maxWidth: width || undefined }}
+          onClick={() => onMark?.(spotOf(item.startS ?? 0), item)}
+        >
+          <Icon name={item.severity === 'error' ? 'back' : 'triangle'} size={14} />
+          {item.label}
+          {item.more && <span className={classes.more}>{item.more}</span>}
+          {item.startS !== undefined && <span className="visually-hidden">, at {placeInWords(item.startS)}</span>}
+        </button>
+      ))}
+      {layout.moreAt && (
+        <button
+          type="button"
+          className={`${classes.label} ${classes.rest}`}
+          style={{ left: layout.moreAt.leftPx, top: layout.moreAt.lane * 26 }}
+          onClick={() => setAll(true)}
+        >
+          +{layout.hidden.length}
+          <span className="visually-hidden"> more findings</span>
+        </button>
+      )}
+    </div>
+  )
+}
+
+function Pins({
+  comments,
+  open,
+  durationS,
+  width,
+  onMark,
+}: LaneProps & { comments: readonly CommentMark[]; open?: string }) {
+  const [all, setAll] = useState(false)
+  const layout = useMemo<Layout<CommentMark>>(
+    () =>
+      stack(
+        comments,
+        width,
+        ({ startS, endS }) => {
+          const x = (startS / durationS) * width
+          if (endS === undefined) return { leftPx: x - PIN_PX / 2, widthPx: PIN_PX }
+          return { leftPx: x, widthPx: Math.max(PIN_PX, ((endS - startS) / durationS) * width) }
+        },
+        all ? comments.length : 3,
+      ),
+    [comments, durationS, width, all],
+  )
+  return (
+    <>
+      {layout.placed.map(({ item, leftPx, lane }) => (
+        <button
+          type="button"
+          key={item.id}
+          className={classes.pin}
+          data-range={item.endS !== undefined || undefined}
+          aria-pressed={item.id === open}
+          aria-label={
+            item.endS === undefined
+              ? `Comment ${item.number} at ${placeInWords(item.startS)}`
+              : `Comment ${item.number} from ${place(item.startS)} to ${placeInWords(item.endS)}`
+          }
+          style={{
+            left: leftPx,
+            bottom: 4 + lane * 27,
+            width:
+              item.endS === undefined ? undefined : Math.max(PIN_PX, ((item.endS - item.startS) / durationS) * width),
+          }}
+          onClick={() => onMark?.(spotOf(item.startS), item)}
+        >
+          {item.number}
+        </button>
+      ))}
+      {layout.moreAt && (
+        <button
+          type="button"
+          className={classes.pin}
+          style={{ left: layout.moreAt.leftPx, bottom: 4 + layout.moreAt.lane * 27 }}
+          aria-label={`${layout.hidden.length} more comments`}
+          onClick={() => setAll(true)}
+        >
+          +{layout.hidden.length}
+        </button>
+      )}
+    </>
+  )
+}

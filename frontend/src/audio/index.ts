@@ -1,0 +1,8 @@
+export type { Clock } from './clock'
+export type { Spectrogram, TimeRange } from './draw'
+export type { Peaks } from './peaks'
+export type { Player, PlayerState, Source } from './player'
+export { LevelStrip, SpectrumStrip } from './Strip'
+export { usePlayer } from './usePlayer'
+export { type CommentMark, type FindingMark, spotOf, Waveform, type WaveformProps } from './Waveform'
+export { WaveThumb } from './WaveThumb'

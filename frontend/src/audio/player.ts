@@ -1,0 +1,413 @@
+import type { Clock } from './clock'
+import type { TimeRange } from './draw'
+import { Previews } from './previews'
+
+/** Something to hear: a take, an alternate, the same take as master or as a game file. */
+export interface Source {
+  id: string
+  url: string
+  /** What brings it to the level of the others; used while levels are matched. */
+  matchGainDb?: number
+}
+
+export interface PlayerState {
+  status: 'silent' | 'loading' | 'playing' | 'paused'
+  sourceId: string | null
+  durationS: number
+  looping: boolean
+  /** What the loop repeats; the whole sound without it. */
+  range: TimeRange | null
+  reversed: boolean
+  matched: boolean
+  /** A set is being played as the game does. */
+  asGame: boolean
+  error: string | null
+}
+
+interface Sounding {
+  node: AudioBufferSourceNode
+  gain: GainNode
+  buffer: AudioBuffer
+  /** Where in the buffer it began, and when by the context's clock. */
+  fromS: number
+  atS: number
+}
+
+export interface PlayerParts {
+  createContext?: () => AudioContext
+  random?: () => number
+  /** Calls back before the next frame, and answers how to take that back. */
+  onFrame?: (callback: () => void) => () => void
+  reducedMotion?: () => boolean
+  now?: () => number
+}
+
+/** Long enough that a switch does not click, too short to hear as a fade. */
+const FADE_S = 0.005
+const REDUCED_STEP_MS = 100
+
+const SILENT: PlayerState = {
+  status: 'silent',
+  sourceId: null,
+  durationS: 0,
+  looping: false,
+  range: null,
+  reversed: false,
+  matched: true,
+  asGame: false,
+  error: null,
+}
+
+const everyFrame = (callback: () => void): (() => void) => {
+  const frame = requestAnimationFrame(callback)
+  return () => cancelAnimationFrame(frame)
+}
+
+/** Plays one sound at a time from decoded previews, and only when asked to. Switching keeps the position to the sample. */
+export class Player implements Clock {
+  readonly previews: Previews
+  #context: AudioContext | null = null
+  #state = SILENT
+  #source: Source | null = null
+  #sounding: Sounding | null = null
+  /** Where it stands in the sound as it is, also while it plays backwards. */
+  #positionS = 0
+  #asked = 0
+  #stateListeners = new Set<() => void>()
+  #clockListeners = new Set<() => void>()
+  #endFrame: (() => void) | null = null
+  #steppedAt = -Infinity
+  #set: { sources: readonly Source[]; last: number } | null = null
+  readonly #createContext: () => AudioContext
+  readonly #random: () => number
+  readonly #onFrame: (callback: () => void) => () => void
+  readonly #reducedMotion: () => boolean
+  readonly #now: () => number
+
+  constructor(parts: PlayerParts = {}) {
+    this.#createContext = parts.createContext ?? (() => new AudioContext())
+    this.#random = parts.random ?? Math.random
+    this.#onFrame = parts.onFrame ?? everyFrame
+    this.#reducedMotion = parts.reducedMotion ?? (() => matchMedia('(prefers-reduced-motion: reduce)').matches)
+    this.#now = parts.now ?? (() => performance.now())
+    this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data))
+  }
+
+  // What it tells
+
+  getState = (): PlayerState => this.#state
+
+  subscribeState = (listener: () => void): (() => void) => {
+    this.#stateListeners.add(listener)
+    return () => this.#stateListeners.delete(listener)
+  }
+
+  subscribe = (listener: () => void): (() => void) => {
+    this.#clockListeners.add(listener)
+    return () => this.#clockListeners.delete(listener)
+  }
+
+  isPlaying = (): boolean => this.#sounding !== null
+
+  positionS = (): number => {
+    const sounding = this.#sounding
+    if (sounding === null) return this.#positionS
+    const at = this.#bufferPositionS(sounding)
+    return this.#state.reversed ? sounding.buffer.duration - at : at
+  }
+
+  // What it is asked
+
+  /** Take a sound in the hand. While another plays, this one takes over at the same position. */
+  async select(source: Source): Promise<void> {
+    this.#leaveSet()
+    if (this.#source?.id === source.id && this.#source.url === source.url) return
+    const wasPlaying = this.isPlaying()
+    this.#source = source
+    this.#tell({ sourceId: source.id, error: null })
+    const asked = ++this.#asked
+    const buffer = await this.#read(source, asked)
+    if (buffer === null) return
+    this.#tell({ durationS: buffer.duration })
+    // Asked again only now: it may have been paused, or have ended, while the other was on its way.
+    if (wasPlaying && this.isPlaying()) this.#sound(buffer, source, this.positionS())
+    else this.#moved(Math.min(this.#positionS, buffer.duration))
+  }
+
+  async play(fromS?: number): Promise<void> {
+    const source = this.#source
+    if (source === null) return
+    this.#leaveSet()
+    const asked = ++this.#asked
+    // Within the press itself, or the browser keeps it silent.
+    const context = this.#contextNow()
+    if (context.state === 'suspended') void context.resume()
+    if (!this.previews.has(source.url)) this.#tell({ status: 'loading', error: null })
+    const buffer = await this.#read(source, asked)
+    if (buffer === null) return
+    this.#tell({ durationS: buffer.duration })
+    this.#sound(buffer, source, fromS ?? this.#startS(buffer.duration))
+  }
+
+  pause(): void {
+    this.#asked += 1
+    this.#leaveSet()
+    const positionS = this.positionS()
+    this.#silence()
+    this.#tell({ status: this.#source === null ? 'silent' : 'paused' })
+    this.#moved(positionS)
+  }
+
+  async toggle(): Promise<void> {
+    if (this.isPlaying()) this.pause()
+    else await this.play()
+  }
+
+  seek(s: number): void {
+    const positionS = Math.max(0, this.#state.durationS > 0 ? Math.min(s, this.#state.durationS) : s)
+    const { buffer } = this.#sounding ?? {}
+    if (buffer && this.#source) this.#sound(buffer, this.#source, positionS)
+    else this.#moved(positionS)
+  }
+
+  setLooping(looping: boolean): void {
+    this.#change({ looping })
+  }
+
+  setRange(range: TimeRange | null): void {
+    this.#change({ range: range && range.endS > range.startS ? range : null })
+  }
+
+  setReversed(reversed: boolean): void {
+    if (reversed === this.#state.reversed) return
+    const positionS = this.positionS()
+    const { buffer } = this.#sounding ?? {}
+    this.#silence()
+    this.#tell({ reversed })
+    if (buffer && this.#source) this.#sound(this.#forwards(buffer), this.#source, positionS)
+    else this.#moved(positionS)
+  }
+
+  /** Bring every source to the same level, or hear each as it was sent. */
+  setMatched(matched: boolean): void {
+    this.#tell({ matched })
+    const sounding = this.#sounding
+    if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
+  }
+
+  /** Play variations one after another in random order, never the same twice running, until `pause`. */
+  async playAsGame(sources: readonly Source[]): Promise<void> {
+    if (sources.length === 0) return
+    const asked = ++this.#asked
+    const context = this.#contextNow()
+    if (context.state === 'suspended') void context.resume()
+    this.#silence()
+    this.#tell({ status: 'loading', error: null })
+    const buffers = await Promise.all(sources.map((source) => this.#read(source, asked)))
+    if (asked !== this.#asked || buffers.some((buffer) => buffer === null)) return
+    this.#set = { sources, last: -1 }
+    this.#tell({ asGame: true })
+    await this.#playNext(asked)
+  }
+
+  dispose(): void {
+    this.pause()
+    void this.#context?.close()
+    this.#context = null
+    this.previews.clear()
+  }
+
+  // How it does it
+
+  async #playNext(asked: number): Promise<void> {
+    const set = this.#set
+    if (set === null || asked !== this.#asked) return
+    set.last = nextInSet(set.last, set.sources.length, this.#random)
+    const source = set.sources[set.last]
+    const buffer = source && (await this.#read(source, asked))
+    if (!source || !buffer) return
+    this.#source = source
+    this.#tell({ sourceId: source.id, durationS: buffer.duration })
+    this.#sound(buffer, source, this.#state.reversed ? buffer.duration : 0)
+  }
+
+  #contextNow(): AudioContext {
+    this.#context ??= this.#createContext()
+    return this.#context
+  }
+
+  async #read(source: Source, asked: number): Promise<AudioBuffer | null> {
+    try {
+      const buffer = await this.previews.get(source.url)
+      return asked === this.#asked ? buffer : null
+    } catch {
+      if (asked !== this.#asked) return null
+      this.#silence()
+      this.#tell({ status: 'paused', error: 'The sound could not be read. Press play to try again.' })
+      return null
+    }
+  }
+
+  #sound(given: AudioBuffer, source: Source, positionS: number): void {
+    const context = this.#contextNow()
+    const { reversed, asGame } = this.#state
+    const buffer = reversed ? this.previews.reversed(given, context) : given
+    const loop = asGame ? null : this.#loopOf(buffer.duration)
+    let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
+    if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
+    this.#silence()
+    if (fromS >= buffer.duration) {
+      this.#ended()
+      return
+    }
+
+    const node = context.createBufferSource()
+    const gain = context.createGain()
+    node.buffer = buffer
+    if (loop) {
+      node.loop = true
+      node.loopStart = loop.startS
+      node.loopEnd = loop.endS
+    }
+    node.connect(gain)
+    gain.connect(context.destination)
+    const now = context.currentTime
+    // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
+    gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, now)
+    gain.gain.linearRampToValueAtTime(this.#gainOf(source), now + FADE_S)
+    node.start(now, fromS)
+    const sounding: Sounding = { node, gain, buffer, fromS, atS: now }
+    node.onended = () => {
+      if (this.#sounding === sounding) this.#ended()
+    }
+    this.#sounding = sounding
+    this.#tell({ status: 'playing' })
+    this.#tick()
+  }
+
+  #ended(): void {
+    const { durationS, reversed, asGame } = this.#state
+    this.#sounding = null
+    if (asGame) {
+      void this.#playNext(this.#asked)
+      return
+    }
+    this.#tell({ status: 'paused' })
+    this.#moved(reversed ? 0 : durationS)
+  }
+
+  /** Stop what sounds, with a fade that is too short to hear. */
+  #silence(): void {
+    const sounding = this.#sounding
+    if (sounding === null) return
+    this.#positionS = this.positionS()
+    this.#sounding = null
+    sounding.node.onended = null
+    this.#ramp(sounding.gain, 0)
+    sounding.node.stop(this.#contextNow().currentTime + FADE_S)
+    this.#endFrame?.()
+    this.#endFrame = null
+  }
+
+  #ramp(gain: GainNode, to: number): void {
+    const now = this.#contextNow().currentTime
+    gain.gain.cancelScheduledValues(now)
+    gain.gain.setValueAtTime(gain.gain.value, now)
+    gain.gain.linearRampToValueAtTime(to, now + FADE_S)
+  }
+
+  #gainOf(source: Source): number {
+    return this.#state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
+  }
+
+  /** What repeats, in the buffer as it is played. */
+  #loopOf(durationS: number): TimeRange | null {
+    const { looping, range, reversed } = this.#state
+    if (!looping) return null
+    const startS = Math.max(0, range?.startS ?? 0)
+    const endS = Math.min(durationS, range?.endS ?? durationS)
+    if (endS <= startS) return { startS: 0, endS: durationS }
+    return reversed ? { startS: durationS - endS, endS: durationS - startS } : { startS, endS }
+  }
+
+  #bufferPositionS({ node, buffer, fromS, atS }: Sounding): number {
+    const at = fromS + Math.max(0, this.#contextNow().currentTime - atS)
+    if (!node.loop) return Math.min(at, buffer.duration)
+    if (at < node.loopEnd) return at
+    return node.loopStart + ((at - node.loopStart) % (node.loopEnd - node.loopStart))
+  }
+
+  /** Where playing starts when nobody says where: where it stands, from the start again after the end. */
+  #startS(durationS: number): number {
+    const { reversed } = this.#state
+    if (reversed) return this.#positionS <= 0 ? durationS : Math.min(this.#positionS, durationS)
+    return this.#positionS >= durationS ? 0 : this.#positionS
+  }
+
+  #forwards(buffer: AudioBuffer): AudioBuffer {
+    return this.previews.forwardsOf(buffer)
+  }
+
+  #change(change: Partial<PlayerState>): void {
+    const sounding = this.#sounding
+    if (sounding === null || this.#source === null) {
+      this.#tell(change)
+      return
+    }
+    const at = this.#bufferPositionS(sounding)
+    const positionS = this.positionS()
+    this.#tell(change)
+    const loop = this.#loopOf(sounding.buffer.duration)
+    if (loop && (at < loop.startS || at >= loop.endS)) {
+      this.#sound(this.#forwards(sounding.buffer), this.#source, positionS)
+      return
+    }
+    // The sound goes on without a gap; only where it counts from is set anew.
+    sounding.fromS = at
+    sounding.atS = this.#contextNow().currentTime
+    sounding.node.loop = loop !== null
+    if (loop) {
+      sounding.node.loopStart = loop.startS
+      sounding.node.loopEnd = loop.endS
+    }
+  }
+
+  #leaveSet(): void {
+    if (this.#set === null) return
+    this.#set = null
+    this.#silence()
+    this.#tell({ asGame: false })
+  }
+
+  #moved(positionS: number): void {
+    this.#positionS = positionS
+    for (const listener of this.#clockListeners) listener()
+  }
+
+  #tick(): void {
+    this.#endFrame?.()
+    this.#endFrame = this.#onFrame(() => {
+      this.#endFrame = null
+      if (this.#sounding === null) return
+      const now = this.#now()
+      if (!this.#reducedMotion() || now - this.#steppedAt >= REDUCED_STEP_MS) {
+        this.#steppedAt = now
+        for (const listener of this.#clockListeners) listener()
+      }
+      this.#tick()
+    })
+  }
+
+  #tell(change: Partial<PlayerState>): void {
+    this.#state = { ...this.#state, ...change }
+    for (const listener of this.#stateListeners) listener()
+  }
+}
+
+/** Any variation but the last one, each as likely as the others. */
+export function nextInSet(last: number, count: number, random: () => number): number {
+  if (count <= 1) return 0
+  if (last < 0) return Math.floor(random() * count)
+  const step = 1 + Math.floor(random() * (count - 1))
+  return (last + step) % count
+}

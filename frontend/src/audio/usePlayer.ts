@@ -1,0 +1,11 @@
+import { useEffect, useState, useSyncExternalStore } from 'react'
+
+import { Player, type PlayerState } from './player'
+
+/** A player for one page; it falls silent when the page is left. */
+export function usePlayer(): [Player, PlayerState] {
+  const [player] = useState(() => new Player())
+  useEffect(() => () => player.dispose(), [player])
+  const state = useSyncExternalStore(player.subscribeState, player.getState)
+  return [player, state]
+}
