@@ -26,6 +26,7 @@ MAX_BLOCK_BYTES = 4 << 20  # of float64, so that a header of many channels canno
 MAX_CHUNKS = 10_000
 MAX_CHANNELS = 1_024  # also libsndfile's
 MAX_LOOPS = 1_024
+ZEROS = bytes(1 << 16)
 STREAM_SIZE = 0xFFFFFFFF  # what a program writes that cannot go back to fill in the size
 GUID_TAIL = bytes.fromhex("00001000800000aa00389b71")  # of every GUID that stands for a codec tag
 PCM, FLOAT, EXTENSIBLE = 1, 3, 0xFFFE
@@ -266,6 +267,7 @@ class _Reading:
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
+        loops = self.loops(chunks, frames)
         return WavLayout(
             container=container,
             encoding="pcm" if tag == PCM else "float",
@@ -281,7 +283,7 @@ class _Reading:
             data_size=data.size,
             chunks=tuple(chunks),
             warnings=tuple(self.warnings),
-            loops=self.loops(chunks, frames),
+            loops=loops,
             file_size=self.size,
         )
 
@@ -343,7 +345,7 @@ class _Reading:
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
-        (told,) = struct.unpack("<I", start[16:20])
+        told = int.from_bytes(start[16:20], "little")
         content = self.read(20, 28)
         if told < 28 or len(content) < 28:
             raise Unreadable(
@@ -362,6 +364,13 @@ class _Reading:
     def chunks(self, riff_end: int, data64: int | None) -> list[Chunk]:
         """Walk the chunks, and see that RIFF size and file agree (R1, R2, R12)."""
         excess = riff_end - self.size
+        if riff_end < 12:
+            raise Unreadable(
+                "the RIFF size was left at zero, as a recorder does that could not finish",
+                "R2",
+                "structure:riff-size",
+                EXPORT_AGAIN,
+            )
         if excess > 0:
             chunks, loose_pad = self.walk(self.size, data64)
             if excess == 8:
@@ -400,8 +409,8 @@ class _Reading:
     def padding(self, riff_end: int) -> None:
         """Allow nothing but zeros after the RIFF (R12)."""
         self.file.seek(riff_end)
-        while block := self.file.read(1 << 20):
-            if block != bytes(len(block)):
+        while block := self.file.read(len(ZEROS)):
+            if block != ZEROS[: len(block)]:
                 raise Unreadable(
                     f"{self.size - riff_end} bytes that are not part of the WAV file follow its end",
                     "R12",
@@ -464,8 +473,8 @@ class _Reading:
         self.file.seek(position)
         remaining = left
         while remaining:
-            block = self.file.read(min(remaining, 1 << 20))
-            if not block or block != bytes(len(block)):
+            block = self.file.read(min(remaining, len(ZEROS)))
+            if not block or block != ZEROS[: len(block)]:
                 raise Unreadable(
                     f"{left} bytes at position {position} are no chunk: a name of four letters was wanted there",
                     "R1",
@@ -673,15 +682,16 @@ def decode(raw: bytes, layout: WavLayout) -> NDArray[np.float64]:
     if layout.encoding == "pcm":
         return scaled(integers(raw, layout), layout.channels)
     values = np.frombuffer(raw, f"<f{layout.container_bits // 8}").reshape(-1, layout.channels)
-    planar: NDArray[np.float64] = np.ascontiguousarray(values.T, dtype=np.float64)
-    if not np.isfinite(planar).all():
-        channel = int(np.flatnonzero(~np.isfinite(planar).all(axis=1))[0]) + 1
+    finite = np.isfinite(values)
+    if not finite.all():
+        channel = int(np.flatnonzero(~finite.all(axis=0))[0]) + 1
         raise Unreadable(
             f"channel {channel} holds samples that are not numbers (infinity or NaN)",
             "R7",
             "structure:not-finite",
             "look for a broken plug-in in the session, then export again",
         )
+    planar: NDArray[np.float64] = np.ascontiguousarray(values.T, dtype=np.float64)
     return planar.T
 
 
