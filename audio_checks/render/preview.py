@@ -1,0 +1,109 @@
+"""What a browser needs of a sound: a file that all of them play, and its shape."""
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import wav
+from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
+from audio_checks.render.render import Recipe, Rendered, render
+
+MAX_RATE_HZ = 48_000
+BIT_DEPTH = 16
+REVERSED_BLOCK_FRAMES = 65_536
+
+
+def preview(
+    path: str | os.PathLike[str], out_path: str | os.PathLike[str], *, backwards: bool = False, loop: bool = False
+) -> Rendered:
+    """Write a stand-in of a master that every browser plays: 16-bit WAV of at most 48 kHz, mono or stereo.
+
+    A render needs none as long as it is such a file itself.
+
+    Parameters
+    ----------
+    path, out_path : path
+        The master, and the WAV file to write.
+    backwards : bool
+        From the last frame to the first, to hear what was recorded before it was turned round.
+    loop : bool
+        The master is a loop: its preview loops without a seam too.
+
+    Returns
+    -------
+    Rendered
+        Of the file as it plays forwards; more than two channels are mixed to mono, each at 1 / channels.
+
+    Raises
+    ------
+    Unreadable
+        When the master breaks a rule of structure.
+    """
+    out = Path(out_path)
+    with wav.open_regular(path) as file:
+        layout = wav.read_layout(file)
+        recipe = Recipe(
+            sample_rate_hz=playable_rate_hz(layout.sample_rate_hz),
+            bit_depth=BIT_DEPTH,
+            encoding="pcm",
+            gains=None if layout.channels <= 2 else np.full((layout.channels, 1), 1 / layout.channels),
+            dither="tpdf",
+            loop=loop,
+        )
+        rendered = render(file, layout, recipe, out)
+    if backwards:
+        _turn_round(out)
+    return rendered
+
+
+def wave_shapes(
+    path: str | os.PathLike[str], points: Sequence[int] = (SMALL_POINTS, LARGE_POINTS)
+) -> tuple[WaveShape, ...]:
+    """Return the shape of a WAV file at each number of points, streaming it once.
+
+    Raises
+    ------
+    Unreadable
+        When the file breaks a rule of structure.
+    """
+    with wav.open_regular(path) as file:
+        layout = wav.read_layout(file)
+        shapes = [Waveform(layout.sample_rate_hz, layout.channels, layout.frames, count) for count in points]
+        for block in wav.blocks(file, layout):
+            for shape in shapes:
+                shape.add(block)
+        return tuple(shape.result() for shape in shapes)
+
+
+def playable_rate_hz(sample_rate_hz: int) -> int:
+    """Return a rate up to 48 kHz that a master of this rate is brought to, a whole fraction where there is one."""
+    if sample_rate_hz <= MAX_RATE_HZ:
+        return sample_rate_hz
+    return 44_100 if sample_rate_hz % 44_100 == 0 else MAX_RATE_HZ
+
+
+def _turn_round(path: Path) -> None:
+    with wav.open_regular(path) as file:
+        layout = wav.read_layout(file)
+        wav.write_wav(
+            path,
+            _from_the_end(file, layout),
+            sample_rate_hz=layout.sample_rate_hz,
+            bit_depth=layout.bit_depth,
+            channels=layout.channels,
+            frames=layout.frames,
+        )
+
+
+def _from_the_end(file: BinaryIO, layout: wav.WavLayout) -> Iterator[NDArray[np.int16]]:
+    end = layout.frames
+    while end:
+        start = max(0, end - REVERSED_BLOCK_FRAMES)
+        file.seek(layout.data_offset + start * layout.frame_bytes)
+        raw = file.read((end - start) * layout.frame_bytes)
+        yield np.frombuffer(raw, "<i2").reshape(-1, layout.channels)[::-1]
+        end = start
