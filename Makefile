@@ -1,0 +1,89 @@
+# `make` alone lists what there is. Everything is set up on the way: nothing needs to be activated.
+PORT ?= 8000
+DATA ?= data
+PYTHON ?= python3
+WORKERS ?= 2
+BIN := .venv/bin
+SHELL := /bin/bash
+export PYTHONPATH := $(CURDIR)
+
+.DEFAULT_GOAL := help
+.PHONY: help setup run test check fix unit frontend-test e2e kill fuzz bench docs openapi clean
+
+help:  ## List these commands
+	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
+
+setup: .make/python .make/node .make/page  ## Set up everything that running and testing need
+
+run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
+	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
+
+test: check unit frontend-test e2e  ## Set up and pass every test
+	@cat .make/closing-lines
+
+check: setup  ## Lint, types, import contracts, OpenAPI drift
+	$(BIN)/ruff check . && $(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-cache
+	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
+	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
+	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
+
+unit: setup  ## Python tests
+	@rm -f .make/closing-lines
+	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS) | tee .make/unit.log
+	@tail -n 1 .make/unit.log > .make/closing-lines
+
+frontend-test: setup  ## Tests of the frontend's parts
+	@cd frontend && npm run --silent test
+
+e2e: setup .make/browser  ## Walk the product in a real browser as its users
+	@cd frontend && npm run --silent e2e
+
+kill: setup  ## Kill real processes at every named point, 20 times each
+	$(BIN)/pytest tests/kill --kill-runs 20
+
+fuzz: setup  ## Feed the reader a million mutants
+	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
+
+bench: setup  ## Measure speed and quality against peers
+	$(BIN)/python -m benchmarks
+
+fix: setup  ## Format and mend what can be mended by itself
+	$(BIN)/ruff check --fix . ; $(BIN)/ruff format .
+	cd frontend && npm run --silent format
+
+docs: setup  ## Write the generated pages
+	$(BIN)/python -m audio_checks.pages docs/checks
+
+openapi: setup  ## Write the OpenAPI document and the frontend's types
+	$(BIN)/soundlist openapi frontend/openapi.json
+	cd frontend && npm run --silent gen
+
+clean:  ## Remove what set-up made; data stays
+	rm -rf .venv .make frontend/node_modules frontend/dist
+
+.make/python: pyproject.toml constraints.txt
+	@mkdir -p .make
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: PYTHON=/path/to/python make"; exit 1; }
+	@$(PYTHON) -m venv .venv || { echo "Python lacks venv: apt-get install python3-venv"; exit 1; }
+	@echo "Installing Python packages" && $(BIN)/pip install --quiet --disable-pip-version-check uv
+	@$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[server,dev]'
+	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
+	@chmod +x $(BIN)/soundlist
+	@touch $@
+
+.make/node: frontend/package-lock.json
+	@mkdir -p .make
+	@command -v node >/dev/null || { echo "Node 20.19 or newer is needed"; exit 1; }
+	@echo "Installing frontend packages" && cd frontend && npm ci --silent --no-audit --no-fund
+	@touch $@
+
+.make/page: .make/node frontend/openapi.json frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f 2>/dev/null)
+	@echo "Building the frontend" && cd frontend && npm run --silent build
+	@touch $@
+
+.make/browser:
+	@mkdir -p .make
+	@command -v chromium >/dev/null || { echo "Installing Chromium" && sh .ci/install chromium; }
+	@touch $@

@@ -1,0 +1,57 @@
+"""One migration history, equal to the models, up and down; and no table of ours is DBOS's."""
+
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+from alembic import command
+
+from app.kit import queue
+from app.kit.db import Base, Database
+from app.migrate import alembic_config, migrate
+
+ROOMS = ("accounts", "builds", "conformance", "deliveries", "kit", "notifications", "projects", "renders", "reviews")
+
+
+@pytest.fixture
+def database(tmp_path: Path):
+    database = Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}")
+    yield database
+    database.dispose()
+
+
+def tables_of(database: Database) -> set[str]:
+    return set(sa.inspect(database.engine).get_table_names())
+
+
+def test_the_history_ends_at_the_models(database: Database):
+    migrate(database)
+    command.check(alembic_config(database))
+
+
+def test_down_and_up_again(database: Database):
+    migrate(database)
+    full = tables_of(database)
+    command.downgrade(alembic_config(database), "base")
+    assert not tables_of(database) & set(Base.metadata.tables)
+    migrate(database)
+    assert tables_of(database) == full
+
+
+def test_no_table_of_ours_is_one_of_the_queue(database: Database):
+    queue.create_tables(database)
+    theirs = tables_of(database)
+    assert "workflow_status" in theirs
+    assert not theirs & set(Base.metadata.tables)
+
+
+def test_tables_are_named_after_their_room():
+    for table in Base.metadata.tables:
+        assert table.startswith(tuple(f"{room}_" for room in (*ROOMS, "sound_lists"))), table
+
+
+def test_every_tenant_table_names_its_studio():
+    global_tables = {"accounts_people", "accounts_sign_ins", "accounts_password_resets", "accounts_studios"}
+    for name, table in Base.metadata.tables.items():
+        if name not in global_tables and not name.startswith("kit_"):
+            assert "studio_id" in table.columns, name
