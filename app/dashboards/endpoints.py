@@ -3,9 +3,9 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 
-from app.accounts.endpoints import allows, demo_part_of
+from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.dashboards import schemas, service
 from app.kit.http import DbSession, Route, problems
@@ -15,11 +15,9 @@ router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
 @router.get("/me")
-def read_me(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
+def read_me(session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
-    part = demo_part_of(request)
-    demo = schemas.DemoParts(part=part[0], parts=list(part[1])) if part else None
-    return service.me(session, actor, demo)
+    return service.me(session, actor)
 
 
 @router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound))

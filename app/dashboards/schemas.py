@@ -40,13 +40,6 @@ class MyProject(Schema):
     engagement_kind: EngagementKind | None
 
 
-class DemoParts(Schema):
-    """The demo's switch."""
-
-    part: str
-    parts: list[str]
-
-
 class Me(Schema):
     """Who is signed in, and everything they can open."""
 
@@ -54,7 +47,6 @@ class Me(Schema):
     email: str
     studios: list[MyStudio]
     projects: list[MyProject]
-    demo: DemoParts | None
 
 
 class CueBrief(Schema):

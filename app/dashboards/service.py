@@ -28,7 +28,7 @@ UNFINISHED = frozenset(
 )  # what a designer could begin now
 
 
-def me(session: Session, actor: Actor, demo: schemas.DemoParts | None) -> schemas.Me:
+def me(session: Session, actor: Actor) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
@@ -58,7 +58,6 @@ def me(session: Session, actor: Actor, demo: schemas.DemoParts | None) -> schema
             )
             for project in projects
         ],
-        demo=demo,
     )
 
 
