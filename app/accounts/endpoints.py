@@ -1,79 +1,94 @@
 """Who comes in, and the endpoints of accounts."""
 
-import hashlib
-import hmac
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine, Sequence
 from typing import Any
+from uuid import UUID
 
-from fastapi import APIRouter, Depends, Request
+from fastapi import APIRouter, BackgroundTasks, Depends, Request, Response
+from fastapi.responses import JSONResponse
+from fastapi.routing import APIRoute
 
-from app.accounts import queries
-from app.accounts.errors import CsrfMismatch, NotSignedIn, PersonNeeded, ScopeMissing
-from app.accounts.rules import Actor, Policy, Scope, Sight
-from app.kit.http import SAFE_METHODS, Route, database_of, runtime_of
+from app.accounts import doors, people, queries, rate_limits, service
+from app.accounts.doors import CSRF_HEADER, DEMO_PARTS, SESSION_COOKIE, Arrival, Visit, csrf_token, sha256_of
+from app.accounts.errors import (
+    AddressTaken,
+    AlreadyMember,
+    BadAddress,
+    CsrfMismatch,
+    DemoDoorClosed,
+    LastProducer,
+    MemberNotFound,
+    NameNeeded,
+    NotInDemo,
+    NotSignedIn,
+    PasswordTooWeak,
+    PersonNeeded,
+    ProducerNeeded,
+    ResetNotFound,
+    ScopeMissing,
+    SignInNeeded,
+    StudioInvitationNotFound,
+    StudioNotFound,
+    TooManyTries,
+    WrongPassword,
+    WrongSignIn,
+)
+from app.accounts.models import Membership, Person, Studio, StudioInvitation
+from app.accounts.rules import Actor, Policy, Scope, Sight, normalised_email
+from app.accounts.schemas import (
+    DemoPart,
+    InvitationAccept,
+    JoinedStudio,
+    MemberRead,
+    NameChange,
+    NewPassword,
+    PasswordChange,
+    PersonBrief,
+    PersonRead,
+    ResetAdd,
+    RolesChange,
+    SessionRead,
+    SignInAdd,
+    SignUpAdd,
+    StudioAdd,
+    StudioBrief,
+    StudioInvitationAdd,
+    StudioInvitationRead,
+    StudioInvitationShown,
+)
+from app.kit.db import Database
+from app.kit.http import PROBLEM_TYPE, CurrentRuntime, DbSession, Problem, Route, database_of, problems, runtime_of
 from app.settings import Settings
 
-SESSION_COOKIE = "soundlist_session"
-CSRF_COOKIE = "soundlist_csrf"
-CSRF_HEADER = "x-csrf-token"
-DEMO_COOKIE = "soundlist_demo_part"
-DEMO_PARTS = ("producer", "decider", "designer")
-LOOPBACK_HOSTS = frozenset({"127.0.0.1", "localhost", "[::1]"})
-FORWARDING_HEADERS = ("forwarded", "x-forwarded-for", "x-forwarded-host", "x-forwarded-proto", "x-real-ip", "via")
+__all__ = [
+    "CSRF_HEADER",
+    "DEMO_PARTS",
+    "SESSION_COOKIE",
+    "allows",
+    "csrf_token",
+    "demo_part_of",
+    "ensure_may_invite_more",
+    "ensure_may_try_password",
+    "policy_of",
+    "router",
+    "sha256_of",
+    "sign_in_browser",
+]
+
+Handler = Callable[[Request], Coroutine[Any, Any, Response]]
 
 
-def sha256_of(secret: str) -> str:
-    """Return the only form in which a secret is kept."""
-    return hashlib.sha256(secret.encode()).hexdigest()
+def _arrive(request: Request) -> Arrival:
+    runtime = runtime_of(request)
+    return doors.arrive(runtime.database, runtime.settings, _visit(request))
 
 
-def csrf_token(settings: Settings, secret: str) -> str:
-    """Return the token that our own page must send along with a session's secret."""
-    key = settings.secret_key.get_secret_value().encode()
-    return hmac.new(key, b"csrf:" + secret.encode(), hashlib.sha256).hexdigest()
+def _visit(request: Request) -> Visit:
+    return Visit(request.method, request.headers, request.cookies, _place_of(request))
 
 
-def _is_demo_door(request: Request) -> bool:
-    """Whether this request may enter the demo without signing in: from this machine, to this machine, directly."""
-    if not runtime_of(request).settings.demo or any(name in request.headers for name in FORWARDING_HEADERS):
-        return False
-    host = request.headers.get("host", "").rsplit(":", 1)[0] if request.headers.get("host") != "[::1]" else "[::1]"
-    client = request.client.host if request.client else ""
-    return host in LOOPBACK_HOSTS and client in ("127.0.0.1", "::1")
-
-
-def _ensure_our_page(request: Request, secret: str) -> None:
-    if request.method in SAFE_METHODS:
-        return
-    sent = request.headers.get(CSRF_HEADER, "")
-    if not hmac.compare_digest(sent, csrf_token(runtime_of(request).settings, secret)):
-        raise CsrfMismatch("this request did not come from our page; reload it and try again")
-
-
-def actor_of(request: Request) -> Actor:
-    """Return who asks, or raise NotSignedIn."""
-    database = database_of(request)
-    scheme, _, bearer = request.headers.get("authorization", "").partition(" ")
-    if scheme:
-        with database.reading() as session:
-            actor = queries.actor_for_token(session, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
-        if actor is None:
-            raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
-        return actor
-    if secret := request.cookies.get(SESSION_COOKIE):
-        with database.reading() as session:
-            actor = queries.actor_for_sign_in(session, sha256_of(secret))
-        if actor is not None:
-            _ensure_our_page(request, secret)
-            return actor
-    if _is_demo_door(request):
-        part = request.cookies.get(DEMO_COOKIE, DEMO_PARTS[0])
-        with database.reading() as session:
-            actor = queries.actor_for_demo_part(session, part if part in DEMO_PARTS else DEMO_PARTS[0])
-        if actor is not None:
-            _ensure_our_page(request, "demo")
-            return actor
-    raise NotSignedIn("sign in first")
+def _place_of(request: Request) -> str:
+    return request.client.host if request.client else ""
 
 
 class Allowed:
@@ -82,19 +97,27 @@ class Allowed:
     def __init__(self, policy: Policy) -> None:
         self.policy = policy
 
-    def __call__(self, request: Request) -> Actor:
+    def __call__(self, request: Request, background: BackgroundTasks) -> Actor:
         """Return who asks, where the policy lets them in at all; services check the project and the role."""
         if self.policy.sight is Sight.ANYONE:
+            doors.ensure_our_origin(runtime_of(request).settings, _visit(request))
             try:
-                return actor_of(request)
+                return _arrive(request).actor
             except (NotSignedIn, CsrfMismatch):
                 return Actor()
-        actor = actor_of(request)
-        if actor.is_build and self.policy.build is None:
-            raise PersonNeeded("a build's token cannot do this; sign in as a person")
-        if actor.is_build and self.policy.build not in actor.scopes:
-            raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
+        actor = _arrive(request).actor
+        if actor.token_id is not None:
+            if self.policy.build is None:
+                raise PersonNeeded("a build's token cannot do this; sign in as a person")
+            if self.policy.build not in actor.scopes:
+                raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
+            background.add_task(_note_token_use, database_of(request), actor.token_id)
         return actor
+
+
+def _note_token_use(database: Database, token_id: UUID) -> None:
+    with database.writing() as session:
+        queries.note_token_use(session, token_id)
 
 
 def allows(sight: Sight, *, build: Scope | None = None) -> Any:
@@ -112,4 +135,342 @@ def policy_of(endpoint: Callable[..., Any], dependencies: list[Any]) -> Policy |
     return None
 
 
-router = APIRouter(prefix="/v1", tags=["accounts"], route_class=Route)
+def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:
+    """Return whom the demo's visitor plays and whom they could; None for everybody who signed in."""
+    try:
+        part = _arrive(request).demo_part
+    except (NotSignedIn, CsrfMismatch):
+        return None
+    return (part, DEMO_PARTS) if part else None
+
+
+def sign_in_browser(session: DbSession, settings: Settings, response: Response, person_id: UUID) -> None:
+    """Give the answering browser a session of its own."""
+    secret = people.start_sign_in(session, person_id)
+    lasts_s = int(people.SIGN_IN_LASTS.total_seconds())
+    response.set_cookie(
+        SESSION_COOKIE, secret, max_age=lasts_s, httponly=True, samesite="lax", secure=settings.is_https
+    )
+    _give_csrf_token(response, settings, secret)
+
+
+def _give_csrf_token(response: Response, settings: Settings, secret: str) -> None:
+    response.set_cookie(
+        doors.CSRF_COOKIE, csrf_token(settings, secret), samesite="lax", secure=settings.is_https, httponly=False
+    )
+
+
+def ensure_may_try_password(request: Request, account: str) -> None:
+    """Count one guess at a password; raise TooManyTries for too many."""
+    rate_limits.count_try(rate_limits.SIGN_INS_FROM_PLACE, _place_of(request))
+    rate_limits.count_try(rate_limits.SIGN_INS_OF_ADDRESS, f"{account} {_place_of(request)}")
+
+
+def ensure_may_invite_more(actor: Actor) -> None:
+    """Count one invitation; raise TooManyTries for too many."""
+    rate_limits.count_try(rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
+
+
+def _wait(request: Request, error: TooManyTries) -> Response:
+    problem = Problem(
+        title="Too many tries",
+        status=error.status,
+        code=error.code(),
+        detail=error.message,
+        request_id=getattr(request.state, "request_id", None),
+    )
+    headers = {"Retry-After": str(error.retry_after_s)}
+    return JSONResponse(problem.model_dump(mode="json"), error.status, headers, media_type=PROBLEM_TYPE)
+
+
+def _patiently(handle: Handler) -> Handler:
+    async def handle_patiently(request: Request) -> Response:
+        try:
+            return await handle(request)
+        except TooManyTries as error:
+            return _wait(request, error)
+
+    return handle_patiently
+
+
+class PatientRoute(Route):
+    """A route that says how long to wait after too many tries."""
+
+    def get_route_handler(self) -> Handler:
+        """Answer TooManyTries with Retry-After."""
+        return _patiently(super().get_route_handler())
+
+
+class SecretRoute(APIRoute):
+    """A patient route whose answer carries a secret, so none is kept to be replayed for an Idempotency-Key."""
+
+    def get_route_handler(self) -> Handler:
+        """Answer TooManyTries with Retry-After."""
+        return _patiently(super().get_route_handler())
+
+
+router = APIRouter(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
+_secret_router = APIRouter(tags=["accounts"], route_class=SecretRoute)
+
+
+@router.get("/session")
+def read_session(
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.ANYONE),
+) -> SessionRead:
+    """Say whether somebody is signed in, and hand our page the token that its writes must carry."""
+    if actor.person_id is None:
+        return SessionRead(signed_in=False, demo=False, person=None)
+    arrival = _arrive(request)
+    if arrival.secret:
+        _give_csrf_token(response, runtime.settings, arrival.secret)
+    person = session.get_one(Person, actor.person_id)
+    return SessionRead(
+        signed_in=True, demo=arrival.demo_part is not None, person=PersonBrief(id=person.id, name=person.name)
+    )
+
+
+@_secret_router.post(
+    "/sign-up",
+    status_code=201,
+    response_model=PersonRead,
+    responses=problems(AddressTaken, BadAddress, PasswordTooWeak, TooManyTries),
+)
+def sign_up(
+    body: SignUpAdd,
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    _actor: Actor = allows(Sight.ANYONE),
+) -> Person:
+    """Make an account with a studio of its own, and sign in."""
+    rate_limits.count_try(rate_limits.SIGN_UPS_FROM_PLACE, _place_of(request))
+    person = service.sign_up(
+        session, email=body.email, name=body.name, password=body.password, studio_name=body.studio_name
+    )
+    sign_in_browser(session, runtime.settings, response, person.id)
+    return person
+
+
+@_secret_router.post("/sign-in", response_model=PersonRead, responses=problems(WrongSignIn, TooManyTries))
+def sign_in(
+    body: SignInAdd,
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    _actor: Actor = allows(Sight.ANYONE),
+) -> Person:
+    """Sign in with address and password."""
+    account = normalised_email(body.email)
+    ensure_may_try_password(request, account)
+    person_id = people.person_who_knows(runtime.database, account, body.password)
+    if person_id is None:
+        raise WrongSignIn("address and password do not belong together", fix="check both, or ask for a new password")
+    rate_limits.forgive(rate_limits.SIGN_INS_OF_ADDRESS, f"{account} {_place_of(request)}")
+    sign_in_browser(session, runtime.settings, response, person_id)
+    return session.get_one(Person, person_id)
+
+
+@_secret_router.post("/sign-out", status_code=204)
+def sign_out(request: Request, response: Response, session: DbSession, _actor: Actor = allows(Sight.PERSON)) -> None:
+    """Sign this browser out."""
+    people.end_sign_in(session, request.cookies.get(SESSION_COOKIE, ""))
+    for cookie in (SESSION_COOKIE, doors.CSRF_COOKIE):
+        response.delete_cookie(cookie, samesite="lax")
+
+
+@_secret_router.post("/password-resets", status_code=202, responses=problems(TooManyTries))
+def ask_password_reset(
+    body: ResetAdd,
+    request: Request,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    _actor: Actor = allows(Sight.ANYONE),
+) -> None:
+    """Mail a link for a new password; the answer is the same for an unknown address."""
+    rate_limits.count_try(rate_limits.RESETS_FROM_PLACE, _place_of(request))
+    rate_limits.count_try(rate_limits.RESETS_OF_ADDRESS, normalised_email(body.email))
+    people.ask_reset(session, body.email, base_url=runtime.settings.base_url)
+
+
+@_secret_router.post(
+    "/password-resets/{secret}", response_model=PersonRead, responses=problems(ResetNotFound, PasswordTooWeak)
+)
+def set_password_by_link(
+    secret: str,
+    body: NewPassword,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    _actor: Actor = allows(Sight.ANYONE),
+) -> Person:
+    """Set a new password by the mailed link, end every other sign-in, and sign in."""
+    person = people.reset_password(session, secret, body.password)
+    sign_in_browser(session, runtime.settings, response, person.id)
+    return person
+
+
+@router.put("/me", response_model=PersonRead)
+def change_my_name(body: NameChange, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
+    """Change the caller's name."""
+    return people.rename(session, actor, body.name)
+
+
+@_secret_router.put(
+    "/me/password", status_code=204, responses=problems(WrongPassword, NotInDemo, PasswordTooWeak, TooManyTries)
+)
+def change_my_password(
+    body: PasswordChange, request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)
+) -> None:
+    """Change the caller's password, and end their other sign-ins."""
+    ensure_may_try_password(request, str(actor.person))
+    kept_secret = request.cookies.get(SESSION_COOKIE)
+    people.change_password(session, actor, current=body.current, new=body.new, kept_secret=kept_secret)
+
+
+@router.put("/demo/part/{part}", responses=problems(DemoDoorClosed))
+def play_demo_part(part: str, request: Request, response: Response, _actor: Actor = allows(Sight.PERSON)) -> DemoPart:
+    """Play another person of the demo; there is no such thing outside of it."""
+    if demo_part_of(request) is None or part not in DEMO_PARTS:
+        raise DemoDoorClosed(f"no demo part {part} here")
+    response.set_cookie(doors.DEMO_COOKIE, part, httponly=True, samesite="lax")
+    return DemoPart(part=part, parts=list(DEMO_PARTS))
+
+
+@router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo))
+def open_studio(body: StudioAdd, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Studio:
+    """Open a further studio, with the caller as its producer."""
+    person = session.get_one(Person, actor.person)
+    if person.demo_part is not None:
+        raise NotInDemo("the people of the demo have the demo's studio only")
+    return service.open_studio(session, body.name, person)
+
+
+def _member(membership: Membership) -> MemberRead:
+    return MemberRead.model_validate(
+        {
+            "person": PersonBrief.model_validate(membership.person),
+            "email": membership.person.email,
+            "roles": membership.roles,
+            "since": membership.created_at,
+        }
+    )
+
+
+@router.get("/studios/{studio_id}/people", responses=problems(StudioNotFound))
+def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.STUDIO)) -> list[MemberRead]:
+    """Return the people of the studio."""
+    return [_member(membership) for membership in service.people_of(session, actor, studio_id)]
+
+
+@router.put(
+    "/studios/{studio_id}/people/{person_id}",
+    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
+)
+def change_member_roles(
+    studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> MemberRead:
+    """Change what somebody does in the studio; it always keeps a producer."""
+    return _member(service.change_roles(session, actor, studio_id, person_id, body.roles))
+
+
+@router.delete(
+    "/studios/{studio_id}/people/{person_id}",
+    status_code=204,
+    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
+)
+def remove_member(studio_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> None:
+    """Take somebody's place in the studio away; it always keeps a producer."""
+    service.remove_member(session, actor, studio_id, person_id)
+
+
+@router.post(
+    "/studios/{studio_id}/invitations",
+    status_code=201,
+    response_model=StudioInvitationRead,
+    responses=problems(StudioNotFound, ProducerNeeded, AlreadyMember, BadAddress, TooManyTries),
+)
+def invite_member(
+    studio_id: UUID,
+    body: StudioInvitationAdd,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.PRODUCER),
+) -> StudioInvitation:
+    """Mail somebody a link into the studio; whether the address has an account is not said."""
+    service.ensure_producer_of(session, actor, studio_id)
+    ensure_may_invite_more(actor)
+    return service.invite_member(
+        session, actor, studio_id, email=body.email, roles=body.roles, base_url=runtime.settings.base_url
+    )
+
+
+@router.get(
+    "/studios/{studio_id}/invitations",
+    response_model=list[StudioInvitationRead],
+    responses=problems(StudioNotFound, ProducerNeeded),
+)
+def list_studio_invitations(
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> Sequence[StudioInvitation]:
+    """Return the invitations that wait for an answer."""
+    return service.open_invitations(session, actor, studio_id)
+
+
+@router.delete(
+    "/studios/{studio_id}/invitations/{studio_invitation_id}",
+    status_code=204,
+    responses=problems(StudioNotFound, ProducerNeeded, StudioInvitationNotFound),
+)
+def revoke_studio_invitation(
+    studio_id: UUID, studio_invitation_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> None:
+    """Withdraw an invitation into the studio."""
+    service.revoke_studio_invitation(session, actor, studio_id, studio_invitation_id)
+
+
+@router.get("/studio-invitations/{secret}", responses=problems(StudioInvitationNotFound))
+def read_studio_invitation(
+    secret: str, session: DbSession, _actor: Actor = allows(Sight.ANYONE)
+) -> StudioInvitationShown:
+    """Show the holder of a link what they are invited to."""
+    invitation = service.studio_invitation_by_secret(session, secret)
+    return StudioInvitationShown.model_validate(
+        {
+            "studio_name": invitation.studio.name,
+            "email": invitation.email,
+            "roles": invitation.roles,
+            "invited_by_name": invitation.inviter.name,
+            "has_account": queries.has_account(session, invitation.email),
+            "expires_at": invitation.expires_at,
+        }
+    )
+
+
+@_secret_router.post(
+    "/studio-invitations/{secret}/accept",
+    responses=problems(StudioInvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyTries),
+)
+def accept_studio_invitation(
+    secret: str,
+    body: InvitationAccept,
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.ANYONE),
+) -> JoinedStudio:
+    """Join the studio with the invited address's account, made now if there is none, and sign in."""
+    ensure_may_try_password(request, sha256_of(secret))
+    person, studio = service.accept_studio_invitation(session, actor, secret, name=body.name, password=body.password)
+    if actor.person_id != person.id:
+        sign_in_browser(session, runtime.settings, response, person.id)
+    return JoinedStudio(person=PersonRead.model_validate(person), studio=StudioBrief.model_validate(studio))
+
+
+router.include_router(_secret_router)

@@ -1,12 +1,30 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Forbidden, NotFound, Refused
+from typing import ClassVar
+
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound, Refused
 
 
 class NotSignedIn(Refused):
     """No credential came with the request, or it is no longer good."""
 
     status = 401
+
+
+class WrongSignIn(Refused):
+    """Address and password do not belong together; whether the address is known is not said."""
+
+    status = 401
+
+
+class TooManyTries(Refused):
+    """The same was tried too often; `retry_after_s` says how long to wait."""
+
+    status: ClassVar[int] = 429
+
+    def __init__(self, retry_after_s: int) -> None:
+        super().__init__(f"too many tries; wait {retry_after_s} s and try again")
+        self.retry_after_s = retry_after_s
 
 
 class PersonNeeded(Forbidden):
@@ -21,9 +39,61 @@ class CsrfMismatch(Forbidden):
     """The request carries our cookie, but does not come from our page."""
 
 
+class ProducerNeeded(Forbidden):
+    """Only a producer of the studio may do this."""
+
+
+class SignInNeeded(Forbidden):
+    """The link is for an address that has an account: its holder signs in or gives its password."""
+
+
+class WrongPassword(Forbidden):
+    """The present password that was given is not the account's."""
+
+
+class NotInDemo(Forbidden):
+    """The people of the demo do not have this."""
+
+
 class StudioNotFound(NotFound):
     """No studio of that id within the caller's sight."""
 
 
-class ProducerNeeded(Forbidden):
-    """Only a producer of the studio may do this."""
+class MemberNotFound(NotFound):
+    """No such person in this studio."""
+
+
+class StudioInvitationNotFound(NotFound):
+    """No open invitation into a studio under that link or id."""
+
+
+class ResetNotFound(NotFound):
+    """The link for a new password is unknown, used or older than an hour."""
+
+
+class DemoDoorClosed(NotFound):
+    """There is no demo here, or not by this way."""
+
+
+class AddressTaken(Conflict):
+    """The address has an account already."""
+
+
+class AlreadyMember(Conflict):
+    """The person is in the studio already."""
+
+
+class LastProducer(Conflict):
+    """A studio always has a producer."""
+
+
+class BadAddress(Invalid):
+    """What was given is no mail address."""
+
+
+class NameNeeded(Invalid):
+    """A new account needs a name."""
+
+
+class PasswordTooWeak(Invalid):
+    """The password is missing, too short, too long or too easily guessed."""

@@ -87,6 +87,7 @@ class Token(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
     revoked_at: Mapped[datetime | None]
+    creator: Mapped[Person] = relationship(lazy="raise")
 
 
 class StudioInvitation(Base):
@@ -106,3 +107,4 @@ class StudioInvitation(Base):
     accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     revoked_at: Mapped[datetime | None]
     studio: Mapped[Studio] = relationship(lazy="raise")
+    inviter: Mapped[Person] = relationship(lazy="raise", foreign_keys=[invited_by])

@@ -1,13 +1,17 @@
 """Who is who, read from the database."""
 
+from collections.abc import Sequence
+from datetime import timedelta
 from uuid import UUID
 
-from sqlalchemy import select
-from sqlalchemy.orm import Session
+from sqlalchemy import delete, select, update
+from sqlalchemy.orm import Session, joinedload
 
-from app.accounts.models import Membership, Person, SignIn, Studio, Token
+from app.accounts.models import Membership, PasswordReset, Person, SignIn, Studio, StudioInvitation, Token
 from app.accounts.rules import Actor, Role, Scope
 from app.kit import clock
+
+TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
 
 
 def actor_for_person(session: Session, person_id: UUID) -> Actor:
@@ -40,16 +44,138 @@ def actor_for_token(session: Session, secret_sha256: str) -> Actor | None:
 
 
 def actor_for_demo_part(session: Session, part: str) -> Actor | None:
-    """Return the demo studio's person who plays this part."""
-    person_id = session.scalar(
-        select(Person.id)
-        .join(Membership, Membership.person_id == Person.id, isouter=True)
-        .join(Studio, Studio.id == Membership.studio_id, isouter=True)
-        .where(Person.demo_part == part)
-    )
-    return actor_for_person(session, person_id) if person_id else None
+    """Return the demo's person who plays this part, with no more than their roles in demo studios."""
+    person_id = session.scalar(select(Person.id).where(Person.demo_part == part))
+    if person_id is None:
+        return None
+    actor = actor_for_person(session, person_id)
+    demo_ids = set(session.scalars(select(Studio.id).where(Studio.id.in_(actor.roles), Studio.is_demo)))
+    return Actor(person_id=person_id, roles={id_: roles for id_, roles in actor.roles.items() if id_ in demo_ids})
+
+
+def note_token_use(session: Session, token_id: UUID) -> None:
+    """Keep when a token was last used, to the minute."""
+    now = clock.now()
+    is_old = Token.last_used_at.is_(None) | (Token.last_used_at < now - TOKEN_USE_NOTED_EVERY)
+    session.execute(update(Token).where(Token.id == token_id, is_old).values(last_used_at=now))
 
 
 def people_by_id(session: Session, ids: set[UUID]) -> dict[UUID, Person]:
     """Return people by their ids."""
     return {person.id: person for person in session.scalars(select(Person).where(Person.id.in_(ids)))}
+
+
+def person_by_email(session: Session, email: str) -> Person | None:
+    """Return who has this normalised address."""
+    return session.scalar(select(Person).where(Person.email == email))
+
+
+def has_account(session: Session, email: str) -> bool:
+    """Whether a normalised address has an account."""
+    return session.scalar(select(Person.id).where(Person.email == email)) is not None
+
+
+def end_sign_ins(session: Session, person_id: UUID, *, except_sha256: str | None = None) -> None:
+    """End every sign-in of a person, but for the one given."""
+    ended = delete(SignIn).where(SignIn.person_id == person_id)
+    session.execute(ended.where(SignIn.secret_sha256 != except_sha256) if except_sha256 else ended)
+
+
+def end_sign_in(session: Session, secret_sha256: str) -> None:
+    """End one sign-in."""
+    session.execute(delete(SignIn).where(SignIn.secret_sha256 == secret_sha256))
+
+
+def drop_old_sign_ins(session: Session, person_id: UUID) -> None:
+    """Forget a person's sign-ins that are over."""
+    session.execute(delete(SignIn).where(SignIn.person_id == person_id, SignIn.expires_at <= clock.now()))
+
+
+def open_reset(session: Session, secret_sha256: str) -> PasswordReset | None:
+    """Return the reset behind a link that is still good."""
+    return session.scalar(
+        select(PasswordReset)
+        .where(
+            PasswordReset.secret_sha256 == secret_sha256,
+            PasswordReset.used_at.is_(None),
+            PasswordReset.expires_at > clock.now(),
+        )
+        .with_for_update()
+    )
+
+
+def drop_resets(session: Session, person_id: UUID) -> None:
+    """Make a person's unused reset links worthless."""
+    session.execute(delete(PasswordReset).where(PasswordReset.person_id == person_id, PasswordReset.used_at.is_(None)))
+
+
+def studio_locked(session: Session, studio_id: UUID) -> Studio | None:
+    """Return a studio that nobody else changes until this transaction ends."""
+    return session.scalar(select(Studio).where(Studio.id == studio_id).with_for_update())
+
+
+def members(session: Session, studio_id: UUID) -> Sequence[Membership]:
+    """Return the people of a studio with their roles, in order of joining."""
+    return session.scalars(
+        select(Membership)
+        .where(Membership.studio_id == studio_id)
+        .options(joinedload(Membership.person))
+        .order_by(Membership.created_at, Membership.person_id)
+    ).all()
+
+
+def membership(session: Session, studio_id: UUID, person_id: UUID) -> Membership | None:
+    """Return a person's place in a studio."""
+    return session.scalar(
+        select(Membership)
+        .where(Membership.studio_id == studio_id, Membership.person_id == person_id)
+        .options(joinedload(Membership.person))
+    )
+
+
+def is_member_address(session: Session, studio_id: UUID, email: str) -> bool:
+    """Whether a normalised address belongs to somebody of the studio."""
+    found = select(Membership.person_id).join(Membership.person)
+    return session.scalar(found.where(Membership.studio_id == studio_id, Person.email == email)) is not None
+
+
+def studio_invitations(session: Session, studio_id: UUID) -> Sequence[StudioInvitation]:
+    """Return the invitations into a studio that were neither accepted nor revoked, newest first."""
+    return session.scalars(
+        select(StudioInvitation)
+        .where(
+            StudioInvitation.studio_id == studio_id,
+            StudioInvitation.accepted_at.is_(None),
+            StudioInvitation.revoked_at.is_(None),
+        )
+        .options(joinedload(StudioInvitation.inviter))
+        .order_by(StudioInvitation.id.desc())
+    ).all()
+
+
+def studio_invitation_by_secret(session: Session, secret_sha256: str) -> StudioInvitation | None:
+    """Return the invitation behind a link, with its studio, while it can be accepted."""
+    return session.scalar(
+        select(StudioInvitation)
+        .where(
+            StudioInvitation.secret_sha256 == secret_sha256,
+            StudioInvitation.accepted_at.is_(None),
+            StudioInvitation.revoked_at.is_(None),
+            StudioInvitation.expires_at > clock.now(),
+        )
+        .options(joinedload(StudioInvitation.studio), joinedload(StudioInvitation.inviter))
+    )
+
+
+def project_tokens(session: Session, project_id: UUID) -> Sequence[Token]:
+    """Return the tokens of a project, revoked ones too, newest first."""
+    return session.scalars(
+        select(Token).where(Token.project_id == project_id).options(joinedload(Token.creator)).order_by(Token.id.desc())
+    ).all()
+
+
+def project_token(session: Session, project_id: UUID, token_id: UUID) -> Token | None:
+    """Return one token of a project."""
+    return session.scalar(
+        select(Token).where(Token.id == token_id, Token.project_id == project_id).options(joinedload(Token.creator))
+    )

@@ -1,11 +1,12 @@
 """What a person or a machine may be, stated without a database."""
 
-from collections.abc import Mapping
+import re
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from uuid import UUID
 
-from app.accounts.errors import PersonNeeded
+from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
 
 
 class Role(StrEnum):
@@ -28,11 +29,48 @@ class Scope(StrEnum):
 
 
 MIN_PASSWORD_LENGTH = 10
+MAX_PASSWORD_LENGTH = 200
+MAX_ADDRESS_LENGTH = 254  # RFC 5321, 4.5.3.1.3, without its angle brackets
+# One @, and nothing that a mail header or a log line could take for something else.
+ADDRESS = re.compile(
+    r"[a-z0-9!#$%&'*+/=?^_`{|}~.-]{1,64}@[a-z0-9](?:[a-z0-9-]*[a-z0-9])?(?:\.[a-z0-9](?:[a-z0-9-]*[a-z0-9])?)*"
+)
+    r"[A-Za-z0-9!#$%&'*+/=?^_`{|}~.-]{1,64}@[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?(?:\.[A-Za-z0-9-]+)*"
+)
 
 
 def normalised_email(address: str) -> str:
     """Return the form under which an address is unique: trimmed, lower case."""
     return address.strip().lower()
+
+
+def ensure_address(address: str) -> str:
+    """Return the normalised form of a mail address, or raise BadAddress."""
+    normalised = normalised_email(address)
+    if len(normalised) > MAX_ADDRESS_LENGTH or not ADDRESS.fullmatch(normalised):
+        message = "give a mail address such as name@studio.example"
+        raise BadAddress(message, errors=[{"where": "email", "message": message}])
+    return normalised
+
+
+def ensure_good_password(password: str | None, address: str) -> str:
+    """Return the password, or raise PasswordTooWeak."""
+    message = None
+    if not password or len(password) < MIN_PASSWORD_LENGTH:
+        message = f"choose a password of {MIN_PASSWORD_LENGTH} characters or more"
+    elif len(password) > MAX_PASSWORD_LENGTH:
+        message = f"choose a password of {MAX_PASSWORD_LENGTH} characters or fewer"
+    elif len(set(password)) < 4 or password.lower() in (address, address.partition("@")[0]):
+        message = "this password is easily guessed; a few words that only you would put together are better"
+    if message or not password:
+        raise PasswordTooWeak(message or "", errors=[{"where": "password", "message": message or ""}])
+    return password
+
+
+def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "frozenset[Role]") -> None:
+    """Raise LastProducer when a change would leave a studio without a producer."""
+    if Role.PRODUCER not in wanted and not any(Role.PRODUCER in roles for roles in others):
+        raise LastProducer("a studio always has a producer; make somebody else a producer first")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,125 @@
+"""The doors: which secret, cookie or place lets somebody in. Endpoints hand in what a request carried."""
+
+import hashlib
+import hmac
+import secrets
+from collections.abc import Mapping
+from dataclasses import dataclass
+from urllib.parse import urlsplit
+
+from app.accounts import queries
+from app.accounts.errors import CsrfMismatch, NotSignedIn
+from app.accounts.rules import Actor
+from app.kit.db import Database
+from app.kit.http import SAFE_METHODS
+from app.settings import Settings
+
+SESSION_COOKIE = "soundlist_session"
+CSRF_COOKIE = "soundlist_csrf"
+CSRF_HEADER = "x-csrf-token"
+DEMO_COOKIE = "soundlist_demo_part"
+DEMO_PARTS = ("producer", "decider", "designer")
+DEMO_SECRET = "demo"  # noqa: S105  what the demo's CSRF token is made from: it has no session
+LOOPBACK_HOSTS = frozenset({"127.0.0.1", "localhost", "[::1]"})
+LOOPBACK_CLIENTS = frozenset({"127.0.0.1", "::1"})
+FORWARDING_HEADERS = frozenset(
+    {"forwarded", "via", "x-real-ip", "x-client-ip", "x-original-host", "true-client-ip", "cf-connecting-ip"}
+)
+
+
+@dataclass(frozen=True)
+class Visit:
+    """What a request carried that says who comes: headers under lower-case names."""
+
+    method: str
+    headers: Mapping[str, str]
+    cookies: Mapping[str, str]
+    client_host: str
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """Who came in, by the secret that the CSRF token is made from, and the demo's part if it was that door."""
+
+    actor: Actor
+    secret: str | None = None
+    demo_part: str | None = None
+
+
+def new_secret() -> str:
+    """Return a secret of 256 bits for a cookie or a link."""
+    return secrets.token_urlsafe(32)
+
+
+def sha256_of(secret: str) -> str:
+    """Return the only form in which a secret is kept."""
+    return hashlib.sha256(secret.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def csrf_token(settings: Settings, secret: str) -> str:
+    """Return the token that our own page must send along with a session's secret."""
+    key = settings.secret_key.get_secret_value().encode()
+    return hmac.new(key, b"csrf:" + secret.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
+
+
+def is_demo_door(settings: Settings, visit: Visit) -> bool:
+    """Whether this visit may enter the demo without signing in: from this machine, to this machine, directly."""
+    if not settings.demo or visit.client_host not in LOOPBACK_CLIENTS:
+        return False
+    if any(name in FORWARDING_HEADERS or name.startswith("x-forwarded") for name in visit.headers):
+        return False
+    return _without_port(visit.headers.get("host", "")) in LOOPBACK_HOSTS
+
+
+def ensure_our_origin(settings: Settings, visit: Visit) -> None:
+    """Raise CsrfMismatch for a write that a browser sends from another site's page."""
+    origin = visit.headers.get("origin")
+    if visit.method in SAFE_METHODS or origin is None or origin == _origin_of(settings.base_url):
+        return
+    if urlsplit(origin).netloc != visit.headers.get("host"):
+        raise CsrfMismatch("this request did not come from our page; open Soundlist itself and try again")
+
+
+def arrive(database: Database, settings: Settings, visit: Visit) -> Arrival:
+    """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's."""
+    scheme, _, bearer = visit.headers.get("authorization", "").partition(" ")
+    if scheme:
+        with database.reading() as session:
+            actor = queries.actor_for_token(session, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
+        if actor is None:
+            raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
+        return Arrival(actor)
+    if secret := visit.cookies.get(SESSION_COOKIE):
+        with database.reading() as session:
+            actor = queries.actor_for_sign_in(session, sha256_of(secret))
+        if actor is not None:
+            _ensure_our_page(settings, visit, secret)
+            return Arrival(actor, secret)
+    if is_demo_door(settings, visit):
+        wanted = visit.cookies.get(DEMO_COOKIE, "")
+        part = wanted if wanted in DEMO_PARTS else DEMO_PARTS[0]
+        with database.reading() as session:
+            actor = queries.actor_for_demo_part(session, part)
+        if actor is not None:
+            _ensure_our_page(settings, visit, DEMO_SECRET)
+            return Arrival(actor, DEMO_SECRET, part)
+    raise NotSignedIn("sign in first")
+
+
+def _ensure_our_page(settings: Settings, visit: Visit, secret: str) -> None:
+    if visit.method in SAFE_METHODS:
+        return
+    ensure_our_origin(settings, visit)
+    sent = visit.headers.get(CSRF_HEADER, "").encode("utf-8", "surrogatepass")
+    if not hmac.compare_digest(sent, csrf_token(settings, secret).encode()):
+        raise CsrfMismatch("this request did not come from our page; reload it and try again")
+
+
+def _without_port(host: str) -> str:
+    name, _, port = host.lower().rpartition(":")
+    return name if name and port.isdigit() else host.lower()
+
+
+def _origin_of(address: str) -> str:
+    parts = urlsplit(address)
+    return f"{parts.scheme}://{parts.netloc}"

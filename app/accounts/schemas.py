@@ -1,0 +1,170 @@
+"""What accounts are asked and answer."""
+
+from datetime import datetime
+from typing import Annotated
+from uuid import UUID
+
+from pydantic import ConfigDict, Field, StringConstraints
+
+from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, Role
+from app.kit.http import Schema
+
+# One line, without control characters or marks that turn the direction of writing: it stands in mails and lists.
+Line = Annotated[
+    str,
+    StringConstraints(
+        strip_whitespace=True,
+        min_length=1,
+        max_length=120,
+        pattern="^[^\\x00-\\x1f\\x7f-\\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$",
+    ),
+]
+Prose = Annotated[str, StringConstraints(strip_whitespace=True, max_length=5000, pattern="^[^\\x00]*$")]
+Email = Annotated[str, StringConstraints(strip_whitespace=True, max_length=MAX_ADDRESS_LENGTH)]
+Password = Annotated[str, StringConstraints(max_length=MAX_PASSWORD_LENGTH)]
+
+
+class PersonBrief(Schema):
+    """Somebody, by name."""
+
+    id: UUID
+    name: str
+
+
+class PersonRead(Schema):
+    """The caller's own account."""
+
+    id: UUID
+    name: str
+    email: str
+
+
+class StudioBrief(Schema):
+    """A studio, by name."""
+
+    id: UUID
+    name: str
+
+
+class SessionRead(Schema):
+    """Whether somebody is signed in, and whether this is the demo, which needs no sign-in."""
+
+    signed_in: bool
+    demo: bool
+    person: PersonBrief | None
+
+
+class DemoPart(Schema):
+    """Whom the demo's visitor plays, of those that can be played."""
+
+    part: str
+    parts: list[str]
+
+
+class _WithPassword(Schema):
+    model_config = ConfigDict(str_strip_whitespace=False)  # a password's spaces are part of it
+
+
+class SignUpAdd(_WithPassword):
+    """A new account and its studio."""
+
+    email: Email
+    name: Line
+    password: Password
+    studio_name: Line
+
+
+class SignInAdd(_WithPassword):
+    """Address and password."""
+
+    email: Email
+    password: Password
+
+
+class ResetAdd(Schema):
+    """Whose password was forgotten."""
+
+    email: Email
+
+
+class NewPassword(_WithPassword):
+    """The password to be."""
+
+    password: Password
+
+
+class PasswordChange(_WithPassword):
+    """The password that is and the one to be."""
+
+    current: Password
+    new: Password
+
+
+class NameChange(Schema):
+    """The name to be."""
+
+    name: Line
+
+
+class StudioAdd(Schema):
+    """A new studio."""
+
+    name: Line
+
+
+class MemberRead(Schema):
+    """Somebody of the studio."""
+
+    person: PersonBrief
+    email: str
+    roles: list[Role]
+    since: datetime
+
+
+class RolesChange(Schema):
+    """What a member does from now on."""
+
+    roles: list[Role] = Field(min_length=1)
+
+
+class StudioInvitationAdd(Schema):
+    """Whom to invite, to do what."""
+
+    email: Email
+    roles: list[Role] = Field(min_length=1)
+
+
+class StudioInvitationRead(Schema):
+    """An invitation that waits for its answer."""
+
+    id: UUID
+    email: str
+    roles: list[Role]
+    inviter: PersonBrief
+    created_at: datetime
+    expires_at: datetime
+
+
+class StudioInvitationShown(Schema):
+    """What the holder of a link is invited to."""
+
+    studio_name: str
+    email: str
+    roles: list[Role]
+    invited_by_name: str
+    has_account: bool
+    expires_at: datetime
+
+
+class InvitationAccept(_WithPassword):
+    """For a new account: name and password. For an account that is not signed in: its password."""
+
+    name: Line | None = None
+    password: Password | None = None
+
+
+class JoinedStudio(Schema):
+    """Who joined which studio."""
+
+    person: PersonRead
+    studio: StudioBrief

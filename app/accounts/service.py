@@ -1,0 +1,195 @@
+"""Studios, their people and invitations, and the tokens of builds."""
+
+from collections.abc import Collection, Sequence
+from datetime import timedelta
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts import people, queries
+from app.accounts.doors import new_secret, sha256_of
+from app.accounts.errors import (
+    AlreadyMember,
+    MemberNotFound,
+    ProducerNeeded,
+    StudioInvitationNotFound,
+    StudioNotFound,
+)
+from app.accounts.models import Membership, Person, Studio, StudioInvitation, Token
+from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_good_password, ensure_producer_remains
+from app.kit import clock
+from app.kit.events import publish
+
+INVITATION_LASTS = timedelta(days=30)
+TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
+
+
+def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str) -> Person:
+    """Make an account and the studio it produces for."""
+    address = ensure_address(email)
+    person = people.create_person(session, email=address, name=name, password=ensure_good_password(password, address))
+    open_studio(session, studio_name, person)
+    return person
+
+
+def open_studio(session: Session, name: str, person: Person, *, is_demo: bool = False) -> Studio:
+    """Make a studio with its first producer."""
+    studio = Studio(name=name, is_demo=is_demo)
+    session.add(studio)
+    session.flush()
+    add_member(session, studio.id, person.id, [Role.PRODUCER])
+    return studio
+
+
+def add_member(session: Session, studio_id: UUID, person_id: UUID, roles: Collection[Role]) -> Membership:
+    """Give a person a place in a studio."""
+    membership = Membership(studio_id=studio_id, person_id=person_id, roles=sorted(set(roles)))
+    session.add(membership)
+    session.flush()
+    return membership
+
+
+def ensure_member_of(actor: Actor, studio_id: UUID) -> None:
+    """Raise StudioNotFound unless the caller belongs to the studio."""
+    if not actor.roles_in(studio_id):
+        raise StudioNotFound(f"no studio {studio_id}")
+
+
+def ensure_producer_of(session: Session, actor: Actor, studio_id: UUID) -> Studio:
+    """Return the studio, or raise StudioNotFound to strangers and ProducerNeeded to its other members."""
+    ensure_member_of(actor, studio_id)
+    if Role.PRODUCER not in actor.roles_in(studio_id):
+        raise ProducerNeeded("only a producer of the studio can do this")
+    return session.get_one(Studio, studio_id)
+
+
+def people_of(session: Session, actor: Actor, studio_id: UUID) -> Sequence[Membership]:
+    """Return the people of the caller's studio."""
+    ensure_member_of(actor, studio_id)
+    return queries.members(session, studio_id)
+
+
+def change_roles(
+    session: Session, actor: Actor, studio_id: UUID, person_id: UUID, roles: Collection[Role]
+) -> Membership:
+    """Change what a member does; raise LastProducer when nobody would produce."""
+    membership = _membership_to_change(session, actor, studio_id, person_id, frozenset(roles))
+    membership.roles = sorted(set(roles))
+    return membership
+
+
+def remove_member(session: Session, actor: Actor, studio_id: UUID, person_id: UUID) -> None:
+    """Take a person's place in the studio away; their account and what they did remain."""
+    session.delete(_membership_to_change(session, actor, studio_id, person_id, frozenset()))
+
+
+def _membership_to_change(
+    session: Session, actor: Actor, studio_id: UUID, person_id: UUID, wanted: frozenset[Role]
+) -> Membership:
+    ensure_producer_of(session, actor, studio_id)
+    queries.studio_locked(session, studio_id)  # two producers leaving at once would leave none
+    places = {place.person_id: place for place in queries.members(session, studio_id)}
+    if person_id not in places:
+        raise MemberNotFound(f"no person {person_id} in this studio")
+    others = [frozenset(Role(role) for role in place.roles) for id_, place in places.items() if id_ != person_id]
+    ensure_producer_remains(others, wanted)
+    return places[person_id]
+
+
+def invite_member(
+    session: Session, actor: Actor, studio_id: UUID, *, email: str, roles: Collection[Role], base_url: str
+) -> StudioInvitation:
+    """Mail a link into the studio; an earlier one to the same address loses its worth."""
+    studio = ensure_producer_of(session, actor, studio_id)
+    address = ensure_address(email)
+    if queries.is_member_address(session, studio_id, address):
+        raise AlreadyMember(
+            f"{address} is in this studio already",
+            errors=[{"where": "email", "message": "this person is in the studio already"}],
+        )
+    for earlier in queries.studio_invitations(session, studio_id):
+        if earlier.email == address:
+            earlier.revoked_at = clock.now()
+    secret = new_secret()
+    inviter = session.get_one(Person, actor.person)
+    invitation = StudioInvitation(
+        studio_id=studio_id,
+        email=address,
+        roles=sorted(set(roles)),
+        secret_sha256=sha256_of(secret),
+        inviter=inviter,
+        expires_at=clock.now() + INVITATION_LASTS,
+    )
+    session.add(invitation)
+    session.flush()
+    publish(
+        session,
+        "member.invited",
+        studio_id=studio_id,
+        recipient=address,
+        link=f"{base_url}/join/{secret}",
+        subject_name=studio.name,
+        from_name=inviter.name,
+        note="",
+    )
+    return invitation
+
+
+def open_invitations(session: Session, actor: Actor, studio_id: UUID) -> Sequence[StudioInvitation]:
+    """Return the studio's invitations that wait for an answer."""
+    ensure_producer_of(session, actor, studio_id)
+    return queries.studio_invitations(session, studio_id)
+
+
+def revoke_studio_invitation(session: Session, actor: Actor, studio_id: UUID, invitation_id: UUID) -> None:
+    """Make an invitation's link worthless."""
+    for invitation in open_invitations(session, actor, studio_id):
+        if invitation.id == invitation_id:
+            invitation.revoked_at = clock.now()
+            return
+    raise StudioInvitationNotFound(f"no open invitation {invitation_id}")
+
+
+def studio_invitation_by_secret(session: Session, secret: str) -> StudioInvitation:
+    """Return the invitation behind a link, with its studio; raise StudioInvitationNotFound when it is past use."""
+    invitation = queries.studio_invitation_by_secret(session, sha256_of(secret))
+    if invitation is None:
+        raise StudioInvitationNotFound(
+            "this invitation is unknown, used, withdrawn or too old", fix="ask the studio for a new one"
+        )
+    return invitation
+
+
+def accept_studio_invitation(
+    session: Session, actor: Actor, secret: str, *, name: str | None = None, password: str | None = None
+) -> tuple[Person, Studio]:
+    """Join the studio that a link invites to, with the account of its address, made now if there is none."""
+    invitation = studio_invitation_by_secret(session, secret)
+    person = people.person_for_link(session, actor, invitation.email, name=name, password=password)
+    invitation.accepted_at = clock.now()
+    invitation.accepted_by = person.id
+    roles = {Role(role) for role in invitation.roles}
+    place = queries.membership(session, invitation.studio_id, person.id)
+    if place is None:
+        add_member(session, invitation.studio_id, person.id, roles)
+    else:
+        place.roles = sorted(roles | {Role(role) for role in place.roles})
+    return person, invitation.studio
+
+
+def add_token(
+    session: Session, *, studio_id: UUID, project_id: UUID, created_by: UUID, name: str, scopes: Collection[Scope]
+) -> tuple[Token, str]:
+    """Make a key for a project's builds, and return it with its secret, which is kept nowhere."""
+    secret = TOKEN_PREFIX + new_secret()
+    token = Token(
+        studio_id=studio_id,
+        project_id=project_id,
+        name=name,
+        secret_sha256=sha256_of(secret),
+        scopes=sorted(set(scopes)),
+        creator=session.get_one(Person, created_by),
+    )
+    session.add(token)
+    session.flush()
+    return token, secret
