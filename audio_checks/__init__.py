@@ -25,7 +25,9 @@ if TYPE_CHECKING:
         Unreadable,
     )
     from audio_checks.findings import FileReport, Finding, Report
-    from audio_checks.render.render import Rendered, render_master
+    from audio_checks.measure.waveform import WaveShape
+    from audio_checks.render.preview import preview, wave_shapes
+    from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.sandbox import Sandbox
     from audio_checks.sound_list import (
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
     from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
 
 __all__ = [
+    "RENDERER_VERSION",
     "TOOL_VERSION",
     "AudioChecksError",
     "AudioFile",
@@ -60,6 +63,7 @@ __all__ = [
     "TakeName",
     "Target",
     "Unreadable",
+    "WaveShape",
     "check_file",
     "check_files",
     "is_placeholder",
@@ -68,10 +72,12 @@ __all__ = [
     "new_spec",
     "parse_file_name",
     "parse_spec",
+    "preview",
     "read_sound_list",
     "render_master",
     "slug",
     "stems_of",
+    "wave_shapes",
     "write_sound_list",
 ]
 
@@ -88,7 +94,9 @@ _HOMES = {
         "Unreadable",
     ),
     "audio_checks.findings": ("FileReport", "Finding", "Report"),
-    "audio_checks.render.render": ("Rendered", "render_master"),
+    "audio_checks.measure.waveform": ("WaveShape",),
+    "audio_checks.render.preview": ("preview", "wave_shapes"),
+    "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
     "audio_checks.sandbox": ("Sandbox",),
     "audio_checks.sound_list": (

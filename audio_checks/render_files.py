@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from audio_checks.errors import RenderRefused
-from audio_checks.render.render import render_master
+from audio_checks.render.render import Rendered, render_master
 from audio_checks.runner import Task
 from audio_checks.sound_list import parse_file_name
 
@@ -39,12 +39,10 @@ class RenderRun:
             loop=task.cue is not None and task.cue.loop,
             sample_peak_limit_dbfs=spec.limits.sample_peak_dbfs,
             true_peak_limit_dbtp=spec.limits.true_peak_dbtp,
+            tolerance_db=spec.limits.tolerance_db,
         )
         self._made[out] = task.path
-        lowered = (
-            f", lowered by {rendered.attenuation_db:.2f} dB to keep its peak limit" if rendered.attenuation_db else ""
-        )
-        return f"{out}{lowered}"
+        return f"{out}, {_in_words(rendered)}"
 
     def _place(self, target: str, relative: str) -> Path:
         """Return where a render goes: the master's place, under the name without the mark of an alternate."""
@@ -60,3 +58,11 @@ class RenderRun:
             )
         if out.exists() and os.path.samefile(out, master):
             raise RenderRefused("the render would overwrite its master", "render:over-master", "name another --out")
+
+
+def _in_words(rendered: Rendered) -> str:
+    channels = {1: "mono", 2: "stereo"}.get(rendered.channels, f"{rendered.channels} channels")
+    words = f"{rendered.sample_rate_hz} Hz, {rendered.bit_depth} bit, {channels}, {rendered.duration_s:.3f} s"
+    if rendered.attenuation_db:
+        words += f"; lowered by {rendered.attenuation_db:.2f} dB to keep its peak limit"
+    return words

@@ -304,10 +304,13 @@ def _in_processes(tasks: list[Task], workers: int, done: Callable[[FileReport], 
                 done(entry)
 
     size = max(1, min(_MOST_AT_ONCE, len(tasks) // (workers * 4)))
+    running: dict[Future[list[FileReport]], int] = {}
     with _pool(workers) as pool:
-        running: dict[Future[list[FileReport]], int] = {
-            pool.submit(_judge_all, tasks[first : first + size]): first for first in range(0, len(tasks), size)
-        }
+        for first in range(0, len(tasks), size):
+            try:
+                running[pool.submit(_judge_all, tasks[first : first + size])] = first
+            except BrokenProcessPool:
+                break
         while running:
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 first = running.pop(future)
@@ -325,7 +328,7 @@ def _one_by_one(tasks: list[Task], places: list[int]) -> Iterator[tuple[int, Fil
         if pool is None:
             pool = _pool(1)
         try:
-            yield place, pool.submit(_judge, tasks[place]).result()
+            yield place, pool.submit(_judge_all, [tasks[place]]).result()[0]
         except BrokenProcessPool as error:
             task = tasks[place]
             category = task.spec.category if task.spec else None

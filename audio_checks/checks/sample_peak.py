@@ -31,7 +31,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         at_s = file.measurements.sample_peak_s
         yield Finding(
             code="sample-peak:over",
-            message=f"sample peak {peak:.2f} dBFS, limit {limit:g} dBFS",
+            message=f"sample peak {peak:z.2f} dBFS, limit {limit:g} dBFS",
             fix=f"lower the level by {peak - limit:.2f} dB or more",
             measured=peak,
             limit=limit,

@@ -31,7 +31,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         at_s = file.measurements.true_peak_s
         yield Finding(
             code="true-peak:over",
-            message=f"true peak {level:.2f} dBTP, limit {limit:g} dBTP",
+            message=f"true peak {level:z.2f} dBTP, limit {limit:g} dBTP",
             fix=f"lower the level by {level - limit:.2f} dB or more",
             measured=level,
             limit=limit,
