@@ -3,14 +3,12 @@ export interface FieldProblem {
   /** Where: a field name, or a path such as "cues.3.duration_s". */
   field: string
   message: string
-  /** What it should be instead, where the server knows. */
-  correction?: string
 }
 
 /** A refusal of the server (RFC 9457), or a line that dropped before it could answer. */
 export class ApiProblem extends Error {
   readonly status: number
-  /** Stable, for code to decide by: "delivery_closed". */
+  /** Stable, for code to decide by: "delivery-closed". */
   readonly code: string
   readonly detail: string
   /** What to do about it, in words. */
@@ -48,37 +46,20 @@ export class ApiProblem extends Error {
 const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null
 const textOf = (value: unknown): string | undefined => (typeof value === 'string' && value !== '' ? value : undefined)
 
-function fieldOf(error: Record<string, unknown>): string {
-  const named = textOf(error.field) ?? textOf(error.pointer)?.replace(/^#?\//, '').replaceAll('/', '.')
-  if (named !== undefined) return named
-  const path = Array.isArray(error.loc) ? error.loc.slice(1) : []
-  return path.map(String).join('.')
-}
-
-function errorsOf(value: unknown): FieldProblem[] {
-  if (!Array.isArray(value)) return []
-  return value.filter(isRecord).map((error) => ({
-    field: fieldOf(error),
-    message: textOf(error.message) ?? textOf(error.detail) ?? textOf(error.msg) ?? '',
-    correction: textOf(error.correction),
-  }))
-}
-
 /** Read a refusal; a body that is no problem document still becomes a sentence. */
 export function problemOf(status: number, body: unknown): ApiProblem {
   if (!isRecord(body) || (textOf(body.detail) === undefined && textOf(body.title) === undefined)) {
     return new ApiProblem(status, {
-      code: `http_${status}`,
+      code: `http-${status}`,
       detail:
         status >= 500
           ? 'The server broke while answering. That is our fault; nothing of yours is lost.'
           : `The server refused with ${status}.`,
-      errors: isRecord(body) ? errorsOf(body.detail) : [],
     })
   }
   const { code, detail, title, fix, errors, ...more } = body
   return new ApiProblem(status, {
-    code: textOf(code) ?? `http_${status}`,
+    code: textOf(code) ?? `http-${status}`,
     detail: textOf(detail) ?? textOf(title) ?? '',
     fix: textOf(fix),
     errors: errorsOf(errors),
@@ -89,7 +70,7 @@ export function problemOf(status: number, body: unknown): ApiProblem {
 /** The line dropped, or the server does not run: nothing was answered. */
 export const lineLost = (): ApiProblem =>
   new ApiProblem(0, {
-    code: 'line_lost',
+    code: 'line-lost',
     detail: 'The server did not answer.',
     fix: 'Try again when the line is back.',
   })

@@ -1,6 +1,6 @@
 export type { Clock } from './clock'
 export type { Spectrogram, TimeRange } from './draw'
-export type { Peaks } from './peaks'
+export { finePeaks, type Peaks } from './peaks'
 export type { Player, PlayerState, Source } from './player'
 export { LevelStrip, SpectrumStrip } from './Strip'
 export { usePlayer } from './usePlayer'

@@ -1,6 +1,8 @@
-/** A sound's shape as the server measured it: −127..127 stands for −1..1 of full scale, channels merged. */
+/** A sound's shape as the server measured it, channels merged. */
 export interface Peaks {
   points: number
+  /** What stands for full scale: 127 in the whole numbers of a thumb, 1 in the fine peaks of a sound. */
+  fullScale?: number
   min: readonly number[]
   max: readonly number[]
   rms: readonly number[]
@@ -13,6 +15,9 @@ export interface Columns {
 }
 
 const FULL = 127
+
+/** The fine peaks of one sound, which come as parts of full scale. */
+export const finePeaks = (read: Omit<Peaks, 'fullScale'>): Peaks => ({ ...read, fullScale: 1 })
 
 /** One value a column of pixels, full scale ±1. Extremes stay extremes, and nothing is ever scaled up to fill. */
 export function columnsOf(peaks: Peaks, count: number): Columns {
@@ -29,17 +34,18 @@ export function columnsOf(peaks: Peaks, count: number): Columns {
 function gather(peaks: Peaks, points: number, count: number, column: number, into: Columns): void {
   const from = Math.floor((column * points) / count)
   const to = Math.max(from + 1, Math.floor(((column + 1) * points) / count))
-  let min = FULL
-  let max = -FULL
+  const full = peaks.fullScale ?? FULL
+  let min = Infinity
+  let max = -Infinity
   let squares = 0
   for (let point = from; point < to; point += 1) {
     min = Math.min(min, peaks.min[point] ?? 0)
     max = Math.max(max, peaks.max[point] ?? 0)
     squares += (peaks.rms[point] ?? 0) ** 2
   }
-  into.min[column] = min / FULL
-  into.max[column] = max / FULL
-  into.rms[column] = Math.sqrt(squares / (to - from)) / FULL
+  into.min[column] = min / full
+  into.max[column] = max / full
+  into.rms[column] = Math.sqrt(squares / (to - from)) / full
 }
 
 function between(peaks: Peaks, points: number, count: number, column: number, into: Columns): void {
@@ -47,7 +53,8 @@ function between(peaks: Peaks, points: number, count: number, column: number, in
   const left = Math.floor(at)
   const right = Math.min(points - 1, left + 1)
   const part = at - left
-  const mix = (values: readonly number[]) => ((values[left] ?? 0) * (1 - part) + (values[right] ?? 0) * part) / FULL
+  const mix = (values: readonly number[]) =>
+    ((values[left] ?? 0) * (1 - part) + (values[right] ?? 0) * part) / (peaks.fullScale ?? FULL)
   into.min[column] = mix(peaks.min)
   into.max[column] = mix(peaks.max)
   into.rms[column] = mix(peaks.rms)
@@ -61,7 +68,7 @@ export function levelsOf(peaks: Peaks, durationS: number, windowS = 0.02): Float
     const from = Math.max(0, point - half)
     const to = Math.min(peaks.points, point + half + 1)
     let squares = 0
-    for (let at = from; at < to; at += 1) squares += ((peaks.rms[at] ?? 0) / FULL) ** 2
+    for (let at = from; at < to; at += 1) squares += ((peaks.rms[at] ?? 0) / (peaks.fullScale ?? FULL)) ** 2
     levels[point] = 10 * Math.log10(squares / (to - from))
   }
   return levels

@@ -166,7 +166,7 @@ export class Player implements Clock {
   seek(s: number): void {
     const positionS = Math.max(0, this.#state.durationS > 0 ? Math.min(s, this.#state.durationS) : s)
     const { buffer } = this.#sounding ?? {}
-    if (buffer && this.#source) this.#sound(buffer, this.#source, positionS)
+    if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
     else this.#moved(positionS)
   }
 
@@ -184,7 +184,7 @@ export class Player implements Clock {
     const { buffer } = this.#sounding ?? {}
     this.#silence()
     this.#tell({ reversed })
-    if (buffer && this.#source) this.#sound(this.#forwards(buffer), this.#source, positionS)
+    if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
     else this.#moved(positionS)
   }
 
@@ -344,10 +344,6 @@ export class Player implements Clock {
     return this.#positionS >= durationS ? 0 : this.#positionS
   }
 
-  #forwards(buffer: AudioBuffer): AudioBuffer {
-    return this.previews.forwardsOf(buffer)
-  }
-
   #change(change: Partial<PlayerState>): void {
     const sounding = this.#sounding
     if (sounding === null || this.#source === null) {
@@ -359,7 +355,7 @@ export class Player implements Clock {
     this.#tell(change)
     const loop = this.#loopOf(sounding.buffer.duration)
     if (loop && (at < loop.startS || at >= loop.endS)) {
-      this.#sound(this.#forwards(sounding.buffer), this.#source, positionS)
+      this.#sound(this.previews.forwardsOf(sounding.buffer), this.#source, positionS)
       return
     }
     // The sound goes on without a gap; only where it counts from is set anew.

@@ -1,0 +1,48 @@
+/** One file with its place in the folder it was dropped in. */
+export interface Picked {
+  file: File
+  path: string
+}
+
+/** Files that systems leave about, which nobody meant to deliver. */
+export function isClutter(path: string): boolean {
+  return path.split('/').some((part) => part.startsWith('.') || ['__MACOSX', 'Thumbs.db', 'desktop.ini'].includes(part))
+}
+
+/** Every file of a drop, folders walked through to the end. Call it within the event: later the list is empty. */
+export async function filesOfDrop(transfer: DataTransfer): Promise<Picked[]> {
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry())
+  const plain = [...transfer.files]
+  const walked = await Promise.all(
+    entries.map((entry, index) => {
+      if (entry !== null) return walk(entry)
+      const file = plain[index]
+      return Promise.resolve(file ? [{ file, path: file.name }] : [])
+    }),
+  )
+  const picked = entries.length > 0 ? walked.flat() : plain.map((file) => ({ file, path: file.name }))
+  return picked.filter(({ path }) => !isClutter(path))
+}
+
+/** Every file of a file or folder field. */
+export function filesOfField(files: Iterable<File>): Picked[] {
+  return [...files]
+    .map((file) => ({ file, path: file.webkitRelativePath || file.name }))
+    .filter(({ path }) => !isClutter(path))
+}
+
+async function walk(entry: FileSystemEntry): Promise<Picked[]> {
+  const path = entry.fullPath.replace(/^\//, '')
+  if (entry.isFile) {
+    const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject))
+    return [{ file, path }]
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader()
+  const found: Picked[] = []
+  for (;;) {
+    // A reader answers a hundred at a time, and an empty list at the end.
+    const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject))
+    if (some.length === 0) return found
+    found.push(...(await Promise.all(some.map(walk))).flat())
+  }
+}

@@ -1,0 +1,5 @@
+export { filesOfDrop, filesOfField, type Picked } from './drops'
+export { type Figures, type Transport, type Upload, UploadQueue, type UploadState } from './queue'
+export { type FileKind, kindOf } from './sniff'
+export { tusTransport } from './tus'
+export { useLeaveWarning, usePageDrop, useUploads } from './useUploads'
