@@ -2,6 +2,7 @@
 
 import json
 import sys
+import tempfile
 from pathlib import Path
 from typing import Annotated
 from uuid import UUID
@@ -15,7 +16,9 @@ from app import logs
 from app.kit.runtime import Runtime
 from app.settings import Settings
 
-cli = typer.Typer(no_args_is_help=True, add_completion=False, help="The Soundlist server.")
+cli = typer.Typer(
+    no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help="The Soundlist server."
+)
 jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, runs and keeps failing.")
 cli.add_typer(jobs_cli, name="jobs")
 console = Console()
@@ -121,8 +124,10 @@ def openapi(
     """Print the OpenAPI document."""
     from app.main import create_app
 
-    runtime = Runtime.of(Settings(database_url="sqlite://"))
-    document = json.dumps(create_app(runtime).openapi(), indent=1, ensure_ascii=False) + "\n"
+    with tempfile.TemporaryDirectory() as folder:
+        runtime = Runtime.of(Settings(data_dir=Path(folder)))
+        document = json.dumps(create_app(runtime).openapi(), indent=1, ensure_ascii=False) + "\n"
+        runtime.close()
     if out is None:
         sys.stdout.write(document)
     else:

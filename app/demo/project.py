@@ -1,0 +1,273 @@
+"""Makes the demo project by the same requests as a user's clicks: nothing is inserted in the state it ends in."""
+
+import json
+import tempfile
+import time
+import zipfile
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, Self
+
+import httpx
+from sqlalchemy import select
+
+import audio_checks
+from app.accounts.doors import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
+from app.accounts.models import Membership, Person, Studio
+from app.accounts.rules import Role, Scope
+from app.demo import cues
+from app.demo.sounds import DemoSound, demo_sounds
+from app.kit.runtime import Runtime
+from app.settings import Settings
+
+CHECKED_WITHIN_S = 180.0
+POLL_EVERY_S = 0.25
+DONE_FILE = "demo.json"
+PEOPLE = (
+    ("producer", "Producer", [Role.PRODUCER]),
+    ("decider", "Audio director", [Role.LIAISON]),
+    (None, "Composer", [Role.REVIEWER]),
+    (None, "Programmer", [Role.REVIEWER, Role.IMPLEMENTER]),
+    ("designer", "Sound designer", []),
+)
+Tell = Callable[[str], None]
+
+
+class DemoStopped(Exception):
+    """The process tree was asked to stop while the demo was being made."""
+
+
+def make_demo_project(runtime: Runtime, *, tell: Tell, keep_going: Callable[[], bool]) -> str:
+    """Make the demo where it is not complete yet, and return the token of its build."""
+    done = runtime.settings.data_dir / DONE_FILE
+    if done.exists():
+        return str(json.loads(done.read_text())["token"])
+    tell("  Making the demo project: 24 cues, every sound by our own generators. The page is open already.")
+    people = _open_studio(runtime)
+    try:
+        with _Maker(runtime.settings, people, keep_going) as maker:
+            token = maker.make()
+    except DemoStopped:
+        return ""
+    done.write_text(json.dumps({"token": token}))
+    return token
+
+
+def _open_studio(runtime: Runtime) -> dict[str, str]:
+    """Make the studio and the people whose parts the demo plays; return their ids by name."""
+    with runtime.database.writing() as session:
+        studio = session.scalar(select(Studio).where(Studio.is_demo))
+        if studio is None:
+            studio = Studio(name="Shield Wing studio", is_demo=True)
+            session.add(studio)
+            session.flush()
+            for part, name, roles in PEOPLE:
+                address = f"{name.lower().replace(' ', '.')}@soundlist.example"
+                person = Person(email=address, name=name, demo_part=part)
+                session.add(person)
+                session.flush()
+                if roles:
+                    session.add(Membership(studio_id=studio.id, person_id=person.id, roles=[*roles]))
+        people = session.execute(select(Person.name, Person.id)).tuples().all()
+        return {"studio": str(studio.id)} | {name: str(person_id) for name, person_id in people}
+
+
+class _Visitor:
+    """One part's browser."""
+
+    def __init__(self, settings: Settings, part: str) -> None:
+        self._client = httpx.Client(
+            base_url=settings.base_url,
+            cookies={DEMO_COOKIE: part},
+            headers={CSRF_HEADER: csrf_token(settings, DEMO_SECRET)},
+            timeout=60,
+        )
+
+    def ask(self, method: str, path: str, *, once: str | None = None, **more: Any) -> Any:
+        """Send a request and return its body; with `once`, a second run of the demo does not repeat it."""
+        headers = {"Idempotency-Key": once} if once else {}
+        answer = self._client.request(method, f"/v1{path}", headers=headers, **more)
+        if answer.is_error:
+            raise RuntimeError(f"{method} {path}: {answer.status_code} {answer.text}")
+        if not answer.content:
+            return None
+        return answer.json() if "json" in answer.headers.get("content-type", "") else answer.content
+
+    def close(self) -> None:
+        """Close the connections."""
+        self._client.close()
+
+
+class _Maker:
+    """Plays the parts one after the other."""
+
+    def __init__(self, settings: Settings, people: dict[str, str], keep_going: Callable[[], bool]) -> None:
+        self._people = people
+        self._keep_going = keep_going
+        self._producer = _Visitor(settings, "producer")
+        self._decider = _Visitor(settings, "decider")
+        self._designer = _Visitor(settings, "designer")
+        self._settings = settings
+        self._sounds = demo_sounds()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        for visitor in (self._producer, self._decider, self._designer):
+            visitor.close()
+
+    def make(self) -> str:
+        """Go through the story of the project so far; return the build's token."""
+        self._open_project()
+        self._invite_designer()
+        self._post_list()
+        self._deliver("The palette first.", self._files(cues.PALETTE))
+        self._accept(cues.PALETTE)
+        self._deliver(
+            "A: struck bowl over own hum, band-passed. B: same, lower bowl. C: bowl replaced by glass.",
+            [*self._files(("shield_hit", "foot_deck_walk", "airlock_cycle", "mine_arm")), self._sounds["suit_hit"]],
+        )
+        self._request_change(*cues.CHANGE)
+        self._deliver(
+            "Suit hit with the clank; thrusters; and the sting.",
+            [self._sounds["suit_hit_take2"], self._sounds["final_FINAL_sting2"], *self._files(("thruster_burst",))],
+        )
+        self._ask(*cues.QUESTION)
+        self._cut(*cues.CUT)
+        return self._build()
+
+    def _files(self, names: Iterable[str]) -> list[DemoSound]:
+        return [
+            sound
+            for name in names
+            for key, sound in self._sounds.items()
+            if key == name or (key.startswith(f"{name}_") and key.removeprefix(f"{name}_")[:3] != "tak")
+        ]
+
+    def _open_project(self) -> None:
+        producer = self._producer
+        body = {
+            "studio_id": self._people["studio"],
+            "name": "Shield Wing",
+            "description": cues.DESCRIPTION,
+            "cue_prefix": "SW",
+            "preset": "44k1",
+        }
+        self._project = producer.ask("POST", "/projects", once="demo-project", json=body)["id"]
+        director = self._people["Audio director"]
+        producer.ask("PUT", f"/projects/{self._project}/liaisons/{director}")
+        project = producer.ask("GET", f"/projects/{self._project}")
+        if project["decider"]["id"] != director:
+            why = {"person_id": director, "reason": "Named when the project opened."}
+            producer.ask("PUT", f"/projects/{self._project}/decider", json=why)
+
+    def _invite_designer(self) -> None:
+        project = self._producer.ask("GET", f"/projects/{self._project}")
+        if project["engagements"]:
+            return
+        body = {"email": "sound.designer@soundlist.example", "kind": "contract", "note": "Six palette sounds first."}
+        self._producer.ask("POST", f"/projects/{self._project}/invitations", json=body)
+        link = self._await(self._invitation_link)
+        self._designer.ask("POST", f"/invitations/{link.rsplit('/', 1)[1]}/accept", json={})
+
+    def _invitation_link(self) -> str | None:
+        mails = self._producer.ask("GET", f"/studios/{self._people['studio']}/outbox")["mails"]
+        return next((mail["link"] for mail in mails if mail["link"] and "/invitation/" in mail["link"]), None)
+
+    def _post_list(self) -> None:
+        path = f"/projects/{self._project}"
+        self._producer.ask("POST", f"{path}/cues", once="demo-cues", json={"cues": cues.CUES})
+        listed = self._producer.ask("GET", f"{path}/sound-list")["cues"]
+        self._cues = {cue["name"]: cue["id"] for cue in listed}
+
+    def _deliver(self, note: str, sounds: list[DemoSound]) -> None:
+        delivery = self._designer.ask("POST", f"/projects/{self._project}/deliveries", once=note, json={"note": note})
+        known = self._designer.ask("GET", f"/deliveries/{delivery['id']}")
+        there = {take["file_name"] for take in known["takes"]}
+        for sound in sounds:
+            if sound.file_name not in there:
+                self._ensure_going()
+                self._upload(delivery["id"], sound)
+        self._designer.ask("POST", f"/deliveries/{delivery['id']}/close")
+        self._await(self._nothing_waits)
+
+    def _upload(self, delivery_id: str, sound: DemoSound) -> None:
+        place = {"delivery_id": delivery_id, "file_name": sound.file_name}
+        upload = self._designer.ask("PUT", "/uploads", params=place, content=sound.wav_bytes())
+        body = {"upload_id": upload["upload_id"], "file_name": sound.file_name}
+        self._designer.ask("POST", f"/deliveries/{delivery_id}/takes", json=body)
+
+    def _takes(self, **filters: str) -> list[dict[str, Any]]:
+        answer = self._producer.ask("GET", f"/projects/{self._project}/takes", params={"limit": "200"} | filters)
+        takes: list[dict[str, Any]] = answer["items"]
+        return takes
+
+    def _queue(self) -> dict[str, list[dict[str, Any]]]:
+        answer = self._decider.ask("GET", "/review-queue", params={"project_id": self._project})
+        return {item["cue"]["name"]: item["takes"] for item in answer["items"]}
+
+    def _nothing_waits(self) -> bool:
+        if any(take["state"] == "received" for take in self._takes()):
+            return False
+        queue = self._queue()
+        conforming = [take for take in self._takes() if take["state"] == "conforming" and take["cue"]]
+        return len(conforming) == sum(len(takes) for takes in queue.values())
+
+    def _accept(self, names: Iterable[str]) -> None:
+        for name, takes in self._queue().items():
+            if name in names:
+                accept = {"note": "", "take_ids": [take["id"] for take in takes]}
+                self._decider.ask("POST", f"/cues/{self._cues[name]}/accept-set", json=accept)
+
+    def _request_change(self, name: str, text: str, start_s: float) -> None:
+        takes = self._queue().get(name)
+        if not takes:
+            return
+        verdict = {"kind": "request_change", "note": text, "start_s": start_s}
+        self._decider.ask("POST", f"/takes/{takes[0]['id']}/verdict", json=verdict)
+        self._decider.ask("POST", f"/projects/{self._project}/sendings", json={"note": ""})
+
+    def _ask(self, name: str, text: str) -> None:
+        path = f"/cues/{self._cues[name]}/questions"
+        self._designer.ask("POST", path, once="demo-question", json={"text": text})
+
+    def _cut(self, name: str, reason: str) -> None:
+        self._producer.ask("POST", f"/cues/{self._cues[name]}/cut", once="demo-cut", json={"reason": reason})
+
+    def _build(self) -> str:
+        """Check the approved pack as the game's CI would, and post the report."""
+        producer, path = self._producer, f"/projects/{self._project}"
+        scopes = [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE, Scope.MANIFEST_READ]
+        body = {"name": "The game’s CI", "scopes": scopes}
+        token: str = producer.ask("POST", f"{path}/tokens", json=body)["secret"]
+        with tempfile.TemporaryDirectory() as folder:
+            pack = Path(folder) / "pack.zip"
+            pack.write_bytes(producer.ask("GET", f"{path}/pack.zip", params={"target": "game"}))
+            assets = Path(folder) / "assets"
+            _unpack(pack, assets)
+            spec = audio_checks.parse_spec(producer.ask("GET", f"{path}/spec.toml").decode())
+            report = audio_checks.check_files([assets], spec, target="game").to_dict()
+        build = {"label": "1", "commit": "", "target": "game", "report": report}
+        headers = {"Authorization": f"Bearer {token}"}
+        answer = httpx.post(f"{self._settings.base_url}/v1{path}/builds", json=build, headers=headers, timeout=60)
+        answer.raise_for_status()
+        return token
+
+    def _await(self, condition: Callable[[], Any]) -> Any:
+        deadline = time.monotonic() + CHECKED_WITHIN_S
+        while time.monotonic() < deadline:
+            self._ensure_going()
+            if found := condition():
+                return found
+            time.sleep(POLL_EVERY_S)
+        raise RuntimeError(f"the demo's files were not checked within {CHECKED_WITHIN_S:.0f} s; is the worker running?")
+
+    def _ensure_going(self) -> None:
+        if not self._keep_going():
+            raise DemoStopped
+
+
+def _unpack(pack: Path, folder: Path) -> None:
+    with zipfile.ZipFile(pack) as archive:
+        archive.extractall(folder)
