@@ -38,6 +38,18 @@ class Render(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
+class RenderSet(Base):
+    """Every target's render of a take is made or refused, for one version of the spec and one edition of the take."""
+
+    __tablename__ = "renders_sets"
+
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
+    edition: Mapped[int]
+    completed_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
 class Picture(Base):
     """What the eye and ear need of one stored sound: its shape at two sizes, its spectrum, a preview to play."""
 
@@ -46,11 +58,12 @@ class Picture(Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    sound_sha256: Mapped[str]  # of a master or of a render
+    sound_sha256: Mapped[str] = mapped_column(index=True)  # of a master or of a render
     duration_s: Mapped[float]
-    thumb: Mapped[dict[str, Any]]  # points, min, max, rms as integers −127..127
-    peaks_sha256: Mapped[str]
+    facts: Mapped[dict[str, Any]] = mapped_column(default=dict)  # rate, depth, channels and frames
+    thumb: Mapped[dict[str, Any]] = mapped_column(default=dict)  # points, min, max, rms as integers −127..127
+    peaks_sha256: Mapped[str | None]  # None, like the next two, when drawing it failed again and again
     spectrum_sha256: Mapped[str | None]
-    preview_sha256: Mapped[str]
-    preview_media_type: Mapped[str]
+    preview_sha256: Mapped[str | None]
+    preview_media_type: Mapped[str | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)

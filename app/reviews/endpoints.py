@@ -1,7 +1,197 @@
 """The endpoints of this room."""
 
+from typing import Literal
+from uuid import UUID
+
 from fastapi import APIRouter
 
-from app.kit.http import Route
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Sight
+from app.deliveries.errors import TakeNotFound, WrongState
+from app.kit.http import BadCursor, DbSession, Page, Route, problems
+from app.projects.errors import DeciderNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
+from app.reviews import review_room, service
+from app.reviews.errors import (
+    AlreadyAccepted,
+    AlreadySent,
+    ChangeRequestNotFound,
+    CommentNotFound,
+    DecidedSince,
+    NoteNeeded,
+    NothingToSend,
+    NothingToUndo,
+    NotOfThisCue,
+    NotReviewable,
+    RangeInvalid,
+    SetIncomplete,
+    StaleView,
+    TooLateToUndo,
+)
+from app.reviews.rules import VerdictKind
+from app.reviews.schemas import (
+    ChangeRequestRead,
+    CommentAdd,
+    CommentRead,
+    CueCut,
+    CueCutRead,
+    CueReviewRead,
+    HistoryEntry,
+    QueueItem,
+    SendingAdd,
+    SendingRead,
+    SetAccept,
+    SetAccepted,
+    VerdictGive,
+    VerdictGiven,
+    VerdictUndone,
+)
+from app.sound_lists.errors import CueIsCut, CueNotFound
+from app.sound_lists.models import Cue
 
 router = APIRouter(prefix="/v1", tags=["reviews"], route_class=Route)
+
+
+@router.get("/review-queue", response_model=Page[QueueItem], responses=problems(ProjectNotFound, TeamNeeded, BadCursor))
+def get_review_queue(
+    session: DbSession,
+    project_id: UUID | None = None,
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.TEAM),
+) -> Page[QueueItem]:
+    """Return what waits for review, oldest first: of one project, or of all projects of the caller's studios."""
+    return review_room.review_queue(session, actor, project_id=project_id, cursor=cursor)
+
+
+@router.get("/cues/{cue_id}/review", response_model=CueReviewRead, responses=problems(CueNotFound, TeamNeeded))
+def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueReviewRead:
+    """Return everything of one cue that the review room shows, takes in every state included."""
+    return review_room.cue_review(session, actor, cue_id)
+
+
+@router.post(
+    "/takes/{take_id}/verdict",
+    response_model=VerdictGiven,
+    responses=problems(
+        TakeNotFound, DeciderNeeded, StaleView, NotReviewable, WrongState, CueIsCut, NoteNeeded, RangeInvalid
+    ),
+)
+def give_verdict(
+    take_id: UUID, body: VerdictGive, session: DbSession, actor: Actor = allows(Sight.DECIDER)
+) -> VerdictGiven:
+    """Approve a take, set it aside, or note a change as a draft."""
+    return service.give_verdict(
+        session,
+        actor,
+        take_id,
+        kind=VerdictKind(body.kind),
+        note=body.note,
+        start_s=body.start_s,
+        end_s=body.end_s,
+        seen_state=body.seen_state,
+    )
+
+
+@router.delete(
+    "/takes/{take_id}/verdict",
+    response_model=VerdictUndone,
+    responses=problems(TakeNotFound, DeciderNeeded, NothingToUndo, TooLateToUndo, DecidedSince, CueIsCut),
+)
+def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> VerdictUndone:
+    """Take back what the last click on a take decided, a whole accepted set included, within a minute."""
+    return service.undo_verdict(session, actor, take_id)
+
+
+@router.post(
+    "/cues/{cue_id}/accept-set",
+    response_model=SetAccepted,
+    responses=problems(
+        CueNotFound, DeciderNeeded, SetIncomplete, AlreadyAccepted, NotReviewable, NotOfThisCue, CueIsCut
+    ),
+)
+def accept_set(cue_id: UUID, body: SetAccept, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> SetAccepted:
+    """Approve one take of every variation at once, or none where a variation lacks one."""
+    return service.accept_set(session, actor, cue_id, note=body.note, take_ids=body.take_ids)
+
+
+@router.get(
+    "/projects/{project_id}/change-requests",
+    response_model=Page[ChangeRequestRead],
+    responses=problems(ProjectNotFound, TeamNeeded, BadCursor),
+)
+def list_change_requests(
+    project_id: UUID,
+    session: DbSession,
+    state: Literal["draft", "sent"] = "sent",
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Page[ChangeRequestRead]:
+    """Return drafts (the team's alone) or sent change requests, newest first."""
+    return service.change_requests(session, actor, project_id, state=state, cursor=cursor)
+
+
+@router.delete(
+    "/change-requests/{change_request_id}",
+    status_code=204,
+    responses=problems(ChangeRequestNotFound, DeciderNeeded, AlreadySent),
+)
+def drop_change_request(change_request_id: UUID, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> None:
+    """Drop a draft."""
+    service.drop_change_request(session, actor, change_request_id)
+
+
+@router.post(
+    "/projects/{project_id}/sendings",
+    status_code=201,
+    response_model=SendingRead,
+    responses=problems(ProjectNotFound, DeciderNeeded, NothingToSend),
+)
+def send_change_requests(
+    project_id: UUID, body: SendingAdd, session: DbSession, actor: Actor = allows(Sight.DECIDER)
+) -> SendingRead:
+    """Send all drafts together; one sending counts one round for each cue or set it names."""
+    return service.send_changes(session, actor, project_id, note=body.note)
+
+
+@router.get("/takes/{take_id}/comments", response_model=list[CommentRead], responses=problems(TakeNotFound))
+def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[CommentRead]:
+    """Return the advice on a take, oldest first."""
+    return service.take_comments(session, actor, take_id)
+
+
+@router.post(
+    "/takes/{take_id}/comments",
+    status_code=201,
+    response_model=CommentRead,
+    responses=problems(TakeNotFound, RangeInvalid),
+)
+def add_comment(
+    take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> CommentRead:
+    """Write advice on a take, at a time in the sound or on the whole of it."""
+    return service.add_comment(session, actor, take_id, text=body.text, start_s=body.start_s, end_s=body.end_s)
+
+
+@router.post(
+    "/comments/{comment_id}/resolve",
+    response_model=CommentRead,
+    responses=problems(CommentNotFound),
+)
+def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CommentRead:
+    """Mark advice as seen to."""
+    return service.resolve_comment(session, actor, comment_id)
+
+
+@router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))
+def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[HistoryEntry]:
+    """Return what happened to a take, oldest first."""
+    return review_room.take_history(session, actor, take_id)
+
+
+@router.post(
+    "/cues/{cue_id}/cut",
+    response_model=CueCutRead,
+    responses=problems(CueNotFound, ProducerNeeded, CueIsCut),
+)
+def cut_cue(cue_id: UUID, body: CueCut, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> Cue:
+    """Cut a cue that the game no longer needs; it is kept with its reason and its takes."""
+    return service.cut_cue(session, actor, cue_id, reason=body.reason)

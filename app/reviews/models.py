@@ -1,6 +1,7 @@
 """The tables of this room."""
 
 from datetime import datetime
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, text
@@ -8,6 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.reviews.rules import VerdictKind
@@ -23,10 +25,16 @@ class Verdict(Base):
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    action_id: Mapped[UUID] = mapped_column(index=True)  # what one click decided is taken back together
     kind: Mapped[VerdictKind]
     note: Mapped[str] = mapped_column(default="")
+    state_before: Mapped[TakeState]
+    since_before: Mapped[datetime]
+    dropped_draft: Mapped[dict[str, Any]] = mapped_column(default=dict)  # what was noted to change, and fell away
+    withdraws_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_verdicts.id"), unique=True)
     given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    author: Mapped[Person] = relationship(lazy="raise")
 
 
 class Sending(Base):
@@ -69,13 +77,19 @@ class ChangeRequest(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     sending_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_sendings.id"), index=True)
     take: Mapped[Take] = relationship(lazy="raise")
+    author: Mapped[Person] = relationship(lazy="raise")
+    sending: Mapped[Sending | None] = relationship(lazy="raise")
 
 
 class Round(Base):
     """One sending counted once for a cue or set, or the reason why it is not counted."""
 
     __tablename__ = "reviews_rounds"
-    __table_args__ = (UniqueConstraint("cue_id", "sending_id"), UniqueConstraint("cue_id", "number"))
+    __table_args__ = (
+        UniqueConstraint("cue_id", "sending_id"),
+        UniqueConstraint("cue_id", "number"),
+        CheckConstraint("(number is null) = (why_not_counted is not null)", name="counted_or_why_not"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -100,7 +114,19 @@ class Comment(Base):
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    decides: Mapped[bool]  # whether the author had the last word when writing; all others advise
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
+
+
+# Of a cue's variation at most one take is picked, whoever clicks at once.
+Index(
+    "uq_reviews_one_approved",
+    Take.cue_id,
+    Take.variation,
+    unique=True,
+    sqlite_where=Take.state == TakeState.APPROVED,
+    postgresql_where=Take.state == TakeState.APPROVED,
+)

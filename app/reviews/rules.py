@@ -1,6 +1,10 @@
-"""What a verdict does, stated without a database."""
+"""What a verdict does and what counts as a round, stated without a database."""
 
+from collections.abc import Collection, Sequence
+from datetime import datetime, timedelta
 from enum import StrEnum
+
+from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 
 
 class VerdictKind(StrEnum):
@@ -9,3 +13,75 @@ class VerdictKind(StrEnum):
     APPROVE = "approve"
     REQUEST_CHANGE = "request_change"
     SET_ASIDE = "set_aside"
+    WITHDRAW = "withdraw"  # an earlier verdict was taken back
+
+
+class QueueKind(StrEnum):
+    """How the waiting takes of a cue are heard."""
+
+    SINGLE = "single"
+    ALTERNATES = "alternates"  # one of several is picked
+    SET = "set"  # variations are heard and accepted together
+
+
+UNDO_WITHIN = timedelta(minutes=1)
+REVERSAL = "the approver reversed an approved direction"
+SECONDS_BEYOND_END = 0.01  # a time typed or clicked at the very end may round up
+
+STATE_WORDS = {
+    "received": "is being checked",
+    "conforming": "waits for review",
+    "returned": "was returned to its designer",
+    "unjudged": "could not be checked",
+    "approved": "is approved",
+    "change_requested": "went back with a change request",
+    "set_aside": "was set aside",
+}
+
+
+def ensure_seen(now: str, seen: str) -> None:
+    """Raise StaleView unless a take still stands where the caller saw it."""
+    if now != seen:
+        raise StaleView(
+            f"since you looked, this version {STATE_WORDS[now]}; nothing was changed",
+            fix="load the page again, and decide on what stands now",
+        )
+
+
+def ensure_undoable(given_at: datetime, now: datetime) -> None:
+    """Raise TooLateToUndo more than a minute after a verdict."""
+    if now - given_at > UNDO_WITHIN:
+        raise TooLateToUndo(
+            "a verdict can be taken back for a minute, and that is over",
+            fix="give another verdict: pick another version, or request a change",
+        )
+
+
+def ensure_range(start_s: float | None, end_s: float | None, duration_s: float | None) -> None:
+    """Raise RangeInvalid unless a time or range lies within the sound."""
+    if start_s is None:
+        if end_s is not None:
+            raise RangeInvalid("a range needs its start too")
+        return
+    last_s = start_s if end_s is None else end_s
+    if start_s < 0 or last_s < start_s:
+        raise RangeInvalid("a range starts at 0 s or later, and ends after its start")
+    if duration_s is not None and last_s > duration_s + SECONDS_BEYOND_END:
+        raise RangeInvalid(f"{last_s:.3f} s lies beyond the end of the sound, {duration_s:.3f} s")
+
+
+def missing_variations(variations: int, approved: Collection[int]) -> list[int]:
+    """Return the variations of a cue that still lack their approved take; a cue is accepted when none does."""
+    return [variation for variation in range(1, variations + 1) if variation not in approved]
+
+
+def queue_kind(variations: int, waiting: Sequence[int]) -> QueueKind:
+    """Return how a cue's waiting takes, given by their variations, are heard."""
+    if variations > 1:
+        return QueueKind.SET
+    return QueueKind.ALTERNATES if len(waiting) > 1 else QueueKind.SINGLE
+
+
+def why_not_counted(reversals: Sequence[bool]) -> str | None:
+    """Return why a sending is no round for a cue, given which of its requests reverse an approval; None: it is."""
+    return REVERSAL if all(reversals) else None

@@ -52,6 +52,25 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("key", name=op.f("pk_kit_saved_answers")),
     )
     op.create_table(
+        "kit_uploads",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("owner_id", sa.Uuid(), nullable=False),
+        sa.Column("scope", sa.String(), nullable=False),
+        sa.Column("file_name", sa.String(), nullable=False),
+        sa.Column("length", sa.BigInteger(), nullable=False),
+        sa.Column("expected_sha256", sa.String(), nullable=True),
+        sa.Column("sha256", sa.String(), nullable=True),
+        sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("finished_at", app.kit.db.UtcDateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("(sha256 is null) = (finished_at is null)", name=op.f("ck_kit_uploads_finished_is_hashed")),
+        sa.CheckConstraint("length >= 0", name=op.f("ck_kit_uploads_length_known")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_kit_uploads")),
+    )
+    with op.batch_alter_table("kit_uploads", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_kit_uploads_studio_id"), ["studio_id"], unique=False)
+
+    op.create_table(
         "accounts_memberships",
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("person_id", sa.Uuid(), nullable=False),
@@ -146,21 +165,29 @@ def upgrade() -> None:
     op.create_table(
         "notifications_mails",
         sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.Column("key", sa.String(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=True),
+        sa.Column("topic", sa.String(), nullable=False),
         sa.Column("recipient", sa.String(), nullable=False),
         sa.Column("subject", sa.String(), nullable=False),
-        sa.Column("text", sa.String(), nullable=False),
+        sa.Column("lines", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
+        sa.Column("event_ids", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
         sa.Column("link", sa.String(), nullable=True),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("sealed_at", app.kit.db.UtcDateTime(timezone=True), nullable=True),
         sa.Column("sent_at", app.kit.db.UtcDateTime(timezone=True), nullable=True),
         sa.Column("failure", sa.String(), nullable=True),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_notifications_mails_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_notifications_mails")),
-        sa.UniqueConstraint("key", name=op.f("uq_notifications_mails_key")),
     )
     with op.batch_alter_table("notifications_mails", schema=None) as batch_op:
         batch_op.create_index(batch_op.f("ix_notifications_mails_studio_id"), ["studio_id"], unique=False)
+        batch_op.create_index(
+            "uq_notifications_mails_open",
+            ["topic", "recipient"],
+            unique=True,
+            sqlite_where=sa.text("sealed_at is null"),
+            postgresql_where=sa.text("sealed_at is null"),
+        )
 
     op.create_table(
         "projects_projects",
@@ -185,17 +212,19 @@ def upgrade() -> None:
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("sound_sha256", sa.String(), nullable=False),
         sa.Column("duration_s", sa.Double(), nullable=False),
+        sa.Column("facts", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
         sa.Column("thumb", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
-        sa.Column("peaks_sha256", sa.String(), nullable=False),
+        sa.Column("peaks_sha256", sa.String(), nullable=True),
         sa.Column("spectrum_sha256", sa.String(), nullable=True),
-        sa.Column("preview_sha256", sa.String(), nullable=False),
-        sa.Column("preview_media_type", sa.String(), nullable=False),
+        sa.Column("preview_sha256", sa.String(), nullable=True),
+        sa.Column("preview_media_type", sa.String(), nullable=True),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_renders_pictures_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_renders_pictures")),
         sa.UniqueConstraint("studio_id", "sound_sha256", name=op.f("uq_renders_pictures_studio_id_sound_sha256")),
     )
     with op.batch_alter_table("renders_pictures", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_renders_pictures_sound_sha256"), ["sound_sha256"], unique=False)
         batch_op.create_index(batch_op.f("ix_renders_pictures_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
@@ -470,9 +499,10 @@ def upgrade() -> None:
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
         sa.Column("delivery_id", sa.Uuid(), nullable=False),
+        sa.Column("upload_id", sa.Uuid(), nullable=False),
         sa.Column("file_name", sa.String(), nullable=False),
         sa.Column("sha256", sa.String(), nullable=False),
-        sa.Column("archive_bytes", sa.Integer(), nullable=False),
+        sa.Column("archive_bytes", sa.BigInteger(), nullable=False),
         sa.Column(
             "state",
             sa.Enum("received", "unpacked", "refused", name="archivestate", native_enum=False, length=32),
@@ -488,69 +518,14 @@ def upgrade() -> None:
             ["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_archives_project_id")
         ),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_archives_studio_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["kit_uploads.id"], name=op.f("fk_deliveries_archives_upload_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_archives")),
+        sa.UniqueConstraint("upload_id", name=op.f("uq_deliveries_archives_upload_id")),
     )
     with op.batch_alter_table("deliveries_archives", schema=None) as batch_op:
         batch_op.create_index(batch_op.f("ix_deliveries_archives_delivery_id"), ["delivery_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_deliveries_archives_project_id"), ["project_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_deliveries_archives_studio_id"), ["studio_id"], unique=False)
-
-    op.create_table(
-        "deliveries_takes",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("delivery_id", sa.Uuid(), nullable=False),
-        sa.Column("designer_id", sa.Uuid(), nullable=False),
-        sa.Column("cue_id", sa.Uuid(), nullable=True),
-        sa.Column("variation", sa.Integer(), nullable=False),
-        sa.Column("number", sa.Integer(), nullable=True),
-        sa.Column("alternate", sa.Integer(), nullable=True),
-        sa.Column(
-            "state",
-            sa.Enum(
-                "received",
-                "conforming",
-                "returned",
-                "unjudged",
-                "approved",
-                "change_requested",
-                "set_aside",
-                name="takestate",
-                native_enum=False,
-                length=32,
-            ),
-            nullable=False,
-        ),
-        sa.Column("late", sa.Boolean(), nullable=False),
-        sa.Column("file_name", sa.String(), nullable=False),
-        sa.Column("note", sa.String(), nullable=False),
-        sa.Column("master_sha256", sa.String(), nullable=False),
-        sa.Column("master_bytes", sa.Integer(), nullable=False),
-        sa.Column("received_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
-        sa.Column("state_since", app.kit.db.UtcDateTime(timezone=True), nullable=False),
-        sa.Column("edition", sa.Integer(), nullable=False),
-        sa.CheckConstraint(
-            "(cue_id is null) = (number is null)", name=op.f("ck_deliveries_takes_numbered_when_matched")
-        ),
-        sa.CheckConstraint("master_bytes >= 0", name=op.f("ck_deliveries_takes_master_size_known")),
-        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_deliveries_takes_cue_id")),
-        sa.ForeignKeyConstraint(
-            ["delivery_id"], ["deliveries_deliveries.id"], name=op.f("fk_deliveries_takes_delivery_id")
-        ),
-        sa.ForeignKeyConstraint(["designer_id"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_designer_id")),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_takes_project_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_takes_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_takes")),
-        sa.UniqueConstraint("cue_id", "variation", "number", name=op.f("uq_deliveries_takes_cue_id_variation_number")),
-    )
-    with op.batch_alter_table("deliveries_takes", schema=None) as batch_op:
-        batch_op.create_index(batch_op.f("ix_deliveries_takes_cue_id"), ["cue_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_deliveries_takes_delivery_id"), ["delivery_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_deliveries_takes_designer_id"), ["designer_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_deliveries_takes_master_sha256"), ["master_sha256"], unique=False)
-        batch_op.create_index("ix_deliveries_takes_queue", ["project_id", "state", "cue_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_deliveries_takes_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
         "reviews_rounds",
@@ -562,6 +537,9 @@ def upgrade() -> None:
         sa.Column("number", sa.Integer(), nullable=True),
         sa.Column("why_not_counted", sa.String(), nullable=True),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.CheckConstraint(
+            "(number is null) = (why_not_counted is not null)", name=op.f("ck_reviews_rounds_counted_or_why_not")
+        ),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_rounds_cue_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_rounds_project_id")),
         sa.ForeignKeyConstraint(["sending_id"], ["reviews_sendings.id"], name=op.f("fk_reviews_rounds_sending_id")),
@@ -632,15 +610,89 @@ def upgrade() -> None:
         sa.Column("cue_id", sa.Uuid(), nullable=False),
         sa.Column("variation", sa.Integer(), nullable=False),
         sa.Column("stem", sa.String(), nullable=False),
+        sa.Column("folded", sa.String(), nullable=False),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_sound_lists_stems_cue_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_sound_lists_stems_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_sound_lists_stems_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_sound_lists_stems")),
         sa.UniqueConstraint("cue_id", "variation", name=op.f("uq_sound_lists_stems_cue_id_variation")),
-        sa.UniqueConstraint("project_id", "stem", name=op.f("uq_sound_lists_stems_project_id_stem")),
+        sa.UniqueConstraint("project_id", "folded", name=op.f("uq_sound_lists_stems_project_id_folded")),
     )
     with op.batch_alter_table("sound_lists_stems", schema=None) as batch_op:
         batch_op.create_index(batch_op.f("ix_sound_lists_stems_studio_id"), ["studio_id"], unique=False)
+
+    op.create_table(
+        "deliveries_takes",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("delivery_id", sa.Uuid(), nullable=False),
+        sa.Column("designer_id", sa.Uuid(), nullable=False),
+        sa.Column("upload_id", sa.Uuid(), nullable=True),
+        sa.Column("archive_id", sa.Uuid(), nullable=True),
+        sa.Column("archive_entry", sa.Integer(), nullable=True),
+        sa.Column("cue_id", sa.Uuid(), nullable=True),
+        sa.Column("variation", sa.Integer(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=True),
+        sa.Column("alternate", sa.Integer(), nullable=True),
+        sa.Column(
+            "state",
+            sa.Enum(
+                "received",
+                "conforming",
+                "returned",
+                "unjudged",
+                "approved",
+                "change_requested",
+                "set_aside",
+                name="takestate",
+                native_enum=False,
+                length=32,
+            ),
+            nullable=False,
+        ),
+        sa.Column("late", sa.Boolean(), nullable=False),
+        sa.Column("file_name", sa.String(), nullable=False),
+        sa.Column("note", sa.String(), nullable=False),
+        sa.Column("master_sha256", sa.String(), nullable=False),
+        sa.Column("master_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("received_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("state_since", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("edition", sa.Integer(), nullable=False),
+        sa.CheckConstraint(
+            "(cue_id is null) = (number is null)", name=op.f("ck_deliveries_takes_numbered_when_matched")
+        ),
+        sa.CheckConstraint("master_bytes >= 0", name=op.f("ck_deliveries_takes_master_size_known")),
+        sa.ForeignKeyConstraint(
+            ["archive_id"], ["deliveries_archives.id"], name=op.f("fk_deliveries_takes_archive_id")
+        ),
+        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_deliveries_takes_cue_id")),
+        sa.ForeignKeyConstraint(
+            ["delivery_id"], ["deliveries_deliveries.id"], name=op.f("fk_deliveries_takes_delivery_id")
+        ),
+        sa.ForeignKeyConstraint(["designer_id"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_designer_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_takes_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_takes_studio_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["kit_uploads.id"], name=op.f("fk_deliveries_takes_upload_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_takes")),
+        sa.UniqueConstraint("archive_id", "archive_entry", name=op.f("uq_deliveries_takes_archive_id_archive_entry")),
+        sa.UniqueConstraint("cue_id", "variation", "number", name=op.f("uq_deliveries_takes_cue_id_variation_number")),
+        sa.UniqueConstraint("upload_id", name=op.f("uq_deliveries_takes_upload_id")),
+    )
+    with op.batch_alter_table("deliveries_takes", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_deliveries_takes_cue_id"), ["cue_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_deliveries_takes_delivery_id"), ["delivery_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_deliveries_takes_designer_id"), ["designer_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_deliveries_takes_master_sha256"), ["master_sha256"], unique=False)
+        batch_op.create_index("ix_deliveries_takes_queue", ["project_id", "state", "cue_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_deliveries_takes_studio_id"), ["studio_id"], unique=False)
+        batch_op.create_index(
+            "uq_reviews_one_approved",
+            ["cue_id", "variation"],
+            unique=True,
+            sqlite_where=sa.text("state = 'approved'"),
+            postgresql_where=sa.text("state = 'approved'"),
+        )
 
     op.create_table(
         "conformance_check_runs",
@@ -711,6 +763,21 @@ def upgrade() -> None:
         batch_op.create_index(batch_op.f("ix_renders_renders_take_id"), ["take_id"], unique=False)
 
     op.create_table(
+        "renders_sets",
+        sa.Column("take_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("spec_id", sa.Uuid(), nullable=False),
+        sa.Column("edition", sa.Integer(), nullable=False),
+        sa.Column("completed_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["spec_id"], ["projects_specs.id"], name=op.f("fk_renders_sets_spec_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_renders_sets_studio_id")),
+        sa.ForeignKeyConstraint(["take_id"], ["deliveries_takes.id"], name=op.f("fk_renders_sets_take_id")),
+        sa.PrimaryKeyConstraint("take_id", name=op.f("pk_renders_sets")),
+    )
+    with op.batch_alter_table("renders_sets", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_renders_sets_studio_id"), ["studio_id"], unique=False)
+
+    op.create_table(
         "reviews_change_requests",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
@@ -764,6 +831,7 @@ def upgrade() -> None:
         sa.Column("start_s", sa.Double(), nullable=True),
         sa.Column("end_s", sa.Double(), nullable=True),
         sa.Column("written_by", sa.Uuid(), nullable=False),
+        sa.Column("decides", sa.Boolean(), nullable=False),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
         sa.Column("resolved_at", app.kit.db.UtcDateTime(timezone=True), nullable=True),
         sa.Column("resolved_by", sa.Uuid(), nullable=True),
@@ -786,12 +854,34 @@ def upgrade() -> None:
         sa.Column("project_id", sa.Uuid(), nullable=False),
         sa.Column("cue_id", sa.Uuid(), nullable=False),
         sa.Column("take_id", sa.Uuid(), nullable=False),
+        sa.Column("action_id", sa.Uuid(), nullable=False),
         sa.Column(
             "kind",
-            sa.Enum("approve", "request_change", "set_aside", name="verdictkind", native_enum=False, length=32),
+            sa.Enum(
+                "approve", "request_change", "set_aside", "withdraw", name="verdictkind", native_enum=False, length=32
+            ),
             nullable=False,
         ),
         sa.Column("note", sa.String(), nullable=False),
+        sa.Column(
+            "state_before",
+            sa.Enum(
+                "received",
+                "conforming",
+                "returned",
+                "unjudged",
+                "approved",
+                "change_requested",
+                "set_aside",
+                name="takestate",
+                native_enum=False,
+                length=32,
+            ),
+            nullable=False,
+        ),
+        sa.Column("since_before", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("dropped_draft", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
+        sa.Column("withdraws_id", sa.Uuid(), nullable=True),
         sa.Column("given_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_verdicts_cue_id")),
@@ -799,9 +889,14 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_verdicts_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_verdicts_studio_id")),
         sa.ForeignKeyConstraint(["take_id"], ["deliveries_takes.id"], name=op.f("fk_reviews_verdicts_take_id")),
+        sa.ForeignKeyConstraint(
+            ["withdraws_id"], ["reviews_verdicts.id"], name=op.f("fk_reviews_verdicts_withdraws_id")
+        ),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_verdicts")),
+        sa.UniqueConstraint("withdraws_id", name=op.f("uq_reviews_verdicts_withdraws_id")),
     )
     with op.batch_alter_table("reviews_verdicts", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_reviews_verdicts_action_id"), ["action_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_verdicts_cue_id"), ["cue_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_verdicts_project_id"), ["project_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_verdicts_studio_id"), ["studio_id"], unique=False)
@@ -851,6 +946,7 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_reviews_verdicts_studio_id"))
         batch_op.drop_index(batch_op.f("ix_reviews_verdicts_project_id"))
         batch_op.drop_index(batch_op.f("ix_reviews_verdicts_cue_id"))
+        batch_op.drop_index(batch_op.f("ix_reviews_verdicts_action_id"))
 
     op.drop_table("reviews_verdicts")
     with op.batch_alter_table("reviews_comments", schema=None) as batch_op:
@@ -872,6 +968,10 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_reviews_change_requests_cue_id"))
 
     op.drop_table("reviews_change_requests")
+    with op.batch_alter_table("renders_sets", schema=None) as batch_op:
+        batch_op.drop_index(batch_op.f("ix_renders_sets_studio_id"))
+
+    op.drop_table("renders_sets")
     with op.batch_alter_table("renders_renders", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_renders_renders_take_id"))
         batch_op.drop_index(batch_op.f("ix_renders_renders_studio_id"))
@@ -890,6 +990,20 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_conformance_check_runs_key"))
 
     op.drop_table("conformance_check_runs")
+    with op.batch_alter_table("deliveries_takes", schema=None) as batch_op:
+        batch_op.drop_index(
+            "uq_reviews_one_approved",
+            sqlite_where=sa.text("state = 'approved'"),
+            postgresql_where=sa.text("state = 'approved'"),
+        )
+        batch_op.drop_index(batch_op.f("ix_deliveries_takes_studio_id"))
+        batch_op.drop_index("ix_deliveries_takes_queue")
+        batch_op.drop_index(batch_op.f("ix_deliveries_takes_master_sha256"))
+        batch_op.drop_index(batch_op.f("ix_deliveries_takes_designer_id"))
+        batch_op.drop_index(batch_op.f("ix_deliveries_takes_delivery_id"))
+        batch_op.drop_index(batch_op.f("ix_deliveries_takes_cue_id"))
+
+    op.drop_table("deliveries_takes")
     with op.batch_alter_table("sound_lists_stems", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_sound_lists_stems_studio_id"))
 
@@ -910,15 +1024,6 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_reviews_rounds_project_id"))
 
     op.drop_table("reviews_rounds")
-    with op.batch_alter_table("deliveries_takes", schema=None) as batch_op:
-        batch_op.drop_index(batch_op.f("ix_deliveries_takes_studio_id"))
-        batch_op.drop_index("ix_deliveries_takes_queue")
-        batch_op.drop_index(batch_op.f("ix_deliveries_takes_master_sha256"))
-        batch_op.drop_index(batch_op.f("ix_deliveries_takes_designer_id"))
-        batch_op.drop_index(batch_op.f("ix_deliveries_takes_delivery_id"))
-        batch_op.drop_index(batch_op.f("ix_deliveries_takes_cue_id"))
-
-    op.drop_table("deliveries_takes")
     with op.batch_alter_table("deliveries_archives", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_deliveries_archives_studio_id"))
         batch_op.drop_index(batch_op.f("ix_deliveries_archives_project_id"))
@@ -978,6 +1083,7 @@ def downgrade() -> None:
     op.drop_table("builds_builds")
     with op.batch_alter_table("renders_pictures", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_renders_pictures_studio_id"))
+        batch_op.drop_index(batch_op.f("ix_renders_pictures_sound_sha256"))
 
     op.drop_table("renders_pictures")
     with op.batch_alter_table("projects_projects", schema=None) as batch_op:
@@ -985,6 +1091,11 @@ def downgrade() -> None:
 
     op.drop_table("projects_projects")
     with op.batch_alter_table("notifications_mails", schema=None) as batch_op:
+        batch_op.drop_index(
+            "uq_notifications_mails_open",
+            sqlite_where=sa.text("sealed_at is null"),
+            postgresql_where=sa.text("sealed_at is null"),
+        )
         batch_op.drop_index(batch_op.f("ix_notifications_mails_studio_id"))
 
     op.drop_table("notifications_mails")
@@ -1009,6 +1120,10 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_accounts_memberships_person_id"))
 
     op.drop_table("accounts_memberships")
+    with op.batch_alter_table("kit_uploads", schema=None) as batch_op:
+        batch_op.drop_index(batch_op.f("ix_kit_uploads_studio_id"))
+
+    op.drop_table("kit_uploads")
     op.drop_table("kit_saved_answers")
     op.drop_table("kit_heartbeats")
     op.drop_table("accounts_studios")

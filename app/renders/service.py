@@ -1,0 +1,103 @@
+"""Renders and pictures: what a caller sees of them, and how they are put on record."""
+
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.deliveries.models import Take
+from app.deliveries.queries import stem_of
+from app.deliveries.service import take_for
+from app.projects.queries import current_spec
+from app.renders import queries
+from app.renders.errors import NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
+from app.renders.models import Picture, Render
+from app.renders.schemas import MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
+
+
+def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead:
+    """Return what can be seen and heard of a take: its master, and its game files at the current spec."""
+    take, _ = take_for(session, actor, take_id)
+    specs = {take.project_id: current_spec(session, take.project_id)}
+    renders = queries.current_renders(session, specs, [take])[take.id]
+    hashes = [take.master_sha256, *(one.sha256 for one in renders.values() if one and one.sha256)]
+    pictures = queries.pictures_of_sounds(session, [take.studio_id], hashes)
+    return TakeSoundsRead(
+        take_id=take.id,
+        master=master_sound(take, pictures.get(take.master_sha256)),
+        renders=[render_sound(target, one, picture_of_render(one, pictures)) for target, one in renders.items()],
+    )
+
+
+def sound_places(picture: Picture | None) -> dict[str, Any]:
+    """Return the fields of a SoundBrief: where a sound's preview, peaks and spectrum are."""
+    if picture is None:
+        return dict.fromkeys(SoundBrief.model_fields)
+    address = f"/v1/sounds/{picture.id}"
+    return {
+        "picture_id": picture.id,
+        "duration_s": picture.duration_s,
+        "thumb": picture.thumb or None,
+        "preview_url": f"{address}/preview" if picture.preview_sha256 else None,
+        "peaks_url": f"{address}/peaks.json" if picture.peaks_sha256 else None,
+        "spectrum_url": f"{address}/spectrum.png" if picture.spectrum_sha256 else None,
+    }
+
+
+def master_sound(take: Take, picture: Picture | None) -> MasterSoundRead:
+    """Return a take's master as it is shown."""
+    return MasterSoundRead(
+        **sound_places(picture),
+        state="drawn" if picture else "drawing",
+        facts=picture.facts if picture else {},
+        file_bytes=take.master_bytes,
+    )
+
+
+def render_sound(target: str, render: Render | None, picture: Picture | None) -> RenderSoundRead:
+    """Return one game file as it is shown; `waiting` while it is still to be made."""
+    return RenderSoundRead(
+        **sound_places(picture),
+        id=render.id if render else None,
+        target=target,
+        state=render.state.value if render else "waiting",
+        refusal=render.refusal if render else None,
+        facts=render.facts if render else {},
+        measurements=render.measurements if render else {},
+        attenuation_db=render.attenuation_db if render else None,
+        file_bytes=render.file_bytes if render else None,
+        file_url=f"/v1/renders/{render.id}/file" if render and render.sha256 else None,
+    )
+
+
+def picture_of_render(render: Render | None, pictures: dict[str, Picture]) -> Picture | None:
+    """Return the picture of a render's file out of those at hand."""
+    return pictures.get(render.sha256) if render and render.sha256 else None
+
+
+def picture_in_sight(session: Session, actor: Actor, picture_id: UUID) -> Picture:
+    """Return a picture; raise SoundNotFound where the caller sees no take that it shows."""
+    picture = queries.visible_picture(session, actor, picture_id)
+    if picture is None:
+        raise SoundNotFound(f"no sound {picture_id}")
+    return picture
+
+
+def drawn(sha256: str | None) -> str:
+    """Return the hash of something drawn; raise NotDrawn where there is none."""
+    if sha256 is None:
+        raise NotDrawn("this sound could not be drawn; that is our fault, and its master is whole")
+    return sha256
+
+
+def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render, str, str]:
+    """Return a made render, the hash of its file, and the name that the game expects it under."""
+    found = queries.visible_render(session, actor, render_id)
+    if found is None:
+        raise RenderNotFound(f"no render {render_id}")
+    render, take = found
+    if render.sha256 is None:
+        raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
+    stem = stem_of(session, take) or "render"
+    return render, render.sha256, f"{stem}.wav"

@@ -1,0 +1,59 @@
+"""What this room refuses, each named after the fact."""
+
+from app.kit.errors import Conflict, Invalid, NotFound
+
+
+class StaleView(Conflict):
+    """The take does not stand where the caller saw it."""
+
+
+class NotReviewable(Conflict):
+    """The take cannot get a verdict in its state."""
+
+
+class TooLateToUndo(Conflict):
+    """The minute for taking a verdict back is over."""
+
+
+class NothingToUndo(Conflict):
+    """No verdict of the caller's stands that could be taken back."""
+
+
+class DecidedSince(Conflict):
+    """Something was decided after the verdict, so it cannot be taken back."""
+
+
+class SetIncomplete(Conflict):
+    """A variation has no version that could be accepted."""
+
+
+class AlreadyAccepted(Conflict):
+    """Every variation has its approved take, and nothing newer waits."""
+
+
+class NothingToSend(Conflict):
+    """No draft can be sent now."""
+
+
+class AlreadySent(Conflict):
+    """The change request went to its designer; it can no longer be dropped."""
+
+
+class ChangeRequestNotFound(NotFound):
+    """No change request of that id within the caller's sight."""
+
+
+class CommentNotFound(NotFound):
+    """No comment of that id within the caller's sight."""
+
+
+class NoteNeeded(Invalid):
+    """A change request says what to change."""
+
+
+class RangeInvalid(Invalid):
+    """The time does not lie within the sound."""
+
+
+class NotOfThisCue(Invalid):
+    """A named take belongs to another cue, or two are named for one variation."""

@@ -1,0 +1,334 @@
+"""What waits for review and what was said, read from the database; callers have checked who looks."""
+
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import ColumnElement, Select, and_, exists, func, select, tuple_
+from sqlalchemy.orm import Session, aliased, joinedload
+
+from app.accounts.models import Person
+from app.conformance.models import CheckRun, Waiver
+from app.deliveries.models import Delivery, Take
+from app.deliveries.rules import TakeState
+from app.projects.models import Project, Spec
+from app.renders.models import Picture, Render, RenderSet
+from app.renders.queries import current_renders, pictures_of_sounds
+from app.reviews.models import ChangeRequest, Comment, Round, Verdict
+from app.reviews.rules import VerdictKind, missing_variations
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
+
+
+def projects_of_studios(session: Session, studio_ids: Collection[UUID]) -> Sequence[UUID]:
+    """Return the projects of some studios."""
+    return session.scalars(select(Project.id).where(Project.studio_id.in_(list(studio_ids)))).all()
+
+
+def _newest_spec_id() -> Any:
+    newer = aliased(Spec)
+    return (
+        select(newer.id)
+        .where(newer.project_id == Take.project_id)
+        .order_by(newer.version.desc())
+        .limit(1)
+        .correlate(Take)
+        .scalar_subquery()
+    )
+
+
+def _waits() -> ColumnElement[bool]:
+    """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
+    rendered = exists().where(
+        RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
+    )
+    drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
+    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
+    return and_(Take.state == TakeState.CONFORMING, wanted, rendered, drawn)
+
+
+def waiting_cues(
+    session: Session, project_ids: Collection[UUID], *, after: tuple[datetime, UUID] | None, limit: int
+) -> list[tuple[UUID, datetime]]:
+    """Return the cues that takes wait for, with the instant since when, oldest first."""
+    since = func.min(Take.state_since)
+    query = (
+        select(Take.cue_id, since)
+        .where(Take.project_id.in_(list(project_ids)), _waits())
+        .group_by(Take.cue_id)
+        .order_by(since, Take.cue_id)
+        .limit(limit)
+    )
+    if after is not None:
+        query = query.having(tuple_(since, Take.cue_id) > tuple_(*after))
+    return [(cue_id, at) for cue_id, at in session.execute(query).tuples() if cue_id is not None]
+
+
+@dataclass(frozen=True)
+class TakeOnReview:
+    """A take with what is shown of it."""
+
+    take: Take
+    picture: Picture | None
+    check: CheckRun | None
+    waiver: Waiver | None
+    draft: ChangeRequest | None
+    renders: dict[str, Render | None]
+    render_pictures: dict[str, Picture]
+    open_comments: int
+
+
+def _takes() -> Select[Take, Picture, CheckRun]:
+    return (
+        select(Take, Picture, CheckRun)
+        .join(Delivery, Delivery.id == Take.delivery_id)
+        .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
+        .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .options(joinedload(Take.cue), joinedload(Take.delivery).joinedload(Delivery.designer))
+        .order_by(Take.variation, Take.number.desc())
+    )
+
+
+def waiting_takes(session: Session, cue_ids: Collection[UUID]) -> list[TakeOnReview]:
+    """Return the takes of some cues that wait for review."""
+    return _with_what_is_shown(session, _takes().where(Take.cue_id.in_(list(cue_ids)), _waits()))
+
+
+def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
+    """Return a cue's takes in every state, newest first."""
+    return _with_what_is_shown(session, _takes().where(Take.cue_id == cue_id))
+
+
+def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]) -> list[TakeOnReview]:
+    rows = session.execute(query).tuples().all()
+    takes = [take for take, _, _ in rows]
+    ids = [take.id for take in takes]
+    specs = newest_specs(session, {take.project_id for take in takes})
+    renders = current_renders(session, specs, takes)
+    files = {render.sha256 for made in renders.values() for render in made.values() if render and render.sha256}
+    pictures = pictures_of_sounds(session, {take.studio_id for take in takes}, files)
+    drafts = {draft.take_id: draft for draft in open_drafts(session, ids)}
+    waivers = {
+        waiver.take_id: waiver
+        for waiver in session.scalars(select(Waiver).where(Waiver.take_id.in_(ids)).order_by(Waiver.id))
+    }
+    comments = dict(
+        session.execute(
+            select(Comment.take_id, func.count())
+            .where(Comment.take_id.in_(ids), Comment.resolved_at.is_(None))
+            .group_by(Comment.take_id)
+        )
+        .tuples()
+        .all()
+    )
+    return [
+        TakeOnReview(
+            take=take,
+            picture=picture,
+            check=check,
+            waiver=waivers.get(take.id),
+            draft=drafts.get(take.id),
+            renders=renders[take.id],
+            render_pictures=pictures,
+            open_comments=comments.get(take.id, 0),
+        )
+        for take, picture, check in rows
+    ]
+
+
+def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, Spec]:
+    """Return the newest spec of each project."""
+    newest = (
+        select(Spec.project_id, func.max(Spec.version).label("version"))
+        .where(Spec.project_id.in_(list(project_ids)))
+        .group_by(Spec.project_id)
+        .subquery()
+    )
+    specs = session.scalars(
+        select(Spec).join(newest, and_(newest.c.project_id == Spec.project_id, newest.c.version == Spec.version))
+    )
+    return {spec.project_id: spec for spec in specs}
+
+
+def cue_prefixes(session: Session, project_ids: Collection[UUID]) -> dict[UUID, str]:
+    """Return the letters that cue numbers of projects start with."""
+    query = select(Project.id, Project.cue_prefix).where(Project.id.in_(list(project_ids)))
+    return dict(session.execute(query).tuples().all())
+
+
+def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
+    """Return how many rounds count for cues."""
+    query = select(Round.cue_id, func.count(Round.number)).where(Round.cue_id.in_(list(cue_ids))).group_by(Round.cue_id)
+    return dict(session.execute(query).tuples().all())
+
+
+def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
+    """Return every sending that named a cue, counted or not, in order."""
+    return session.scalars(select(Round).where(Round.cue_id == cue_id).order_by(Round.id)).all()
+
+
+def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[int]]:
+    """Return the variations of cues that have their approved take."""
+    found: dict[UUID, list[int]] = defaultdict(list)
+    query = (
+        select(Take.cue_id, Take.variation)
+        .where(Take.cue_id.in_(list(cue_ids)), Take.state == TakeState.APPROVED)
+        .order_by(Take.variation)
+    )
+    for cue_id, variation in session.execute(query).tuples():
+        if cue_id is not None:
+            found[cue_id].append(variation)
+    return found
+
+
+def accepted_takes(session: Session, project_id: UUID) -> list[tuple[Cue, int, Take]]:
+    """Return the picked take of every variation of every accepted cue, in list order, each take with its cue."""
+    takes = session.scalars(
+        select(Take)
+        .join(Cue, Cue.id == Take.cue_id)
+        .where(Take.project_id == project_id, Take.state == TakeState.APPROVED, Cue.state != CueState.CUT)
+        .options(joinedload(Take.cue))
+        .order_by(Cue.position, Cue.number, Take.variation)
+    )
+    by_cue: dict[Cue, dict[int, Take]] = defaultdict(dict)
+    for take in takes:
+        if take.cue is not None:
+            by_cue[take.cue][take.variation] = take
+    return [
+        (cue, variation, takes_of_it[variation])
+        for cue, takes_of_it in by_cue.items()
+        if not missing_variations(cue.variations, takes_of_it)
+        for variation in range(1, cue.variations + 1)
+    ]
+
+
+def lock_cue(session: Session, cue_id: UUID) -> None:
+    """Let verdicts on one cue come one after the other."""
+    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update())
+
+
+def open_takes(session: Session, cue_id: UUID, *, variation: int | None = None) -> Sequence[Take]:
+    """Return a cue's takes that wait or are approved, as they stand now, newest first."""
+    query = (
+        select(Take)
+        .where(Take.cue_id == cue_id, Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)))
+        .order_by(Take.variation, Take.number.desc())
+        .execution_options(populate_existing=True)
+    )
+    if variation is not None:
+        query = query.where(Take.variation == variation)
+    return session.scalars(query).all()
+
+
+def takes_by_id(session: Session, take_ids: Collection[UUID]) -> dict[UUID, Take]:
+    """Return takes by id, as they stand now."""
+    query = select(Take).where(Take.id.in_(list(take_ids))).execution_options(populate_existing=True)
+    return {take.id: take for take in session.scalars(query)}
+
+
+def standing_verdicts(session: Session, take_ids: Collection[UUID]) -> Sequence[Verdict]:
+    """Return the verdicts on takes that were not taken back, oldest first."""
+    back = aliased(Verdict)
+    return session.scalars(
+        select(Verdict)
+        .where(
+            Verdict.take_id.in_(list(take_ids)),
+            Verdict.kind != VerdictKind.WITHDRAW,
+            ~exists().where(back.withdraws_id == Verdict.id),
+        )
+        .order_by(Verdict.id)
+    ).all()
+
+
+def action_verdicts(session: Session, action_id: UUID) -> Sequence[Verdict]:
+    """Return everything that one click decided, in its order."""
+    return session.scalars(
+        select(Verdict).where(Verdict.action_id == action_id, Verdict.kind != VerdictKind.WITHDRAW).order_by(Verdict.id)
+    ).all()
+
+
+def verdicts_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Verdict]:
+    """Return verdicts with who gave them, oldest first, those taken back included."""
+    return session.scalars(select(Verdict).where(*where).options(joinedload(Verdict.author)).order_by(Verdict.id)).all()
+
+
+def _change_requests() -> Select[ChangeRequest]:
+    return select(ChangeRequest).options(
+        joinedload(ChangeRequest.take).joinedload(Take.cue),
+        joinedload(ChangeRequest.author),
+        joinedload(ChangeRequest.sending),
+    )
+
+
+def open_drafts(session: Session, take_ids: Collection[UUID]) -> Sequence[ChangeRequest]:
+    """Return the drafts on takes."""
+    return session.scalars(
+        _change_requests().where(ChangeRequest.take_id.in_(list(take_ids)), ChangeRequest.sending_id.is_(None))
+    ).all()
+
+
+def draft_of(session: Session, take_id: UUID) -> ChangeRequest | None:
+    """Return the draft on a take."""
+    return session.scalar(
+        _change_requests().where(ChangeRequest.take_id == take_id, ChangeRequest.sending_id.is_(None))
+    )
+
+
+def drafts_of_project(session: Session, project_id: UUID) -> Sequence[ChangeRequest]:
+    """Return every draft of a project, in list order."""
+    return session.scalars(
+        _change_requests()
+        .join(Cue, Cue.id == ChangeRequest.cue_id)
+        .where(ChangeRequest.project_id == project_id, ChangeRequest.sending_id.is_(None))
+        .order_by(Cue.number, ChangeRequest.id)
+    ).all()
+
+
+def change_request_by_id(session: Session, change_request_id: UUID) -> ChangeRequest | None:
+    """Return a change request with its take."""
+    return session.scalar(_change_requests().where(ChangeRequest.id == change_request_id))
+
+
+def change_requests_of(
+    session: Session, *where: ColumnElement[bool], after: UUID | None = None, limit: int | None = None
+) -> Sequence[ChangeRequest]:
+    """Return change requests with their takes, newest first."""
+    query = _change_requests().where(*where).order_by(ChangeRequest.id.desc())
+    if after is not None:
+        query = query.where(ChangeRequest.id < after)
+    return session.scalars(query if limit is None else query.limit(limit)).all()
+
+
+def comments_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Comment]:
+    """Return comments with their authors, oldest first."""
+    return session.scalars(select(Comment).where(*where).options(joinedload(Comment.author)).order_by(Comment.id)).all()
+
+
+def comment_by_id(session: Session, comment_id: UUID) -> Comment | None:
+    """Return a comment with its author."""
+    return session.get(Comment, comment_id, options=[joinedload(Comment.author)])
+
+
+def check_runs_of(session: Session, take_id: UUID) -> Sequence[CheckRun]:
+    """Return every check of a take, oldest first."""
+    return session.scalars(select(CheckRun).where(CheckRun.take_id == take_id).order_by(CheckRun.id)).all()
+
+
+def waivers_of(session: Session, take_id: UUID) -> Sequence[tuple[Waiver, Person]]:
+    """Return the waivers of a take, with who gave them."""
+    query = (
+        select(Waiver, Person).join(Person, Person.id == Waiver.waived_by).where(Waiver.take_id == take_id)
+    ).order_by(Waiver.id)
+    return session.execute(query).tuples().all()
+
+
+def duration_of(session: Session, take: Take) -> float | None:
+    """Return how long a take's master is; None while it is not drawn yet."""
+    return session.scalar(
+        select(Picture.duration_s).where(
+            Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256
+        )
+    )

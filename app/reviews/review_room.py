@@ -1,0 +1,303 @@
+"""What the review room shows: the queue, one cue with everything said of it, the history of a take."""
+
+from collections import defaultdict
+from collections.abc import Iterable
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.queries import people_by_id
+from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
+from app.deliveries.models import Delivery, Take
+from app.deliveries.rules import TakeState
+from app.deliveries.service import take_for
+from app.kit.http import BadCursor, Page, cursor_of
+from app.projects.errors import TeamNeeded
+from app.projects.queries import decider_of
+from app.projects.service import standing_in
+from app.renders.service import picture_of_render, sound_places
+from app.reviews import queries
+from app.reviews.models import ChangeRequest, Comment, Verdict
+from app.reviews.queries import TakeOnReview
+from app.reviews.rules import VerdictKind, missing_variations, queue_kind
+from app.reviews.schemas import (
+    ChangeRequestRead,
+    CommentRead,
+    CueReviewRead,
+    HistoryEntry,
+    QueueItem,
+    ReviewCue,
+    ReviewFinding,
+    ReviewRender,
+    ReviewTake,
+    RoundRead,
+    VerdictRead,
+)
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState, label
+from app.sound_lists.service import cue_in_sight
+
+PAGE_CUES = 50
+
+
+def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
+    """Return what waits for review, oldest first, with all that its cards show."""
+    after = _read_cursor(cursor)
+    project_ids = _projects_of(session, actor, project_id)
+    waiting = queries.waiting_cues(session, project_ids, after=after, limit=PAGE_CUES + 1)
+    shown = waiting[:PAGE_CUES]
+    by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
+    for one in queries.waiting_takes(session, [cue_id for cue_id, _ in shown]):
+        if one.take.cue is not None:
+            by_cue[one.take.cue.id].append(one)
+    prefixes = queries.cue_prefixes(session, project_ids)
+    rounds = queries.round_counts(session, by_cue)
+    approved = queries.approved_variations(session, by_cue)
+    items = [
+        _queue_item(by_cue[cue_id], since, prefixes, rounds.get(cue_id, 0), approved.get(cue_id, []))
+        for cue_id, since in shown
+        if cue_id in by_cue
+    ]
+    has_more = len(waiting) > PAGE_CUES
+    return Page(items=items, next=cursor_of(shown[-1][1].isoformat(), shown[-1][0]) if has_more else None)
+
+
+def _read_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
+    if cursor is None:
+        return None
+    at, _, cue_id = cursor.rpartition(".")
+    try:
+        instant = datetime.fromisoformat(at)
+        if instant.tzinfo is None:
+            raise ValueError(at)
+        return instant, UUID(cue_id)
+    except ValueError:
+        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
+
+
+def _projects_of(session: Session, actor: Actor, project_id: UUID | None) -> list[UUID]:
+    if project_id is not None:
+        standing_in(session, actor, project_id).ensure_team()
+        return [project_id]
+    if not actor.roles:
+        raise TeamNeeded("only a game team has a review queue")
+    return list(queries.projects_of_studios(session, actor.roles))
+
+
+def _queue_item(
+    waiting: list[TakeOnReview], since: datetime, prefixes: dict[UUID, str], rounds: int, approved: list[int]
+) -> QueueItem:
+    cue = waiting[0].take.cue
+    if cue is None:
+        raise AssertionError("only matched takes wait")
+    prefix = prefixes[cue.project_id]
+    takes = [review_take(one, prefix) for one in waiting]
+    findings = [finding for take in takes for finding in take.findings]
+    return QueueItem(
+        cue=review_cue(cue, prefix),
+        kind=queue_kind(cue.variations, [take.variation for take in takes]),
+        waiting_since=since,
+        rounds_so_far=rounds,
+        approved_variations=approved,
+        findings_count=len(findings),
+        worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),
+        takes=takes,
+    )
+
+
+def review_cue(cue: Cue, prefix: str) -> ReviewCue:
+    """Return a cue as the review room shows it."""
+    facts = {name: getattr(cue, name) for name in ReviewCue.model_fields if name != "label"}
+    return ReviewCue(**facts, label=label(prefix, cue.number))
+
+
+def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
+    """Return a take with what is needed to hear and to judge it."""
+    take, report = one.take, one.check.report if one.check else {}
+    measurements = report.get("measurements") or {}
+    findings = _findings(one, report)
+    return ReviewTake(
+        **sound_places(one.picture),
+        id=take.id,
+        variation=take.variation,
+        number=take.number or 0,
+        alternate=take.alternate,
+        file_name=take.file_name,
+        state=take.state,
+        state_since=take.state_since,
+        received_at=take.received_at,
+        late=take.late,
+        note=take.note,
+        delivery_number=take.delivery.number,
+        delivery_note=take.delivery.note,
+        designer=PersonBrief.model_validate(take.delivery.designer),
+        facts=report.get("facts") or {},
+        loudness_lufs=_first(measurements.get("integrated_lufs"), measurements.get("short_loudness_lufs")),
+        sample_peak_dbfs=measurements.get("sample_peak_dbfs"),
+        true_peak_dbtp=measurements.get("true_peak_dbtp"),
+        measurements=measurements,
+        findings=findings,
+        waived=any(finding.waived for finding in findings),
+        waiver_reason=one.waiver.reason if one.waiver else None,
+        renders=[
+            ReviewRender(
+                **sound_places(picture_of_render(render, one.render_pictures)),
+                target=target,
+                state=render.state.value if render else "waiting",
+                refusal=render.refusal if render else None,
+                attenuation_db=render.attenuation_db if render else None,
+            )
+            for target, render in one.renders.items()
+        ],
+        draft_change=change_request_read(one.draft, prefix) if one.draft else None,
+        open_comments=one.open_comments,
+    )
+
+
+def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[ReviewFinding]:
+    waiver = one.waiver
+    codes = set(waiver.codes) if waiver and waiver.master_sha256 == one.take.master_sha256 else set()
+    known = ReviewFinding.model_fields.keys()
+    return [
+        ReviewFinding(
+            **{name: value for name, value in finding.items() if name in known and name != "waived"},
+            waived=finding["code"] in codes,
+        )
+        for finding in report.get("findings") or []
+    ]
+
+
+def _first(*figures: float | None) -> float | None:
+    return next((figure for figure in figures if figure is not None), None)
+
+
+def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRead:
+    """Return a change request as it is shown; its take with the cue, author and sending are loaded."""
+    cue = request.take.cue
+    if cue is None:
+        raise AssertionError("only matched takes get change requests")
+    return ChangeRequestRead(
+        id=request.id,
+        take_id=request.take_id,
+        cue_id=request.cue_id,
+        cue_label=label(prefix, cue.number),
+        cue_name=cue.name,
+        variation=request.take.variation,
+        number=request.take.number or 0,
+        text=request.text,
+        start_s=request.start_s,
+        end_s=request.end_s,
+        reverses=request.sending_id is None and request.take.state is TakeState.APPROVED,
+        written_by=PersonBrief.model_validate(request.author),
+        created_at=request.created_at,
+        sending_id=request.sending_id,
+        sent_at=request.sending.created_at if request.sending else None,
+    )
+
+
+def comment_read(comment: Comment) -> CommentRead:
+    """Return a comment as it is shown; its author is loaded."""
+    return CommentRead.model_validate(comment)
+
+
+def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
+    """Return everything of one cue that the review room shows."""
+    standing, cue = cue_in_sight(session, actor, cue_id)
+    standing.ensure_team()
+    prefix = standing.project.cue_prefix
+    takes = [review_take(one, prefix) for one in queries.takes_of_cue(session, cue.id)]
+    ids = [take.id for take in takes]
+    approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
+    verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)
+    decider_id = decider_of(session, standing.project)
+    waiting = [take.variation for take in takes if take.state is TakeState.CONFORMING]
+    return CueReviewRead(
+        cue=review_cue(cue, prefix),
+        kind=queue_kind(cue.variations, waiting),
+        accepted=cue.state is not CueState.CUT and not missing_variations(cue.variations, approved),
+        approved_variations=approved,
+        decider=PersonBrief.model_validate(people_by_id(session, {decider_id})[decider_id]),
+        may_decide=standing.is_decider,
+        takes=takes,
+        comments=[comment_read(one) for one in queries.comments_on(session, Comment.take_id.in_(ids))],
+        verdicts=list(_verdicts_read(verdicts)),
+        change_requests=[
+            change_request_read(one, prefix)
+            for one in queries.change_requests_of(session, ChangeRequest.cue_id == cue.id)
+        ],
+        rounds=[RoundRead.model_validate(one) for one in queries.rounds_of(session, cue.id)],
+    )
+
+
+def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
+    verdicts = list(verdicts)
+    withdrawn = {one.withdraws_id for one in verdicts if one.withdraws_id}
+    for one in verdicts:
+        yield VerdictRead(
+            id=one.id,
+            take_id=one.take_id,
+            kind=one.kind,
+            note=one.note,
+            given_by=PersonBrief.model_validate(one.author),
+            created_at=one.created_at,
+            withdrawn=one.id in withdrawn,
+        )
+
+
+def take_history(session: Session, actor: Actor, take_id: UUID) -> list[HistoryEntry]:
+    """Return what happened to a take, oldest first; drafts are not told before they are sent."""
+    take, _ = take_for(session, actor, take_id)
+    entries = [_receipt(session, take), *_checks(session, take), *_said(session, take)]
+    return sorted(entries, key=lambda entry: entry.at)
+
+
+def _receipt(session: Session, take: Take) -> HistoryEntry:
+    designer = PersonBrief.model_validate(people_by_id(session, {take.designer_id})[take.designer_id])
+    delivery = session.get_one(Delivery, take.delivery_id)
+    text = f"{take.file_name}, delivery {delivery.number}"
+    return HistoryEntry(at=take.received_at, kind="received", by=designer, text=text)
+
+
+def _checks(session: Session, take: Take) -> Iterable[HistoryEntry]:
+    for run in queries.check_runs_of(session, take.id):
+        found = "; ".join(str(one["message"]) for one in run.report.get("findings") or [])
+        text = f"{run.verdict}: {found}" if found else run.verdict
+        yield HistoryEntry(at=run.created_at, kind="checked", by=None, text=text)
+    for waiver, person in queries.waivers_of(session, take.id):
+        yield HistoryEntry(
+            at=waiver.created_at, kind="waived", by=PersonBrief.model_validate(person), text=waiver.reason
+        )
+
+
+def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
+    for verdict in queries.verdicts_on(session, Verdict.take_id == take.id):
+        if verdict.kind is not VerdictKind.REQUEST_CHANGE:  # told below, with its place in the sound
+            yield HistoryEntry(
+                at=verdict.created_at,
+                kind=verdict.kind.value,
+                by=PersonBrief.model_validate(verdict.author),
+                text=verdict.note,
+            )
+    sent = (ChangeRequest.take_id == take.id, ChangeRequest.sending_id.is_not(None))
+    for request in queries.change_requests_of(session, *sent):
+        if request.sending is not None:
+            yield HistoryEntry(
+                at=request.sending.created_at,
+                kind="request_change",
+                by=PersonBrief.model_validate(request.author),
+                text=request.text,
+                start_s=request.start_s,
+                end_s=request.end_s,
+            )
+    for comment in queries.comments_on(session, Comment.take_id == take.id):
+        yield HistoryEntry(
+            at=comment.created_at,
+            kind="comment",
+            by=PersonBrief.model_validate(comment.author),
+            text=comment.text,
+            start_s=comment.start_s,
+            end_s=comment.end_s,
+        )

@@ -1,0 +1,294 @@
+"""The bodies of this room."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+from uuid import UUID
+
+from pydantic import Field
+
+from app.accounts.schemas import PersonBrief
+from app.deliveries.rules import TakeState
+from app.kit.http import Schema
+from app.renders.rules import RenderState
+from app.renders.schemas import SoundBrief
+from app.reviews.rules import QueueKind, VerdictKind
+from app.sound_lists.rules import CueState, Reverb
+
+Note = Annotated[str, Field(max_length=10_000)]
+Said = Annotated[str, Field(min_length=1, max_length=10_000)]
+Seconds = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+
+
+class ReviewCue(Schema):
+    """The cue that waiting takes are for."""
+
+    id: UUID
+    project_id: UUID
+    label: str = Field(examples=["SW-007"])
+    name: str
+    description: str
+    use: str
+    category: str
+    duration_s: float | None
+    loop: bool
+    variations: int
+    state: CueState
+    reverb: Reverb | None
+    placeholder: bool
+    palette: bool
+
+
+class ReviewFinding(Schema):
+    """What one check found in a take."""
+
+    check: str
+    code: str
+    severity: Literal["error", "warning"]
+    message: str
+    fix: str
+    measured: float | None = None
+    limit: float | None = None
+    unit: str | None = None
+    start_s: float | None = None
+    end_s: float | None = None
+    waived: bool = False
+
+
+class ReviewRender(SoundBrief):
+    """One game file of a take, or why there is none."""
+
+    target: str
+    state: RenderState | Literal["waiting"]
+    refusal: str | None
+    attenuation_db: float | None
+
+
+class ChangeRequestRead(Schema):
+    """What to change in a take; a draft while `sent_at` is null."""
+
+    id: UUID
+    take_id: UUID
+    cue_id: UUID
+    cue_label: str
+    cue_name: str
+    variation: int
+    number: int
+    text: str
+    start_s: float | None
+    end_s: float | None
+    reverses: bool = Field(description="Whether the take is approved now, so that sending counts no round.")
+    written_by: PersonBrief
+    created_at: datetime
+    sending_id: UUID | None
+    sent_at: datetime | None
+
+
+class ReviewTake(SoundBrief):
+    """One take, with what is needed to hear and to judge it."""
+
+    id: UUID
+    variation: int
+    number: int
+    alternate: int | None
+    file_name: str
+    state: TakeState
+    state_since: datetime
+    received_at: datetime
+    late: bool
+    note: str
+    delivery_number: int
+    delivery_note: str
+    designer: PersonBrief
+    facts: dict[str, Any]
+    loudness_lufs: float | None = Field(description="Integrated, or of the loudest 0.4 s where that is all there is.")
+    sample_peak_dbfs: float | None
+    true_peak_dbtp: float | None
+    measurements: dict[str, Any]
+    findings: list[ReviewFinding]
+    waived: bool
+    waiver_reason: str | None
+    renders: list[ReviewRender]
+    draft_change: ChangeRequestRead | None
+    open_comments: int
+
+
+class QueueItem(Schema):
+    """One cue that waits for the decider, with every take of it that waits."""
+
+    cue: ReviewCue
+    kind: QueueKind
+    waiting_since: datetime
+    rounds_so_far: int
+    approved_variations: list[int]
+    findings_count: int
+    worst_finding: ReviewFinding | None
+    takes: list[ReviewTake]
+
+
+class VerdictGive(Schema):
+    """A verdict on one take."""
+
+    kind: Literal["approve", "request_change", "set_aside"]
+    note: Note = ""
+    start_s: Seconds | None = None
+    end_s: Seconds | None = None
+    seen_state: TakeState = Field(
+        TakeState.CONFORMING,
+        description="Where the page showed the take; another state now is answered 409 and changes nothing. "
+        "Say `set_aside` to pick a take later, `approved` to reverse an approval.",
+    )
+
+
+class VerdictGiven(Schema):
+    """What one click decided."""
+
+    take_id: UUID
+    state: TakeState
+    set_aside: list[UUID] = Field(description="Other takes of the same variation that gave way.")
+    draft: ChangeRequestRead | None
+    cue_id: UUID
+    cue_accepted: bool
+    undo_until: datetime | None = Field(description="Null for a draft, which can be dropped until it is sent.")
+
+
+class VerdictUndone(Schema):
+    """What stands again after a verdict was taken back."""
+
+    takes: list["TakeStanding"]
+    draft_dropped: bool
+
+
+class TakeStanding(Schema):
+    """A take and its state."""
+
+    id: UUID
+    variation: int
+    state: TakeState
+
+
+class SetAccept(Schema):
+    """The acceptance of a whole set; where no take is named, the newest conforming one of a variation is meant."""
+
+    note: Note = ""
+    take_ids: list[UUID] = Field(default=[], max_length=99)
+
+
+class SetAccepted(Schema):
+    """What accepting a set decided."""
+
+    cue_id: UUID
+    cue_accepted: bool
+    approved: list[TakeStanding]
+    set_aside: list[UUID]
+    undo_until: datetime
+
+
+class SendingAdd(Schema):
+    """A word that goes with all the drafts."""
+
+    note: Note = ""
+
+
+class RoundRead(Schema):
+    """One sending, counted once for a cue or set; `number` is null where it is not counted, with the reason."""
+
+    cue_id: UUID
+    number: int | None
+    why_not_counted: str | None
+    sending_id: UUID
+    created_at: datetime
+
+
+class HeldBack(Schema):
+    """A draft that could not be sent now, and stays a draft."""
+
+    change_request_id: UUID
+    take_id: UUID
+    why: str
+
+
+class SendingRead(Schema):
+    """One consolidated set of notes that went to designers."""
+
+    id: UUID
+    note: str
+    created_at: datetime
+    change_requests: list[ChangeRequestRead]
+    rounds: list[RoundRead]
+    held_back: list[HeldBack]
+
+
+class CommentAdd(Schema):
+    """Advice on a take, at a time in the sound or on the whole of it."""
+
+    text: Said
+    start_s: Seconds | None = None
+    end_s: Seconds | None = None
+
+
+class CommentRead(Schema):
+    """Advice on a take."""
+
+    id: UUID
+    take_id: UUID
+    text: str
+    start_s: float | None
+    end_s: float | None
+    author: PersonBrief
+    decides: bool = Field(description="Whether the author had the last word when writing; all others advise.")
+    created_at: datetime
+    resolved_at: datetime | None
+
+
+class HistoryEntry(Schema):
+    """One thing that happened to a take."""
+
+    at: datetime
+    kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
+    by: PersonBrief | None
+    text: str
+    start_s: float | None = None
+    end_s: float | None = None
+
+
+class VerdictRead(Schema):
+    """One verdict on record."""
+
+    id: UUID
+    take_id: UUID
+    kind: VerdictKind
+    note: str
+    given_by: PersonBrief
+    created_at: datetime
+    withdrawn: bool
+
+
+class CueReviewRead(Schema):
+    """Everything of one cue that the review room shows: takes in every state, newest first, and what was said."""
+
+    cue: ReviewCue
+    kind: QueueKind
+    accepted: bool
+    approved_variations: list[int]
+    decider: PersonBrief
+    may_decide: bool
+    takes: list[ReviewTake]
+    comments: list[CommentRead]
+    verdicts: list[VerdictRead]
+    change_requests: list[ChangeRequestRead]
+    rounds: list[RoundRead]
+
+
+class CueCut(Schema):
+    """Why the game no longer needs a cue."""
+
+    reason: Said
+
+
+class CueCutRead(Schema):
+    """A cut cue."""
+
+    id: UUID
+    state: CueState
+    cut_reason: str
+    cut_at: datetime

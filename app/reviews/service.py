@@ -1,0 +1,513 @@
+"""Verdicts, change requests and their sending, comments, cuts: the steps of a review."""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.deliveries.service import change_state, take_for
+from app.kit import clock
+from app.kit.db import new_id
+from app.kit.events import publish
+from app.kit.http import Page, cursor_of, uuid_cursor
+from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
+from app.projects.service import Standing, standing_in
+from app.reviews import queries
+from app.reviews.errors import (
+    AlreadyAccepted,
+    AlreadySent,
+    ChangeRequestNotFound,
+    CommentNotFound,
+    DecidedSince,
+    NoteNeeded,
+    NothingToSend,
+    NothingToUndo,
+    NotOfThisCue,
+    NotReviewable,
+    SetIncomplete,
+)
+from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
+from app.reviews.review_room import change_request_read, comment_read
+from app.reviews.rules import (
+    STATE_WORDS,
+    UNDO_WITHIN,
+    VerdictKind,
+    ensure_range,
+    ensure_seen,
+    ensure_undoable,
+    missing_variations,
+    why_not_counted,
+)
+from app.reviews.schemas import (
+    ChangeRequestRead,
+    CommentRead,
+    HeldBack,
+    RoundRead,
+    SendingRead,
+    SetAccepted,
+    TakeStanding,
+    VerdictGiven,
+    VerdictUndone,
+)
+from app.sound_lists.errors import CueIsCut
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
+from app.sound_lists.service import cue_in_sight
+from app.sound_lists.service import cut_cue as cut_from_list
+
+PAGE_CHANGE_REQUESTS = 200
+GAVE_WAY = "another version was picked"
+STATE_AFTER = {VerdictKind.APPROVE: TakeState.APPROVED, VerdictKind.SET_ASIDE: TakeState.SET_ASIDE}
+
+
+def give_verdict(
+    session: Session,
+    actor: Actor,
+    take_id: UUID,
+    *,
+    kind: VerdictKind,
+    note: str = "",
+    start_s: float | None = None,
+    end_s: float | None = None,
+    seen_state: TakeState = TakeState.CONFORMING,
+) -> VerdictGiven:
+    """Record what the decider says of a take; a requested change stays a draft until it is sent with others."""
+    take, standing = take_for(session, actor, take_id)
+    standing.ensure_decider()
+    cue = _cue_to_judge(session, take)
+    ensure_seen(take.state, seen_state)
+    if kind is VerdictKind.REQUEST_CHANGE:
+        return _draft_change(session, standing, take, cue, text=note, start_s=start_s, end_s=end_s)
+    decision = _Decision(session, standing, note)
+    if kind is VerdictKind.APPROVE:
+        decision.approve(take)
+    else:
+        decision.set_aside(take)
+    accepted = decision.finish(cue)
+    return VerdictGiven(
+        take_id=take.id,
+        state=take.state,
+        set_aside=decision.gave_way,
+        draft=None,
+        cue_id=cue.id,
+        cue_accepted=accepted,
+        undo_until=clock.now() + UNDO_WITHIN,
+    )
+
+
+def _cue_to_judge(session: Session, take: Take) -> Cue:
+    """Return a take's cue, locked; both as they stand now, whoever else decides at the same moment."""
+    if take.cue is None:
+        raise NotReviewable("this file is matched to no cue yet; match it first")
+    cue = take.cue
+    queries.lock_cue(session, cue.id)
+    session.refresh(take, ["state", "state_since"])
+    if cue.state is CueState.CUT:
+        raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
+    return cue
+
+
+class _Decision:
+    """What one click decides, so that it can be taken back together."""
+
+    def __init__(self, session: Session, standing: Standing, note: str) -> None:
+        self._session = session
+        self._standing = standing
+        self._note = note
+        self.action_id = new_id()
+        self.approved: list[Take] = []
+        self.gave_way: list[UUID] = []
+
+    def approve(self, take: Take) -> None:
+        """Pick a take; what else waits or was picked for its variation gives way."""
+        if take.cue_id is None:
+            raise AssertionError("only matched takes are judged")
+        for other in queries.open_takes(self._session, take.cue_id, variation=take.variation):
+            if other.id != take.id:
+                self._record(other, VerdictKind.SET_ASIDE, GAVE_WAY)
+                self.gave_way.append(other.id)
+        self._session.flush()  # the former pick gives way first: there is never more than one
+        self._record(take, VerdictKind.APPROVE, self._note)
+        self._session.flush()
+        self.approved.append(take)
+
+    def set_aside(self, take: Take) -> None:
+        """Put a waiting take away."""
+        if take.state is TakeState.APPROVED:
+            raise NotReviewable(
+                "this version is approved", fix="approve another version in its place, or request a change"
+            )
+        self._record(take, VerdictKind.SET_ASIDE, self._note)
+        self._session.flush()
+
+    def finish(self, cue: Cue) -> bool:
+        """Tell of the approvals, and return whether the cue is accepted now."""
+        approved = queries.approved_variations(self._session, [cue.id]).get(cue.id, [])
+        accepted = not missing_variations(cue.variations, approved)
+        for take in self.approved:
+            publish(self._session, "take.approved", take_id=take.id, cue_accepted=accepted)
+        return accepted
+
+    def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
+        verdict = _verdict(self._standing, take, kind, note, self.action_id)
+        change_state(self._session, take, STATE_AFTER[kind])
+        draft = queries.draft_of(self._session, take.id)
+        if draft is not None:
+            verdict.dropped_draft = {"text": draft.text, "start_s": draft.start_s, "end_s": draft.end_s}
+            self._session.delete(draft)
+        self._session.add(verdict)
+
+
+def _verdict(standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID) -> Verdict:
+    return Verdict(
+        studio_id=take.studio_id,
+        project_id=take.project_id,
+        cue_id=take.cue_id,
+        take_id=take.id,
+        action_id=action_id,
+        kind=kind,
+        note=note,
+        state_before=take.state,
+        since_before=take.state_since,
+        given_by=standing.actor.person,
+    )
+
+
+def _draft_change(
+    session: Session,
+    standing: Standing,
+    take: Take,
+    cue: Cue,
+    *,
+    text: str,
+    start_s: float | None,
+    end_s: float | None,
+) -> VerdictGiven:
+    if take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
+        raise NotReviewable(f"this version {STATE_WORDS[take.state]}, so no change can be asked of it")
+    if not text.strip():
+        raise NoteNeeded("say what to change", errors=[{"where": "note", "message": "say what to change"}])
+    ensure_range(start_s, end_s, queries.duration_of(session, take))
+    draft = queries.draft_of(session, take.id)
+    if draft is None:
+        draft = ChangeRequest(
+            studio_id=take.studio_id,
+            project_id=take.project_id,
+            cue_id=cue.id,
+            take_id=take.id,
+            text=text,
+            written_by=standing.actor.person,
+        )
+        session.add(draft)
+    draft.text, draft.start_s, draft.end_s = text, start_s, end_s
+    draft.written_by = standing.actor.person
+    draft.created_at = clock.now()
+    session.flush()
+    session.expire(draft)
+    approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
+    return VerdictGiven(
+        take_id=take.id,
+        state=take.state,
+        set_aside=[],
+        draft=_shown(session, draft.id, standing),
+        cue_id=cue.id,
+        cue_accepted=not missing_variations(cue.variations, approved),
+        undo_until=None,
+    )
+
+
+def _shown(session: Session, change_request_id: UUID, standing: Standing) -> ChangeRequestRead:
+    request = queries.change_request_by_id(session, change_request_id)
+    if request is None:
+        raise AssertionError("it was just written")
+    return change_request_read(request, standing.project.cue_prefix)
+
+
+def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone:
+    """Take back what the last click on a take decided, within a minute and while nothing later stands on it."""
+    take, standing = take_for(session, actor, take_id)
+    standing.ensure_decider()
+    _cue_to_judge(session, take)
+    draft = queries.draft_of(session, take.id)
+    if draft is not None:
+        ensure_undoable(draft.created_at, clock.now())
+        session.delete(draft)
+        return VerdictUndone(takes=[_standing_of(take)], draft_dropped=True)
+    standing_verdicts = queries.standing_verdicts(session, [take.id])
+    if not standing_verdicts:
+        raise NothingToUndo("no verdict stands on this version")
+    last = standing_verdicts[-1]
+    if last.kind is VerdictKind.REQUEST_CHANGE:
+        raise NothingToUndo("the change request was sent to the designer, and what was sent stays sent")
+    ensure_undoable(last.created_at, clock.now())
+    decided = queries.action_verdicts(session, last.action_id)
+    takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])
+    _ensure_nothing_since(session, decided, takes)
+    restored = _take_back(session, standing, decided, takes)
+    return VerdictUndone(takes=restored, draft_dropped=False)
+
+
+def _ensure_nothing_since(session: Session, decided: Sequence[Verdict], takes: dict[UUID, Take]) -> None:
+    last = {verdict.take_id: verdict.id for verdict in queries.standing_verdicts(session, takes)}
+    drafts = {draft.take_id for draft in queries.open_drafts(session, takes)}
+    for verdict in decided:
+        take = takes[verdict.take_id]
+        if last.get(take.id) != verdict.id or take.state is not STATE_AFTER[verdict.kind] or take.id in drafts:
+            raise DecidedSince(
+                f"version {take.number} of variation {take.variation} was decided on again since; "
+                "nothing was taken back"
+            )
+
+
+def _take_back(
+    session: Session, standing: Standing, decided: Sequence[Verdict], takes: dict[UUID, Take]
+) -> list[TakeStanding]:
+    action_id = new_id()
+    # Approvals first: a former pick comes back only where there is none.
+    for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
+        take = takes[verdict.take_id]
+        back = _verdict(standing, take, VerdictKind.WITHDRAW, "", action_id)
+        back.withdraws_id = verdict.id
+        session.add(back)
+        take.state, take.state_since = verdict.state_before, verdict.since_before
+        if verdict.dropped_draft:
+            session.add(
+                ChangeRequest(
+                    studio_id=take.studio_id,
+                    project_id=take.project_id,
+                    cue_id=verdict.cue_id,
+                    take_id=take.id,
+                    written_by=standing.actor.person,
+                    **verdict.dropped_draft,
+                )
+            )
+        session.flush()
+    return [_standing_of(take) for take in takes.values()]
+
+
+def _standing_of(take: Take) -> TakeStanding:
+    return TakeStanding(id=take.id, variation=take.variation, state=take.state)
+
+
+def accept_set(
+    session: Session, actor: Actor, cue_id: UUID, *, note: str = "", take_ids: Sequence[UUID] = ()
+) -> SetAccepted:
+    """Approve one take of every variation of a cue at once: those named, else the newest that waits."""
+    standing, cue = cue_in_sight(session, actor, cue_id)
+    standing.ensure_decider()
+    queries.lock_cue(session, cue.id)
+    if cue.state is CueState.CUT:
+        raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
+    picks = _picks(session, cue, take_ids)
+    new = [take for take in picks if take.state is not TakeState.APPROVED]
+    if not new:
+        raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
+    decision = _Decision(session, standing, note)
+    for take in new:
+        decision.approve(take)
+    accepted = decision.finish(cue)
+    return SetAccepted(
+        cue_id=cue.id,
+        cue_accepted=accepted,
+        approved=[_standing_of(take) for take in picks],
+        set_aside=decision.gave_way,
+        undo_until=clock.now() + UNDO_WITHIN,
+    )
+
+
+def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
+    """Return one take for each variation: the one named, else the newest that waits, else the approved one."""
+    picks: dict[int, Take] = {}
+    named = queries.takes_by_id(session, take_ids)
+    for take_id in take_ids:
+        take = named.get(take_id)
+        if take is None or take.cue_id != cue.id or take.variation in picks:
+            raise NotOfThisCue(f"{take_id} is no version of this cue, or its variation is named twice")
+        if take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
+            raise NotReviewable(
+                f"version {take.number} of variation {take.variation} {STATE_WORDS[take.state]}; nothing was approved"
+            )
+        picks[take.variation] = take
+    waiting: dict[int, Take] = {}
+    approved: dict[int, Take] = {}
+    for take in queries.open_takes(session, cue.id):
+        (approved if take.state is TakeState.APPROVED else waiting).setdefault(take.variation, take)
+    picks = approved | waiting | picks
+    if missing := missing_variations(cue.variations, picks):
+        numbers = ", ".join(str(variation) for variation in missing)
+        raise SetIncomplete(
+            f"{cue.name} is a set of {cue.variations}, and no conforming version is there for {numbers}; "
+            "nothing was approved"
+        )
+    return [picks[variation] for variation in range(1, cue.variations + 1)]
+
+
+def change_requests(
+    session: Session, actor: Actor, project_id: UUID, *, state: str, cursor: str | None
+) -> Page[ChangeRequestRead]:
+    """Return drafts or sent change requests, newest first; a designer sees what was sent on their own takes."""
+    standing = standing_in(session, actor, project_id)
+    drafts = state == "draft"
+    if drafts and not standing.is_team:
+        raise TeamNeeded("drafts are the game team's until they are sent")
+    where = [
+        ChangeRequest.project_id == project_id,
+        ChangeRequest.sending_id.is_(None) if drafts else ChangeRequest.sending_id.is_not(None),
+    ]
+    if standing.only_designer_id is not None:
+        where.append(ChangeRequest.take.has(designer_id=standing.only_designer_id))
+    found = queries.change_requests_of(session, *where, after=uuid_cursor(cursor), limit=PAGE_CHANGE_REQUESTS + 1)
+    shown = found[:PAGE_CHANGE_REQUESTS]
+    items = [change_request_read(one, standing.project.cue_prefix) for one in shown]
+    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > len(shown) else None)
+
+
+def drop_change_request(session: Session, actor: Actor, change_request_id: UUID) -> None:
+    """Drop a draft."""
+    request = queries.change_request_by_id(session, change_request_id)
+    if request is None:
+        raise ChangeRequestNotFound(f"no change request {change_request_id}")
+    try:
+        standing = standing_in(session, actor, request.project_id)
+    except ProjectNotFound:
+        raise ChangeRequestNotFound(f"no change request {change_request_id}") from None
+    if standing.only_designer_id is not None and (
+        request.sending_id is None or request.take.designer_id != standing.only_designer_id
+    ):
+        raise ChangeRequestNotFound(f"no change request {change_request_id}")
+    standing.ensure_decider()
+    if request.sending_id is not None:
+        raise AlreadySent("this change request went to its designer; what was sent stays sent")
+    session.delete(request)
+
+
+def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str = "") -> SendingRead:
+    """Send all drafts of a project together: their takes go back, and each cue counts one round at most."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_decider()
+    sendable, held_back = _sorted_drafts(session, project_id)
+    if not sendable:
+        raise NothingToSend(held_back[0].why if held_back else "no change is noted, so there is nothing to send")
+    sending = Sending(studio_id=standing.project.studio_id, project_id=project_id, sent_by=actor.person, note=note)
+    session.add(sending)
+    session.flush()
+    reversals: dict[UUID, list[bool]] = defaultdict(list)
+    action_id = new_id()
+    for draft in sendable:
+        reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
+        session.add(_verdict(standing, draft.take, VerdictKind.REQUEST_CHANGE, draft.text, action_id))
+        change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
+        draft.sending_id = sending.id
+    rounds = _count_rounds(session, sending, reversals)
+    session.flush()
+    session.expire_all()
+    publish(session, "changes.sent", sending_id=sending.id)
+    sent = queries.change_requests_of(session, ChangeRequest.sending_id == sending.id)
+    return SendingRead(
+        id=sending.id,
+        note=sending.note,
+        created_at=sending.created_at,
+        change_requests=[change_request_read(one, standing.project.cue_prefix) for one in reversed(sent)],
+        rounds=[RoundRead.model_validate(one) for one in rounds],
+        held_back=held_back,
+    )
+
+
+def _sorted_drafts(session: Session, project_id: UUID) -> tuple[list[ChangeRequest], list[HeldBack]]:
+    """Return the drafts that can go now, and why the others cannot; their cues are locked."""
+    sendable: list[ChangeRequest] = []
+    held_back: list[HeldBack] = []
+    for cue_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
+        queries.lock_cue(session, cue_id)
+    for draft in queries.drafts_of_project(session, project_id):
+        take = draft.take
+        if take.state in (TakeState.CONFORMING, TakeState.APPROVED):
+            sendable.append(draft)
+        else:
+            why = f"version {take.number} of {take.file_name} {STATE_WORDS[take.state]}; its draft is kept"
+            held_back.append(HeldBack(change_request_id=draft.id, take_id=take.id, why=why))
+    return sendable, held_back
+
+
+def _count_rounds(session: Session, sending: Sending, reversals: dict[UUID, list[bool]]) -> list[Round]:
+    counted = queries.round_counts(session, reversals)
+    rounds = []
+    for cue_id, reversed_ones in reversals.items():
+        why_not = why_not_counted(reversed_ones)
+        rounds.append(
+            Round(
+                studio_id=sending.studio_id,
+                project_id=sending.project_id,
+                cue_id=cue_id,
+                sending_id=sending.id,
+                number=None if why_not else counted.get(cue_id, 0) + 1,
+                why_not_counted=why_not,
+            )
+        )
+    session.add_all(rounds)
+    return rounds
+
+
+def take_comments(session: Session, actor: Actor, take_id: UUID) -> list[CommentRead]:
+    """Return the advice on a take."""
+    take, _ = take_for(session, actor, take_id)
+    return [comment_read(one) for one in queries.comments_on(session, Comment.take_id == take.id)]
+
+
+def add_comment(
+    session: Session, actor: Actor, take_id: UUID, *, text: str, start_s: float | None, end_s: float | None
+) -> CommentRead:
+    """Write advice on a take, at a time in the sound or on the whole of it."""
+    take, standing = take_for(session, actor, take_id)
+    ensure_range(start_s, end_s, queries.duration_of(session, take))
+    comment = Comment(
+        studio_id=take.studio_id,
+        project_id=take.project_id,
+        take_id=take.id,
+        text=text,
+        start_s=start_s,
+        end_s=end_s,
+        written_by=actor.person,
+        decides=standing.is_decider,
+    )
+    session.add(comment)
+    session.flush()
+    return _comment(session, comment.id)
+
+
+def _comment(session: Session, comment_id: UUID) -> CommentRead:
+    session.expire_all()
+    comment = queries.comment_by_id(session, comment_id)
+    if comment is None:
+        raise AssertionError("it was just written")
+    return comment_read(comment)
+
+
+def resolve_comment(session: Session, actor: Actor, comment_id: UUID) -> CommentRead:
+    """Mark advice as seen to; anyone who sees the take may."""
+    comment = queries.comment_by_id(session, comment_id)
+    if comment is None:
+        raise CommentNotFound(f"no comment {comment_id}")
+    take_for(session, actor, comment.take_id)
+    if comment.resolved_at is None:
+        comment.resolved_at, comment.resolved_by = clock.now(), actor.person
+    return comment_read(comment)
+
+
+def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue:
+    """Cut a cue with a reason: it stays on record with its takes, and leaves list, queue and drafts."""
+    standing, cue = cue_in_sight(session, actor, cue_id)
+    if not (standing.is_decider or standing.is_producer):
+        raise ProducerNeeded("only a producer or the project's approver can cut a cue")
+    queries.lock_cue(session, cue.id)
+    for draft in queries.change_requests_of(
+        session, ChangeRequest.cue_id == cue.id, ChangeRequest.sending_id.is_(None)
+    ):
+        session.delete(draft)
+    cut_from_list(session, actor, cue, reason)
+    publish(session, "cue.cut", cue_id=cue.id)
+    return cue
