@@ -4,12 +4,8 @@ A check that crashes is the tool's fault: the file is `unjudged`, whatever else 
 """
 
 import os
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from functools import cache
-from multiprocessing import get_all_start_methods, get_context
 
 from audio_checks import check_names
 from audio_checks.audio import AudioFile
@@ -23,7 +19,6 @@ from audio_checks.version import TOOL_VERSION
 
 PathLike = str | os.PathLike[str]
 _NO_SPEC = DeliverySpec(tables={})
-_MOST_AT_ONCE = 16  # files a worker process takes at a time
 
 
 @dataclass(frozen=True)
@@ -161,7 +156,9 @@ def judge(tasks: list[Task], *, jobs: int = 1, done: Callable[[FileReport], None
     """Return what is said of each file, in order; `done` hears of each as it is finished."""
     jobs = jobs or os.cpu_count() or 1
     if jobs > 1 and len(tasks) > 1:
-        return _in_processes(tasks, min(jobs, len(tasks)), done)
+        from audio_checks.processes import in_processes  # costs what a single file need not pay
+
+        return in_processes(_judge_all, tasks, workers=min(jobs, len(tasks)), died=_died, done=done)
     entries = []
     for task in tasks:
         entries.append(_judge(task))
@@ -278,63 +275,10 @@ def _unlisted() -> Finding:
     )
 
 
-@cache
-def _start_method() -> str:
-    return "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
-
-
-def _pool(workers: int) -> ProcessPoolExecutor:
-    context = get_context(_start_method())
-    if _start_method() == "forkserver":
-        context.set_forkserver_preload([__name__])
-    return ProcessPoolExecutor(workers, mp_context=context)
-
-
 def _judge_all(tasks: list[Task]) -> list[FileReport]:
     return [_judge(task) for task in tasks]
 
 
-def _in_processes(tasks: list[Task], workers: int, done: Callable[[FileReport], None] | None) -> list[FileReport]:
-    entries: dict[int, FileReport] = {}
-
-    def keep(first: int, finished: list[FileReport]) -> None:
-        for place, entry in enumerate(finished, start=first):
-            entries[place] = entry
-            if done:
-                done(entry)
-
-    size = max(1, min(_MOST_AT_ONCE, len(tasks) // (workers * 4)))
-    running: dict[Future[list[FileReport]], int] = {}
-    with _pool(workers) as pool:
-        for first in range(0, len(tasks), size):
-            try:
-                running[pool.submit(_judge_all, tasks[first : first + size])] = first
-            except BrokenProcessPool:
-                break
-        while running:
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                first = running.pop(future)
-                if not isinstance(future.exception(), BrokenProcessPool):
-                    keep(first, future.result())
-    for place, entry in _one_by_one(tasks, [place for place in range(len(tasks)) if place not in entries]):
-        keep(place, [entry])
-    return [entries[place] for place in range(len(tasks))]
-
-
-def _one_by_one(tasks: list[Task], places: list[int]) -> Iterator[tuple[int, FileReport]]:
-    """Judge what a dead process left over, so that only the file that kills its process goes unjudged."""
-    pool = _pool(1) if places else None
-    for place in places:
-        if pool is None:
-            pool = _pool(1)
-        try:
-            yield place, pool.submit(_judge_all, [tasks[place]]).result()[0]
-        except BrokenProcessPool as error:
-            task = tasks[place]
-            category = task.spec.category if task.spec else None
-            crash = _crash("audio-checks", error)
-            yield place, FileReport(legible(task.path), "unjudged", category=category, findings=(crash,))
-            pool.shutdown()
-            pool = None
-    if pool is not None:
-        pool.shutdown()
+def _died(task: Task, error: BaseException) -> FileReport:
+    category = task.spec.category if task.spec else None
+    return FileReport(legible(task.path), "unjudged", category=category, findings=(_crash("audio-checks", error),))

@@ -10,7 +10,7 @@ from types import ModuleType
 import pytest
 
 import audio_checks
-from audio_checks import check_file, check_files, measure_file
+from audio_checks import check_file, check_files, measure_file, processes
 from audio_checks import runner as runner_module
 from audio_checks.checks import Check
 from audio_checks.errors import SpecError, Unreadable
@@ -197,7 +197,7 @@ class TestCrashes:
             return real(task, **options)
 
         monkeypatch.setattr(runner_module, "_judge", deadly)
-        monkeypatch.setattr(runner_module, "_start_method", lambda: "fork")  # children inherit the deadly version
+        monkeypatch.setattr(processes, "START_METHOD", "fork")  # children inherit the deadly version
         report = check_files(paths, SPEC, jobs=2)
         assert [entry.verdict for entry in report.files] == ["conforming"] * 3 + ["unjudged"] + ["conforming"]
 
