@@ -1,7 +1,259 @@
 """The endpoints of this room."""
 
-from fastapi import APIRouter
+import base64
+import binascii
+from typing import Annotated
+from uuid import UUID
 
-from app.kit.http import Route
+from fastapi import APIRouter, Query, Response
+
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.kit.http import DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.projects.service import standing_in
+from app.sound_lists import queries, questions, revisions, service
+from app.sound_lists.errors import (
+    ColumnUnknown,
+    CueEditedMeanwhile,
+    CueIsCut,
+    CueNotFound,
+    OrderInvalid,
+    QuestionAnswered,
+    QuestionNotFound,
+    RevisionNotFound,
+    RowsInvalid,
+    SheetUnreadable,
+)
+from app.sound_lists.imports import import_sheet
+from app.sound_lists.schemas import (
+    AnswerAdd,
+    CueDetail,
+    CueOrder,
+    CuePatch,
+    CueRead,
+    CuesAdd,
+    ImportAsk,
+    ImportRead,
+    ListComparison,
+    PaletteSet,
+    PlaceholderSet,
+    QuestionAdd,
+    QuestionRead,
+    RevisionRead,
+    SoundListRead,
+)
+from app.sound_lists.sheets import Sheet, read_bytes, read_text
 
 router = APIRouter(prefix="/v1", tags=["sound-lists"], route_class=Route)
+PAGE = 50
+
+
+@router.get("/projects/{project_id}/sound-list", response_model=SoundListRead, responses=problems(ProjectNotFound))
+def get_sound_list(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+) -> SoundListRead:
+    """Return every cue of the project in list order, cut ones too."""
+    project = standing_in(session, actor, project_id).project
+    open_questions = queries.open_question_counts(session, project.id)
+    return SoundListRead(
+        revision=queries.revision_number(session, project.id),
+        cues=[
+            service.cue_read(cue, project.cue_prefix, open_questions.get(cue.id, 0))
+            for cue in queries.cues_of(session, project.id)
+        ],
+    )
+
+
+@router.get(
+    "/projects/{project_id}/sound-list.csv",
+    response_class=Response,
+    responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
+)
+def export_sound_list(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+) -> Response:
+    """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
+    project = standing_in(session, actor, project_id).project
+    text = service.sound_list_csv(queries.cues_of(session, project.id), project.cue_prefix)
+    headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
+    return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
+
+
+@router.post(
+    "/projects/{project_id}/cues",
+    status_code=201,
+    response_model=list[CueRead],
+    responses=problems(ProjectNotFound, TeamNeeded, RowsInvalid),
+)
+def add_cues(project_id: UUID, body: CuesAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> list[CueRead]:
+    """Add typed rows to the end of the list: all of them, or none."""
+    added = service.add_cues(session, actor, project_id, [cue.model_dump() for cue in body.cues])
+    project = standing_in(session, actor, project_id).project
+    cues = queries.cues_by_id(session, project_id, [cue.id for cue in added])
+    return [service.cue_read(cues[cue.id], project.cue_prefix) for cue in added]
+
+
+@router.get("/cues/{cue_id}", response_model=CueDetail, responses=problems(CueNotFound))
+def get_cue(cue_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CueDetail:
+    """Return one cue with what was asked about it."""
+    standing, cue = service.cue_in_sight(session, actor, cue_id)
+    asked = queries.questions_of(session, cue.project_id, cue_id=cue.id)
+    still_open = sum(question.answered_at is None for question in asked)
+    return CueDetail(
+        **service.cue_read(cue, standing.project.cue_prefix, still_open).model_dump(),
+        project_id=cue.project_id,
+        questions=[questions.question_read(question, standing) for question in asked],
+    )
+
+
+@router.patch(
+    "/cues/{cue_id}",
+    response_model=CueRead,
+    responses=problems(CueNotFound, TeamNeeded, CueEditedMeanwhile, CueIsCut, RowsInvalid),
+)
+def change_cue(cue_id: UUID, body: CuePatch, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueRead:
+    """Change some facts of a cue; the edition that was read must still be the newest."""
+    changes = body.model_dump(exclude_unset=True)
+    del changes["edition"]
+    return _changed(session, actor, cue_id, body.edition, changes)
+
+
+@router.put("/cues/{cue_id}/placeholder", response_model=CueRead, responses=problems(CueNotFound, TeamNeeded, CueIsCut))
+def flag_placeholder(
+    cue_id: UUID, body: PlaceholderSet, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> CueRead:
+    """Say whether the game plays a stand-in until the sound comes."""
+    return _changed(session, actor, cue_id, None, {"placeholder": body.placeholder})
+
+
+@router.put("/cues/{cue_id}/palette", response_model=CueRead, responses=problems(CueNotFound, TeamNeeded, CueIsCut))
+def flag_palette(cue_id: UUID, body: PaletteSet, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueRead:
+    """Say whether the cue belongs to the palette that new sounds are compared with."""
+    return _changed(session, actor, cue_id, None, {"palette": body.palette})
+
+
+def _changed(
+    session: DbSession, actor: Actor, cue_id: UUID, edition: int | None, changes: dict[str, object]
+) -> CueRead:
+    cue = service.change_cue(session, actor, cue_id, edition, changes)
+    prefix = standing_in(session, actor, cue.project_id).project.cue_prefix
+    open_questions = queries.open_question_counts(session, cue.project_id)
+    return service.cue_read(cue, prefix, open_questions.get(cue.id, 0))
+
+
+@router.post(
+    "/projects/{project_id}/cues/order",
+    status_code=204,
+    responses=problems(ProjectNotFound, TeamNeeded, OrderInvalid),
+)
+def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> None:
+    """Put cues in another order; those left out keep their places."""
+    service.order_cues(session, actor, project_id, body.cue_ids)
+
+
+@router.post(
+    "/projects/{project_id}/sound-list/import",
+    response_model=ImportRead,
+    responses=problems(ProjectNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown),
+)
+def import_sound_list(
+    project_id: UUID, body: ImportAsk, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> ImportRead:
+    """Read a spreadsheet into the list; with an error in any row nothing is imported."""
+    standing_in(session, actor, project_id).ensure_speaks()
+    return import_sheet(
+        session,
+        actor,
+        project_id,
+        _sheet_of(body),
+        mapping=body.mapping,
+        match=body.match,
+        dry_run=body.dry_run,
+    )
+
+
+def _sheet_of(body: ImportAsk) -> Sheet:
+    if body.text is not None:
+        return read_text(body.text, pasted=body.format == "paste")
+    if body.content_base64 is None:
+        raise SheetUnreadable("nothing was sent; give text or content_base64")
+    try:
+        return read_bytes(base64.b64decode(body.content_base64, validate=True))
+    except binascii.Error:
+        raise SheetUnreadable("content_base64 is no base64") from None
+
+
+@router.get(
+    "/projects/{project_id}/sound-list/revisions",
+    response_model=Page[RevisionRead],
+    responses=problems(ProjectNotFound),
+)
+def list_revisions(
+    project_id: UUID,
+    session: DbSession,
+    cursor: Annotated[int | None, Query(ge=1)] = None,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Page[RevisionRead]:
+    """Return the saved changes of the list, the newest first."""
+    project = standing_in(session, actor, project_id).project
+    found = queries.revisions_of(session, project.id, before=cursor, limit=PAGE + 1)
+    return Page(
+        items=[RevisionRead.model_validate(revision) for revision in found[:PAGE]],
+        next=cursor_of(found[PAGE - 1].number) if len(found) > PAGE else None,
+    )
+
+
+@router.get(
+    "/projects/{project_id}/sound-list/revisions/compare",
+    response_model=ListComparison,
+    responses=problems(ProjectNotFound, RevisionNotFound),
+)
+def compare_revisions(
+    project_id: UUID,
+    session: DbSession,
+    first: Annotated[int, Query(alias="from", ge=0)],
+    last: Annotated[int, Query(alias="to", ge=0)],
+    actor: Actor = allows(Sight.PROJECT),
+) -> ListComparison:
+    """Return what was added, changed and cut between two revisions; `from=0` is the empty list."""
+    return revisions.compare_revisions(session, standing_in(session, actor, project_id), first, last)
+
+
+@router.get("/projects/{project_id}/questions", response_model=Page[QuestionRead], responses=problems(ProjectNotFound))
+def list_questions(
+    project_id: UUID,
+    session: DbSession,
+    only_open: bool = False,
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Page[QuestionRead]:
+    """Return the questions on the project's cues, the oldest first."""
+    standing = standing_in(session, actor, project_id)
+    found = queries.questions_of(session, project_id, only_open=only_open, after=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(
+        items=[questions.question_read(question, standing) for question in found[:PAGE]],
+        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+    )
+
+
+@router.post("/cues/{cue_id}/questions", status_code=201, response_model=QuestionRead, responses=problems(CueNotFound))
+def ask_question(
+    cue_id: UUID, body: QuestionAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> QuestionRead:
+    """Ask the team what it means by a cue."""
+    standing, question = questions.ask_question(session, actor, cue_id, body.text)
+    return questions.question_read(question, standing)
+
+
+@router.post(
+    "/questions/{question_id}/answer",
+    response_model=QuestionRead,
+    responses=problems(QuestionNotFound, TeamNeeded, QuestionAnswered),
+)
+def answer_question(
+    question_id: UUID, body: AnswerAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> QuestionRead:
+    """Answer a question; the answer joins the cue's description unless told not to."""
+    standing, question = questions.answer_question(session, actor, question_id, body.text, joins=body.joins)
+    return questions.question_read(question, standing)

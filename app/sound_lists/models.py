@@ -5,12 +5,18 @@ from typing import Any
 from uuid import UUID
 
 from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy.engine.default import DefaultExecutionContext
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.sound_lists.rules import CueState, Reverb
+from app.sound_lists.rules import CueState, Reverb, folded
+
+
+def _folded_stem(context: DefaultExecutionContext) -> str:
+    parameters: dict[str, Any] = context.get_current_parameters()  # type: ignore[no-untyped-call]
+    return folded(parameters["stem"])
 
 
 class Cue(Base):
@@ -57,14 +63,15 @@ class Stem(Base):
     """A file name without its ending that one variation of a cue owns; unique in the project."""
 
     __tablename__ = "sound_lists_stems"
-    __table_args__ = (UniqueConstraint("project_id", "stem"), UniqueConstraint("cue_id", "variation"))
+    __table_args__ = (UniqueConstraint("project_id", "folded"), UniqueConstraint("cue_id", "variation"))
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     variation: Mapped[int]
-    stem: Mapped[str]
+    stem: Mapped[str]  # in NFC; files match it exactly
+    folded: Mapped[str] = mapped_column(default=_folded_stem)  # two stems that differ in case only cannot both be
     cue: Mapped[Cue] = relationship(lazy="raise", back_populates="stems")
 
 
@@ -111,3 +118,6 @@ class Question(Base):
     answer: Mapped[str | None]
     answered_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     answered_at: Mapped[datetime | None]
+    cue: Mapped[Cue] = relationship(lazy="raise")
+    asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
+    answerer: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[answered_by])

@@ -1,6 +1,12 @@
 """What a cue may be, stated without a database."""
 
+import re
+import unicodedata
+from collections.abc import Iterator, Mapping
 from enum import StrEnum
+from typing import Any
+
+import audio_checks
 
 
 class CueState(StrEnum):
@@ -21,3 +27,132 @@ class Reverb(StrEnum):
 
 
 MAX_VARIATIONS = 99
+LONGEST_S = 86_400.0
+Facts = dict[str, Any]  # what the list says of one cue, by the names of NEW_CUE
+
+NEW_CUE: Mapping[str, Any] = {
+    "name": "",
+    "file_name": "",
+    "category": "",
+    "description": "",
+    "use": "",
+    "trigger": "",
+    "duration_s": None,
+    "length_locked": False,
+    "frame_rate_fps": None,
+    "loop": False,
+    "reverb": None,
+    "variations": 1,
+    "state": CueState.PROTOTYPE,
+    "playback_priority": None,
+    "placeholder": False,
+    "palette": False,
+    "extra": {},
+}
+CHECKED_FACTS = frozenset({"category", "duration_s", "length_locked", "frame_rate_fps", "loop", "reverb"})
+NAMING_FACTS = frozenset({"name", "file_name", "variations"})
+LINES = {"name": 200, "file_name": 200, "category": 60}
+TEXTS = {"description": 10_000, "use": 2_000, "trigger": 2_000}
+MAX_EXTRA_COLUMNS = 100
+MAX_EXTRA_CHARS = 2_000
+
+_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
+_NOT_IN_FILE_NAMES = re.compile(r'[<>:"/\\|?*]')
+_DEVICE_NAME = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
+FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+
+
+def label(cue_prefix: str, number: int) -> str:
+    """Return the short name of a cue: SW-014."""
+    return f"{cue_prefix}-{number:03d}"
+
+
+def read_label(cue_prefix: str, text: str) -> int | None:
+    """Return the number that `SW-014`, `sw14` or `14` names, None where it names none of this project's."""
+    found = re.fullmatch(r"(?:(.*?)[\s_-]*)?0*([1-9][0-9]{0,5})(?:\.0+)?", text.strip())
+    if found is None or (found[1] and found[1].casefold() != cue_prefix.casefold()):
+        return None
+    return int(found[2])
+
+
+def folded(stem: str) -> str:
+    """Return what two stems share that some disks cannot hold side by side: case and composition do not count."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", stem).casefold())
+
+
+def tidy_text(text: str) -> str:
+    """Return text in NFC with plain line ends and without characters that nobody sees."""
+    plain = text.replace("\r\n", "\n").replace("\r", "\n")
+    return _UNSEEN.sub("", unicodedata.normalize("NFC", plain)).strip()
+
+
+def tidy_line(text: str) -> str:
+    """Return tidy text on one line."""
+    return re.sub(r"\s+", " ", tidy_text(text))
+
+
+def tidy(facts: Mapping[str, Any]) -> Facts:
+    """Return facts as the list keeps them; a cue without a name is called after its file."""
+    kept = dict(facts)
+    for field in LINES.keys() & kept.keys():
+        kept[field] = tidy_line(kept[field])
+    for field in TEXTS.keys() & kept.keys():
+        kept[field] = tidy_text(kept[field])
+    if "category" in kept:  # the spec names categories by slugs, and [categories.ui] is meant for "UI" as well
+        kept["category"] = kept["category"].lower().replace(" ", "-")
+    if kept.get("name") == "" and kept.get("file_name"):
+        kept["name"] = audio_checks.stems_of("", kept["file_name"], 1)[0]
+    return kept
+
+
+def faults_of(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with the facts of one cue: the field, and the fault in words."""
+    if not facts["name"]:
+        yield "name", "a cue needs a name"
+    elif not audio_checks.stems_of(facts["name"], facts["file_name"], 1):
+        yield "file_name", f'"{facts["name"]}" has no letter or digit to make a file name of; give a file name'
+    for field, longest in (LINES | TEXTS).items():
+        if len(facts[field]) > longest:
+            yield field, f"{len(facts[field])} characters; at most {longest} are kept"
+    if fault := _fault_of_file_name(facts["file_name"]):
+        yield "file_name", fault
+    if facts["category"] and not re.fullmatch(r"[^\W_][\w-]*", facts["category"]):
+        yield "category", f'"{facts["category"]}": wanted letters, digits, "-" and "_" only'
+    yield from _faults_of_figures(facts)
+    if len(facts["extra"]) > MAX_EXTRA_COLUMNS:
+        yield "extra", f"{len(facts['extra'])} columns of your own; at most {MAX_EXTRA_COLUMNS} are kept"
+    for column, text in facts["extra"].items():
+        if len(text) > MAX_EXTRA_CHARS:
+            yield column, f"{len(text)} characters; at most {MAX_EXTRA_CHARS} are kept"
+
+
+def _fault_of_file_name(file_name: str) -> str | None:
+    if found := _NOT_IN_FILE_NAMES.search(file_name):
+        return f'"{found[0]}" cannot stand in a file name; give the name alone, without folders'
+    if file_name.startswith((*FORMULA_STARTS, "'", ".", "~")) or file_name.endswith("."):
+        return f'"{file_name}": a file name starts with a letter, a digit or "_", and does not end in a dot'
+    if _DEVICE_NAME.fullmatch(file_name):
+        return f'"{file_name}" is the name of a device on Windows'
+    return None
+
+
+def _faults_of_figures(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    if not 1 <= facts["variations"] <= MAX_VARIATIONS:
+        yield "variations", f"{facts['variations']} variations; wanted 1 to {MAX_VARIATIONS}"
+    for field, highest in (("duration_s", LONGEST_S), ("frame_rate_fps", 1000.0)):
+        value = facts[field]
+        if value is not None and not 0 < value <= highest:  # nan fails too
+            yield field, f"{value:g}; wanted a number above 0, at most {highest:g}"
+    priority = facts["playback_priority"]
+    if priority is not None and not 0 <= priority <= 1000:
+        yield "playback_priority", f"{priority}; wanted 0 to 1000"
+
+
+def spreadsheet_safe(text: str) -> str:
+    """Return text that no spreadsheet takes for a formula; `typed_text` undoes it."""
+    return f"'{text}" if text.startswith((*FORMULA_STARTS, "'")) else text
+
+
+def typed_text(cell: str) -> str:
+    """Return what was typed into a cell that was made safe."""
+    return cell[1:] if cell.startswith("'") and cell[1:].startswith((*FORMULA_STARTS, "'")) else cell

@@ -1,0 +1,217 @@
+"""What the columns of people's spreadsheets mean, and how their cells are read."""
+
+import math
+import re
+import unicodedata
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from app.sound_lists.rules import CueState, Reverb
+
+HEADS: Mapping[str, str] = {
+    "number": "number no nr num id cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref nummer lfd nr",
+    "name": "name sound title cue name|sound name|sound effect|effect|effect name|asset|asset name|sfx|sfx name|titel "
+    "bezeichnung klang|sound title|nom|nombre",
+    "file_name": "filename file dateiname datei wav|file name|wav name|wav file|asset file|audio file|sound file|"
+    "fichier|nom de fichier|archivo",
+    "category": "category type kategorie class group art gruppe categorie categoria|sound type|sound category",
+    "description": "description desc descr beschreibung details brief descripcion|sound description|what it is",
+    "use": "use usage context verwendung einsatz kontext|use in game|use in the game|used in|used for|in game use",
+    "trigger": "trigger event auslöser when|triggered by|trigger event|game event|event name",
+    "duration_s": "duration dauer length länge laenge len duree duracion|requested duration|requested length|"
+    "target length",
+    "length_locked": "locked|length locked|locked length|fixed length|exact length|duration locked|länge fest",
+    "frame_rate_fps": "fps bildrate|frame rate|framerate",
+    "loop": "loop looping looped loops schleife|is loop|loop one shot|loop oneshot|loop or one shot|one shot or loop",
+    "reverb": "reverb hall|reverb tail",
+    "variations": "variations variation variants variants varianten variationen vars count qty quantity anzahl|"
+    "number of variations|num variations|variation count|no of variations",
+    "state": "state status stage stand",
+    "playback_priority": "priority prio priorität|playback priority",
+    "placeholder": "placeholder platzhalter temp|is placeholder",
+    "palette": "palette|in palette",
+}
+UNITS: Mapping[str, float] = {
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden"), 1.0),
+    **dict.fromkeys(("ms", "msec", "millisecond", "milliseconds", "millisekunden"), 0.001),
+    **dict.fromkeys(("min", "mins", "minute", "minutes", "minuten"), 60.0),
+}
+EMPTY = frozenset({"", "-", "–", "—", "?", "n/a", "na", "none", "null", "tba", "tbd", "k.a."})
+YES = frozenset(
+    {"yes", "y", "true", "1", "x", "✓", "✔", "☑", "on", "ja", "j", "wahr", "oui", "si", "sí", "loop", "looping"}
+)
+NO = frozenset(
+    {"no", "n", "false", "0", "☐", "off", "nein", "falsch", "non", "one-shot", "one shot", "oneshot", "single"}
+)
+SAMPLED = 50
+
+
+@dataclass(frozen=True)
+class Head:
+    """What a column's head says: its field, None where unknown, and the unit of its numbers in seconds."""
+
+    field: str | None
+    unit_s: float = 1.0
+    is_ours: bool = False  # written exactly as we export it
+
+
+def _plain(head: str) -> str:
+    letters = unicodedata.normalize("NFKD", head.casefold().replace("ß", "ss"))
+    letters = "".join(letter for letter in letters if not unicodedata.combining(letter))
+    return " ".join(re.findall(r"[^\W_]+", letters))
+
+
+def _known_heads() -> dict[str, str]:
+    known: dict[str, str] = {}
+    for field, heads in HEADS.items():
+        first, *phrases = heads.split("|")
+        for head in (field, *first.split(), *phrases):
+            known.setdefault(_plain(head), field)
+    return known
+
+
+_FIELD_OF = _known_heads()
+
+
+def head_of(text: str) -> Head:
+    """Return what a column's head says, whatever its case, brackets, accents and unit."""
+    if text.strip() in HEADS:
+        return Head(text.strip(), is_ours=True)
+    if text.strip() in ("#", "№"):
+        return Head("number")
+    plain = _plain(text)
+    if field := _FIELD_OF.get(plain):
+        return Head(field)
+    rest, _, unit = plain.rpartition(" ")
+    if unit in UNITS and _FIELD_OF.get(rest) == "duration_s":
+        return Head("duration_s", UNITS[unit])
+    if plain in UNITS and len(plain) > 2:  # a column called "Seconds"
+        return Head("duration_s", UNITS[plain])
+    without_brackets = _plain(re.sub(r"\(.*?\)|\[.*?\]", " ", text))
+    return Head(_FIELD_OF.get(without_brackets))
+
+
+def known_heads_in(cells: Sequence[str]) -> int:
+    """Return how many cells of a row are heads that we know, each field counted once."""
+    return len({head.field for cell in cells if cell.strip() and (head := head_of(cell)).field})
+
+
+def read_number(text: str) -> float:
+    """Return a number as people type it: 1.5, 1,5, 1.234,5, ~2; raise ValueError for anything else."""
+    plain = re.sub(r"^(~|≈|ca\.?|approx\.?)\s*", "", text.strip().lower().replace("\xa0", "").replace("'", ""))
+    if "," in plain and "." in plain:
+        thousands = "," if plain.rindex(",") < plain.rindex(".") else "."
+        plain = plain.replace(thousands, "")
+    plain = plain.replace(",", ".")
+    if not re.fullmatch(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]{1,3})?", plain, re.ASCII):
+        raise ValueError(f'wanted a number such as 1.5, found "{text[:40]}"')
+    value = float(plain)
+    if not math.isfinite(value):
+        raise ValueError(f'wanted a number such as 1.5, found "{text[:40]}"')
+    return value
+
+
+def _read_duration(text: str, unit_s: float) -> float | None:
+    if text.lower() in EMPTY:
+        return None
+    plain = text.strip().lower()
+    if found := re.fullmatch(r"(?:(\d{1,2}):)?(\d{1,3}):(\d{1,2}(?:[.,]\d+)?)", plain, re.ASCII):
+        hours, minutes, seconds = found.groups()
+        return int(hours or 0) * 3600 + int(minutes) * 60 + float(seconds.replace(",", "."))
+    if found := re.fullmatch(r"(.*[0-9.,])\s*([a-z]+)\.?", plain):
+        if found[2] not in UNITS:
+            raise ValueError(f'wanted seconds such as 1.5, found "{text[:40]}"')
+        plain, unit_s = found[1], UNITS[found[2]]
+    try:
+        value = round(read_number(plain) * unit_s, 6)
+    except ValueError:
+        raise ValueError(f'wanted seconds such as 1.5, found "{text[:40]}"') from None
+    if value <= 0:
+        raise ValueError(f'wanted a length above 0, found "{text[:40]}"')
+    return value
+
+
+def _read_rate(text: str, _unit_s: float) -> float | None:
+    if text.lower() in EMPTY:
+        return None
+    value = read_number(re.sub(r"\s*fps$", "", text.lower()))
+    if value <= 0:
+        raise ValueError(f'wanted frames per second above 0, found "{text[:40]}"')
+    return value
+
+
+def _read_count(text: str, _unit_s: float) -> int:
+    if text.lower() in EMPTY:
+        return 1
+    found = re.fullmatch(r"[x×]?\s*([0-9]{1,6})(?:[.,]0+)?\s*[x×]?", text.strip().lower(), re.ASCII)
+    if found is None:
+        raise ValueError(f'wanted a whole number, found "{text[:40]}"')
+    return int(found[1])
+
+
+def _read_priority(text: str, _unit_s: float) -> int | None:
+    return None if text.lower() in EMPTY else _read_count(text, 1.0)
+
+
+def _read_flag(text: str, _unit_s: float) -> bool:
+    plain = text.strip().lower()
+    if plain in YES:
+        return True
+    if plain in NO or plain in EMPTY:
+        return False
+    raise ValueError(f'wanted yes or no, found "{text[:40]}"')
+
+
+def _read_state(text: str, _unit_s: float) -> CueState | None:
+    plain = text.strip().lower()
+    if plain in EMPTY:
+        return None
+    if plain not in set(CueState):
+        raise ValueError(f'wanted {", ".join(CueState)}, found "{text[:40]}"')
+    return CueState(plain)
+
+
+def _read_reverb(text: str, _unit_s: float) -> Reverb | None:
+    plain = re.sub(r"[\s_]+", "-", text.strip().lower())
+    if plain in EMPTY:
+        return None
+    if plain not in set(Reverb):
+        raise ValueError(f'wanted {", ".join(Reverb)}, found "{text[:40]}"')
+    return Reverb(plain)
+
+
+def _read_text(text: str, _unit_s: float) -> str:
+    return text
+
+
+READERS: Mapping[str, Callable[[str, float], Any]] = {
+    "duration_s": _read_duration,
+    "frame_rate_fps": _read_rate,
+    "variations": _read_count,
+    "playback_priority": _read_priority,
+    "length_locked": _read_flag,
+    "loop": _read_flag,
+    "placeholder": _read_flag,
+    "palette": _read_flag,
+    "state": _read_state,
+    "reverb": _read_reverb,
+}
+
+
+def read_cell(field: str, text: str, unit_s: float = 1.0) -> Any:
+    """Return the value of a cell for a field; raise ValueError that says what was wanted and what was found."""
+    return READERS.get(field, _read_text)(text, unit_s)
+
+
+def looks_like(field: str, cells: Sequence[str], unit_s: float) -> bool:
+    """Whether most of a column's cells can be read for a field."""
+    filled = [cell for cell in cells if cell][:SAMPLED]
+    readable = 0
+    for cell in filled:
+        try:
+            read_cell(field, cell, unit_s)
+        except ValueError:
+            continue
+        readable += 1
+    return 2 * readable >= len(filled)

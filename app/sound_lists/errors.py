@@ -1,0 +1,43 @@
+"""What this room refuses, each named after the fact."""
+
+from app.kit.errors import Conflict, Invalid, NotFound
+
+
+class CueNotFound(NotFound):
+    """No cue of that id within the caller's sight."""
+
+
+class QuestionNotFound(NotFound):
+    """No question of that id within the caller's sight."""
+
+
+class RevisionNotFound(NotFound):
+    """The list has no revision of that number."""
+
+
+class CueEditedMeanwhile(Conflict):
+    """Somebody else changed the cue since it was read."""
+
+
+class CueIsCut(Conflict):
+    """A cut cue is kept as it was."""
+
+
+class QuestionAnswered(Conflict):
+    """The question has its answer."""
+
+
+class RowsInvalid(Invalid):
+    """Rows of the list are wrong; nothing was changed."""
+
+
+class SheetUnreadable(Invalid):
+    """What was sent is no sheet that can be read, or it is too large."""
+
+
+class ColumnUnknown(Invalid):
+    """The mapping names a column that the sheet does not have, or one field twice."""
+
+
+class OrderInvalid(Invalid):
+    """The new order names a cue twice or one of another list."""

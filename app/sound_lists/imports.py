@@ -1,0 +1,248 @@
+"""A spreadsheet becomes rows of the list: all of them, or none."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.projects.models import Project
+from app.projects.service import standing_in
+from app.sound_lists import queries
+from app.sound_lists.columns import Head, head_of, looks_like, read_cell
+from app.sound_lists.errors import ColumnUnknown
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_line, tidy_text, typed_text
+from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportField, ImportRead, ImportRow
+from app.sound_lists.service import Edit, RowFault, row_faults, save, whole_facts
+from app.sound_lists.sheets import Sheet
+
+SAMPLES = 3
+KEPT: frozenset[str] = frozenset({"extra", "ignore"})
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of the sheet and how its cells are read."""
+
+    place: int
+    name: str
+    samples: tuple[str, ...]
+    guess: ImportField | None
+    field: ImportField
+    unit_s: float
+
+
+@dataclass
+class Plan:
+    """What a sheet would do to the list."""
+
+    edits: list[Edit] = field(default_factory=list)
+    faults: list[RowFault] = field(default_factory=list)
+
+
+def import_sheet(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    sheet: Sheet,
+    *,
+    mapping: Mapping[str, ImportField] | None,
+    match: str,
+    dry_run: bool,
+) -> ImportRead:
+    """Say what a sheet would do to the list, and do it where nothing is wrong and it is no dry run."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_speaks()
+    project = standing.project
+    queries.lock_list(session, project.id)
+    columns = _columns(sheet, project.cue_prefix, mapping or {})
+    plan = _plan(session, project, sheet, columns, match)
+    failed = {fault.row for fault in plan.faults}
+    plan.faults += row_faults(session, project, [edit for edit in plan.edits if edit.row not in failed])
+    if not sheet.rows:
+        plan.faults.append(RowFault(sheet.header_row or 1, None, "no rows stand below the head"))
+    imports = not dry_run and not plan.faults
+    rows = [_row_read(edit, project.cue_prefix) for edit in plan.edits]
+    if imports:
+        save(session, project, actor.person, plan.edits)
+    return ImportRead(
+        header_row=sheet.header_row,
+        columns=[
+            ImportColumn(name=one.name, samples=list(one.samples), guess=one.guess, field=one.field) for one in columns
+        ],
+        rows=rows,
+        errors=[
+            ImportFault(row=fault.row, column=_column_name(columns, fault.field), message=fault.message)
+            for fault in sorted(plan.faults, key=lambda fault: fault.row)
+        ],
+        added=sum(row.action == "add" for row in rows),
+        changed=sum(row.action == "change" for row in rows),
+        same=sum(row.action == "same" for row in rows),
+        imported=imports,
+        revision=queries.revision_number(session, project.id),
+    )
+
+
+def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) -> list[Column]:
+    if unknown := [name for name in mapping if name not in sheet.columns]:
+        raise ColumnUnknown(f'the sheet has no column "{unknown[0]}"; it has {", ".join(sheet.columns)}')
+    chosen = {wanted for wanted in mapping.values() if wanted not in KEPT}
+    for wanted in sorted(chosen):
+        if len(names := [name for name, given in mapping.items() if given == wanted]) > 1:
+            raise ColumnUnknown(f"two columns are to be {wanted}: {', '.join(names)}")
+    taken: set[str] = set()
+    columns = []
+    for place, name in enumerate(sheet.columns):
+        cells = [cells[place] for _, cells in sheet.rows]
+        guess, head = _guessed(sheet, place, name, cells, cue_prefix, taken)
+        if guess:
+            taken.add(guess)
+        free = guess if guess and guess not in chosen else "extra"
+        columns.append(
+            Column(
+                place=place,
+                name=name,
+                samples=tuple(dict.fromkeys(cell[:200] for cell in cells if cell))[:SAMPLES],
+                guess=guess,
+                field=mapping.get(name, free),
+                unit_s=head.unit_s,
+            )
+        )
+    return columns
+
+
+def _guessed(
+    sheet: Sheet, place: int, name: str, cells: Sequence[str], cue_prefix: str, taken: set[str]
+) -> tuple[ImportField | None, Head]:
+    head = head_of(name)
+    if sheet.header_row is None:
+        head = Head(("name", "description")[place] if place < 2 else None)
+    guess: Any = head.field
+    if guess is None or guess in taken:
+        return None, head
+    filled = [cell for cell in cells if cell]
+    if guess == "number":
+        fits = 2 * sum(read_label(cue_prefix, cell) is not None for cell in filled) >= len(filled)
+    else:
+        fits = looks_like(guess, cells, head.unit_s)
+    return (guess if fits or head.is_ours else None), head
+
+
+def _column_name(columns: Sequence[Column], field_name: str | None) -> str | None:
+    return next((column.name for column in columns if column.field == field_name), field_name)
+
+
+class _Finder:
+    """Finds the cue that a row is about."""
+
+    def __init__(self, cues: Sequence[Cue], cue_prefix: str, match: str) -> None:
+        self._prefix = cue_prefix
+        self._match = match
+        self._by_number = {cue.number: cue for cue in cues}
+        self._by_name: dict[str, list[Cue]] = {}
+        for cue in sorted(cues, key=lambda cue: cue.state is CueState.CUT):
+            namesakes = self._by_name.setdefault(cue.name.casefold(), [])
+            if not namesakes or cue.state is not CueState.CUT:
+                namesakes.append(cue)
+
+    def cue_of(self, facts: Mapping[str, Any], number: int | None) -> Cue | None:
+        """Return the cue that a row is about, None for a new one; raise ValueError where two could be meant."""
+        if self._match == "number" and number is not None:
+            return self._by_number.get(number)
+        if self._match == "name":
+            namesakes = self._by_name.get(str(facts.get("name", "")).casefold(), [])
+            if len(namesakes) > 1:
+                both = " and ".join(label(self._prefix, cue.number) for cue in namesakes[:2])
+                raise ValueError(f"{both} have this name; match by number")
+            return namesakes[0] if namesakes else None
+        return None
+
+
+def _plan(session: Session, project: Project, sheet: Sheet, columns: Sequence[Column], match: str) -> Plan:
+    plan = Plan()
+    finder = _Finder(queries.cues_of(session, project.id), project.cue_prefix, match)
+    seen: dict[UUID, int] = {}
+    for row, cells in sheet.rows:
+        given: Facts = {}
+        faults = list(_read_row(project.cue_prefix, columns, row, cells, given))
+        number = given.pop("number", None)
+        if not faults:
+            try:
+                cue = finder.cue_of(given, number)
+            except ValueError as error:
+                faults.append(RowFault(row, "name", str(error)))
+            else:
+                edit, fault = _edit(project.cue_prefix, row, given, cue, number)
+                if cue and seen.setdefault(cue.id, row) != row:
+                    fault = RowFault(row, match, f"row {seen[cue.id]} is about the same cue")
+                if fault:
+                    faults.append(fault)
+                plan.edits.append(edit)
+        plan.faults += faults
+    return plan
+
+
+def _read_row(
+    cue_prefix: str, columns: Sequence[Column], row: int, cells: Sequence[str], given: Facts
+) -> Iterator[RowFault]:
+    """Put what a row says into `given`, and yield what cannot be read."""
+    extra: dict[str, str] = {}
+    for column in columns:
+        text = typed_text(cells[column.place])
+        if column.field == "ignore":
+            continue
+        if column.field == "extra":
+            extra[_own_name(typed_text(column.name))] = tidy_text(text)
+        elif column.field == "number":
+            given["number"] = read_label(cue_prefix, text) if text else None
+            if text and given["number"] is None:
+                yield RowFault(row, "number", f'wanted {label(cue_prefix, 14)} or 14, found "{text[:40]}"')
+        else:
+            try:
+                given[column.field] = read_cell(column.field, text, column.unit_s)
+            except ValueError as error:
+                yield RowFault(row, column.field, str(error))
+    given["extra"] = extra
+
+
+def _own_name(column: str) -> str:
+    """Return the name under which a column of the writer's own is kept; never that of a field."""
+    name = tidy_line(column)
+    return f"{name} (own)" if name.lower() in {*NEW_CUE, "number"} else name
+
+
+def _edit(cue_prefix: str, row: int, given: Facts, cue: Cue | None, number: int | None) -> tuple[Edit, RowFault | None]:
+    if given.get("state", "") is None:  # an empty cell leaves the state as it is
+        del given["state"]
+    before = {fact: getattr(cue, fact) for fact in NEW_CUE} if cue else NEW_CUE
+    extra = {**before["extra"], **given["extra"]}
+    facts = whole_facts({**given, "extra": {name: text for name, text in extra.items() if text}}, before)
+    edit = Edit(row, facts, cue, None if cue else number)
+    if cue is None or facts == edit.before:
+        return edit, None
+    if cue.state is CueState.CUT:
+        return edit, RowFault(row, None, f"{label(cue_prefix, cue.number)} was cut and is kept as it was")
+    if facts["state"] is CueState.CUT:
+        return edit, RowFault(row, "state", f"cut {label(cue_prefix, cue.number)} on its own page, with a reason")
+    return edit, None
+
+
+def _row_read(edit: Edit, cue_prefix: str) -> ImportRow:
+    before = edit.before
+    changes = [
+        FieldChange(field=fact, before=before[fact], after=value)
+        for fact, value in edit.facts.items()
+        if before and before[fact] != value
+    ]
+    number = edit.cue.number if edit.cue else edit.number
+    shown = ("name", "file_name", "category", "description", "duration_s", "loop", "variations", "state")
+    return ImportRow(
+        row=edit.row,
+        action="add" if edit.cue is None else "change" if changes else "same",
+        label=label(cue_prefix, number) if number else None,
+        changes=changes,
+        **{fact: edit.facts[fact] for fact in shown},
+    )

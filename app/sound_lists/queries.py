@@ -1,0 +1,164 @@
+"""The list, read from the database; callers have checked who looks."""
+
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from uuid import UUID
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session, joinedload, selectinload
+
+from app.projects.models import Project
+from app.sound_lists.models import Cue, CueChange, Question, Revision, Stem
+from app.sound_lists.rules import folded
+
+IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
+
+
+def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
+    """Return all cues of a project with their stems, in list order."""
+    return session.scalars(
+        select(Cue)
+        .where(Cue.project_id == project_id)
+        .options(selectinload(Cue.stems))
+        .order_by(Cue.position, Cue.number)
+        .execution_options(populate_existing=True)
+    ).all()
+
+
+def cue_by_id(session: Session, cue_id: UUID) -> Cue | None:
+    """Return a cue with its stems."""
+    return session.scalar(
+        select(Cue).where(Cue.id == cue_id).options(selectinload(Cue.stems)).execution_options(populate_existing=True)
+    )
+
+
+def cues_by_id(session: Session, project_id: UUID, ids: Collection[UUID]) -> dict[UUID, Cue]:
+    """Return cues of a project with their stems, by id."""
+    wanted = list(ids)
+    found: dict[UUID, Cue] = {}
+    for start in range(0, len(wanted), IDS_AT_ONCE):
+        query = (
+            select(Cue)
+            .where(Cue.project_id == project_id, Cue.id.in_(wanted[start : start + IDS_AT_ONCE]))
+            .options(selectinload(Cue.stems))
+            .execution_options(populate_existing=True)
+        )
+        found |= {cue.id: cue for cue in session.scalars(query)}
+    return found
+
+
+def slot_of_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, int] | None:
+    """Return the cue and variation that own a stem, which is in NFC."""
+    row = session.execute(
+        select(Cue, Stem.variation)
+        .join(Stem, Stem.cue_id == Cue.id)
+        .where(Stem.project_id == project_id, Stem.folded == folded(stem), Stem.stem == stem)
+    ).first()
+    return (row[0], row[1]) if row else None
+
+
+def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> dict[str, tuple[UUID, int, str]]:
+    """Return who owns the folded stems asked for: cue id, cue number and the stem itself."""
+    query = (
+        select(Stem.folded, Stem.cue_id, Cue.number, Stem.stem)
+        .join(Cue, Cue.id == Stem.cue_id)
+        .where(Stem.project_id == project_id)
+    )
+    if len(wanted) <= IDS_AT_ONCE:
+        query = query.where(Stem.folded.in_(wanted))
+    return {key: (cue_id, number, stem) for key, cue_id, number, stem in session.execute(query).tuples()}
+
+
+def lock_list(session: Session, project_id: UUID) -> None:
+    """Let no other transaction number cues or revisions of this list until ours ends."""
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+
+
+def last_numbers(session: Session, project_id: UUID) -> tuple[int, int]:
+    """Return the highest cue number and the highest position, 0 for an empty list."""
+    number, position = session.execute(
+        select(func.coalesce(func.max(Cue.number), 0), func.coalesce(func.max(Cue.position), 0)).where(
+            Cue.project_id == project_id
+        )
+    ).one()
+    return number, position
+
+
+def numbers_taken(session: Session, project_id: UUID) -> dict[int, UUID]:
+    """Return the cue ids of a list by number."""
+    rows = session.execute(select(Cue.number, Cue.id).where(Cue.project_id == project_id)).tuples()
+    return dict(rows.all())
+
+
+def revision_number(session: Session, project_id: UUID) -> int:
+    """Return the number of the newest revision, 0 before the first."""
+    return session.scalar(select(func.max(Revision.number)).where(Revision.project_id == project_id)) or 0
+
+
+def revisions_of(session: Session, project_id: UUID, *, before: int | None, limit: int) -> Sequence[Revision]:
+    """Return revisions, the newest first, with their authors."""
+    query = select(Revision).where(Revision.project_id == project_id)
+    if before is not None:
+        query = query.where(Revision.number < before)
+    return session.scalars(
+        query.options(joinedload(Revision.author)).order_by(Revision.number.desc()).limit(limit)
+    ).all()
+
+
+def changes_between(session: Session, project_id: UUID, first: int, last: int) -> Sequence[tuple[CueChange, Cue]]:
+    """Return what the revisions after `first` up to `last` did to each cue, the oldest first."""
+    return (
+        session.execute(
+            select(CueChange, Cue)
+            .join(Revision, Revision.id == CueChange.revision_id)
+            .join(Cue, Cue.id == CueChange.cue_id)
+            .where(Revision.project_id == project_id, Revision.number > first, Revision.number <= last)
+            .order_by(Revision.number, Cue.position, Cue.number)
+        )
+        .tuples()
+        .all()
+    )
+
+
+def open_question_counts(session: Session, project_id: UUID) -> dict[UUID, int]:
+    """Return how many unanswered questions each cue has."""
+    counts = session.execute(
+        select(Question.cue_id, func.count())
+        .where(Question.project_id == project_id, Question.answered_at.is_(None))
+        .group_by(Question.cue_id)
+    ).tuples()
+    return defaultdict(int, counts.all())
+
+
+def questions_of(
+    session: Session,
+    project_id: UUID,
+    *,
+    cue_id: UUID | None = None,
+    only_open: bool = False,
+    after: UUID | None = None,
+    limit: int | None = None,
+) -> Sequence[Question]:
+    """Return questions with their cue and people, the oldest first."""
+    query = select(Question).where(Question.project_id == project_id)
+    if cue_id is not None:
+        query = query.where(Question.cue_id == cue_id)
+    if only_open:
+        query = query.where(Question.answered_at.is_(None))
+    if after is not None:
+        query = query.where(Question.id > after)
+    return session.scalars(
+        query.options(joinedload(Question.cue), joinedload(Question.asker), joinedload(Question.answerer))
+        .order_by(Question.id)
+        .limit(limit)
+    ).all()
+
+
+def question_by_id(session: Session, question_id: UUID) -> Question | None:
+    """Return a question with its cue and people."""
+    return session.scalar(
+        select(Question)
+        .where(Question.id == question_id)
+        .options(joinedload(Question.cue), joinedload(Question.asker), joinedload(Question.answerer))
+        .execution_options(populate_existing=True)
+    )

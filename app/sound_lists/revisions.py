@@ -1,0 +1,57 @@
+"""Revisions of the list, compared."""
+
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.projects.service import Standing
+from app.sound_lists import queries
+from app.sound_lists.errors import RevisionNotFound
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import NEW_CUE, CueState, Facts, label
+from app.sound_lists.schemas import CueDifference, FieldChange, ListComparison
+
+
+def compare_revisions(session: Session, standing: Standing, first: int, last: int) -> ListComparison:
+    """Return what was added, changed and cut after revision `first`, up to revision `last`."""
+    newest = queries.revision_number(session, standing.project.id)
+    for number in (first, last):
+        if not 0 <= number <= newest:
+            raise RevisionNotFound(f"the list has no revision {number}; its newest is {newest}")
+    if first > last:
+        raise RevisionNotFound(f"revision {first} is newer than {last}; name the older one first")
+    cues: dict[UUID, Cue] = {}
+    before: dict[UUID, Facts] = {}
+    after: dict[UUID, Facts] = {}
+    new: set[UUID] = set()
+    for change, cue in queries.changes_between(session, standing.project.id, first, last):
+        if cue.id not in cues and not change.before:
+            new.add(cue.id)
+        cues[cue.id] = cue
+        for fact, value in change.before.items():
+            before.setdefault(cue.id, {}).setdefault(fact, value)
+        after.setdefault(cue.id, {}).update(change.after)
+    compared = ListComparison(from_revision=first, to_revision=last, added=[], changed=[], cut=[])
+    for cue_id, cue in sorted(cues.items(), key=lambda item: (item[1].position, item[1].number)):
+        facts = after[cue_id]
+        old = dict(NEW_CUE) if cue_id in new else before.get(cue_id, {})
+        changes = [
+            FieldChange(field=fact, before=None if cue_id in new else old.get(fact), after=value)
+            for fact, value in facts.items()
+            if fact in NEW_CUE and value != old.get(fact)
+        ]
+        is_cut = facts.get("state") == CueState.CUT
+        if not (changes or cue_id in new):
+            continue  # changed and changed back
+        group = compared.cut if is_cut and cue_id not in new else compared.added if cue_id in new else compared.changed
+        group.append(
+            CueDifference(
+                id=cue.id,
+                number=cue.number,
+                label=label(standing.project.cue_prefix, cue.number),
+                name=facts.get("name", cue.name),
+                changes=changes,
+                cut_reason=facts.get("cut_reason"),
+            )
+        )
+    return compared

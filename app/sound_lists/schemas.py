@@ -1,0 +1,323 @@
+"""Bodies that this room reads and answers."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+from uuid import UUID
+
+from pydantic import Field
+
+from app.accounts.schemas import PersonBrief
+from app.kit.http import Schema
+from app.projects.rules import EngagementKind
+from app.sound_lists.rules import CueState, Reverb
+
+OpenState = Literal["concept", "prototype", "locked"]
+Text = Annotated[str, Field(max_length=20_000)]
+Figure = Annotated[float, Field(allow_inf_nan=False)]
+
+
+class CueRead(Schema):
+    """One line of the list."""
+
+    id: UUID
+    number: int
+    label: str = Field(examples=["SW-014"])
+    position: int
+    name: str
+    file_name: str
+    stems: list[str] = Field(description="The file names, without ending, that its variations own; none once cut.")
+    category: str
+    description: str
+    use: str
+    trigger: str
+    duration_s: float | None
+    length_locked: bool
+    frame_rate_fps: float | None
+    loop: bool
+    reverb: Reverb | None
+    variations: int
+    state: CueState
+    playback_priority: int | None
+    placeholder: bool
+    palette: bool
+    extra: dict[str, str] = Field(description="Imported columns that have no field of their own.")
+    edition: int = Field(description="Send it back with a change, so that two editors notice each other.")
+    cut_reason: str | None
+    cut_at: datetime | None
+    open_questions: int
+
+
+class SoundListRead(Schema):
+    """The list as it stands."""
+
+    revision: int = Field(description="0 while the list is empty and untouched.")
+    cues: list[CueRead]
+
+
+class CueAdd(Schema):
+    """A typed row; only a name or a file name is needed."""
+
+    name: Text = ""
+    file_name: Text = ""
+    category: Text = ""
+    description: Text = ""
+    use: Text = ""
+    trigger: Text = ""
+    duration_s: Figure | None = None
+    length_locked: bool = False
+    frame_rate_fps: Figure | None = None
+    loop: bool = False
+    reverb: Reverb | None = None
+    variations: int = 1
+    state: OpenState = "prototype"
+    playback_priority: int | None = None
+    placeholder: bool = False
+    palette: bool = False
+    extra: dict[Text, Text] = Field(default_factory=dict)
+
+
+class CuesAdd(Schema):
+    """Typed or pasted rows, in list order."""
+
+    cues: list[CueAdd] = Field(min_length=1, max_length=1000)
+
+
+class CuePatch(Schema):
+    """What to change in a cue; what is left out stays."""
+
+    edition: int = Field(description="The edition that was read.")
+    name: Text = ""
+    file_name: Text = ""
+    category: Text = ""
+    description: Text = ""
+    use: Text = ""
+    trigger: Text = ""
+    duration_s: Figure | None = None
+    length_locked: bool = False
+    frame_rate_fps: Figure | None = None
+    loop: bool = False
+    reverb: Reverb | None = None
+    variations: int = 1
+    state: OpenState = "prototype"
+    playback_priority: int | None = None
+    placeholder: bool = False
+    palette: bool = False
+    extra: dict[Text, Text] = Field(default_factory=dict)
+
+
+class CueOrder(Schema):
+    """Cues in their new order: they share out among themselves the places that they hold now."""
+
+    cue_ids: list[UUID] = Field(min_length=1, max_length=20_000)
+
+
+class PlaceholderSet(Schema):
+    """Whether the game plays a stand-in for now."""
+
+    placeholder: bool
+
+
+class PaletteSet(Schema):
+    """Whether the cue belongs to the palette that new sounds are compared with."""
+
+    palette: bool
+
+
+class QuestionAdd(Schema):
+    """What a designer must know to make the sound."""
+
+    text: str = Field(min_length=1, max_length=2000)
+
+
+class AnswerAdd(Schema):
+    """The answer, which joins the cue's description unless told not to."""
+
+    text: str = Field(min_length=1, max_length=4000)
+    joins: bool = True
+
+
+class QuestionRead(Schema):
+    """A question on a cue, and its answer."""
+
+    id: UUID
+    cue_id: UUID
+    cue_label: str
+    cue_name: str
+    text: str
+    asked_by: PersonBrief | None = Field(description="Null where a designer looks at another designer's question.")
+    asked_at: datetime
+    answer: str | None
+    answered_by: PersonBrief | None
+    answered_at: datetime | None
+
+
+class CueDetail(CueRead):
+    """One cue with what was asked about it."""
+
+    project_id: UUID
+    questions: list[QuestionRead]
+
+
+class RevisionRead(Schema):
+    """One saved change of the list."""
+
+    number: int
+    summary: str
+    author: PersonBrief
+    created_at: datetime
+
+
+class FieldChange(Schema):
+    """One fact before and after."""
+
+    field: str
+    before: Any
+    after: Any
+
+
+class CueDifference(Schema):
+    """A cue that differs between two revisions."""
+
+    id: UUID
+    number: int
+    label: str
+    name: str
+    changes: list[FieldChange]
+    cut_reason: str | None
+
+
+class ListComparison(Schema):
+    """What happened to the list between two revisions."""
+
+    from_revision: int
+    to_revision: int
+    added: list[CueDifference]
+    changed: list[CueDifference]
+    cut: list[CueDifference]
+
+
+ImportField = Literal[
+    "number",
+    "name",
+    "file_name",
+    "category",
+    "description",
+    "use",
+    "trigger",
+    "duration_s",
+    "length_locked",
+    "frame_rate_fps",
+    "loop",
+    "reverb",
+    "variations",
+    "state",
+    "playback_priority",
+    "placeholder",
+    "palette",
+    "extra",
+    "ignore",
+]
+
+
+class ImportAsk(Schema):
+    """A spreadsheet, and how to read it."""
+
+    format: Literal["csv", "xlsx", "paste"]
+    content_base64: str | None = Field(None, max_length=7_100_000, description="The file's bytes; for csv and xlsx.")
+    text: str | None = Field(None, max_length=5_300_000, description="What was pasted, or a CSV as text.")
+    mapping: dict[str, ImportField] | None = Field(
+        None,
+        description="Column → field; `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here "
+        "are read as guessed.",
+    )
+    dry_run: bool = Field(description="Only say what would happen.")
+    match: Literal["number", "name", "add"] = Field(
+        "number", description="How a row finds its cue: by number, by name, or never, so that every row is added."
+    )
+
+
+class ImportColumn(Schema):
+    """A column of the sheet, and what it is read as."""
+
+    name: str
+    samples: list[str]
+    guess: ImportField | None = Field(description="What its head and cells look like; null: nothing we know.")
+    field: ImportField
+
+
+class ImportRow(Schema):
+    """What becomes of one row."""
+
+    row: int = Field(description="Its number in the sheet, as the spreadsheet shows it.")
+    action: Literal["add", "change", "same"]
+    label: str | None = Field(description="The cue it changes, or the number it will get; null when we number it.")
+    name: str
+    file_name: str
+    category: str
+    description: str
+    duration_s: float | None
+    loop: bool
+    variations: int
+    state: CueState
+    changes: list[FieldChange]
+
+
+class ImportFault(Schema):
+    """What is wrong in one cell."""
+
+    row: int
+    column: str | None
+    message: str
+
+
+class ImportRead(Schema):
+    """What the sheet says, what is wrong with it, and whether it was imported: all of it or nothing."""
+
+    header_row: int | None
+    columns: list[ImportColumn]
+    rows: list[ImportRow]
+    errors: list[ImportFault]
+    added: int
+    changed: int
+    same: int
+    imported: bool
+    revision: int
+
+
+class PreviewCue(Schema):
+    """A cue as an invited designer sees it before having an account."""
+
+    number: int
+    label: str
+    name: str
+    file_name: str
+    category: str
+    description: str
+    use: str
+    duration_s: float | None
+    loop: bool
+    variations: int
+    state: CueState
+
+
+class PreviewProject(Schema):
+    """The project that an invitation is for."""
+
+    name: str
+    description: str
+    cue_prefix: str
+
+
+class InvitationPreview(Schema):
+    """What the mailed link shows at once: the project, its list, and how sounds must come."""
+
+    project: PreviewProject
+    studio_name: str
+    kind: EngagementKind
+    note: str
+    email: str
+    invited_by_name: str
+    has_account: bool
+    expires_at: datetime
+    cues: list[PreviewCue]
+    spec: dict[str, Any]
