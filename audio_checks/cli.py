@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import sys
+import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import IO, NoReturn, Self
@@ -55,8 +56,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # whoever read the output has closed it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG
+    except OSError as error:
+        _say(f"{error.filename or 'input or output'}: {error.strerror or error}")
+        return WRONG
     except KeyboardInterrupt:
         return 130
+    except Exception:  # 1 would say that something is wrong with the files
+        _say(f"this is a fault of the tool, not of the files\n{traceback.format_exc().rstrip()}")
+        return WRONG
     return code
 
 

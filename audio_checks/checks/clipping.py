@@ -28,11 +28,11 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: 
         return
     spans = sorted(file.measurements.clipped_spans)
     places = ", ".join(f"{start_s:.3f} s" for start_s, _, _ in spans[:PLACES_NAMED])
-    more = " ..." if runs > PLACES_NAMED else ""
+    more = ", ..." if runs > PLACES_NAMED else ""
     start_s, end_s, _ = spans[0]
     yield Finding(
         code="clipping:flat-tops",
-        message=f"{runs} {'run' if runs == 1 else 'runs'} of flat tops, at {places}{more}",
+        message=f"{runs} {'run' if runs == 1 else 'runs'} of flat tops ({places}{more})",
         fix="listen there: if it is not meant, lower the gain before the stage that clips and export again",
         measured=float(runs),
         limit=0.0,

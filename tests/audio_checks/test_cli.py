@@ -81,6 +81,25 @@ class TestExitCodes:
         assert code == 2
         assert "the check itself broke" in out
 
+    def test_so_does_a_tool_that_breaks_altogether(self, folder, run, monkeypatch):
+        def crash(*_, **__):
+            raise ZeroDivisionError("a\x1bb")
+
+        write_wav(folder / "laser.wav", GOOD)
+        monkeypatch.setattr(runner, "judge", crash)
+        code, _, err = run("check", *SPEC, ".")
+        assert code == 2
+        assert "a fault of the tool" in err
+        assert "a\\x1bb" in err
+
+    def test_a_disk_that_refuses(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "out").write_text("in the way", encoding="utf-8")
+        code, _, err = run("render", *SPEC, "--out", "out", "laser.wav")
+        assert code == 2
+        assert "out" in err
+        assert "fault of the tool" not in err
+
     def test_no_audio(self, folder, run):
         (folder / "readme.txt").write_text("hello", encoding="utf-8")
         code, _, err = run("check", *SPEC, ".")
