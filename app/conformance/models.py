@@ -5,8 +5,9 @@ from typing import Any
 from uuid import UUID
 
 from sqlalchemy import ForeignKey, Index, text
-from sqlalchemy.orm import Mapped, mapped_column
+from sqlalchemy.orm import Mapped, mapped_column, relationship
 
+from app.accounts.models import Person
 from app.kit import clock
 from app.kit.db import Base, new_id
 
@@ -54,3 +55,4 @@ class Waiver(Base):
     reason: Mapped[str]
     waived_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    decider: Mapped[Person] = relationship(lazy="raise")

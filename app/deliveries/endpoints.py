@@ -1,7 +1,267 @@
 """The endpoints of this room."""
 
-from fastapi import APIRouter
+from typing import Annotated, Any
+from urllib.parse import quote
+from uuid import UUID
 
-from app.kit.http import Route
+from fastapi import APIRouter, Query, Response
+from fastapi.responses import FileResponse
+from sqlalchemy.orm import Session
 
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.schemas import PersonBrief
+from app.deliveries import queries, service
+from app.deliveries.errors import (
+    DeliveryNotFound,
+    InHouseDesignerNeeded,
+    TakeNotFound,
+    VariationUnknown,
+    WrongState,
+)
+from app.deliveries.models import Archive, Delivery
+from app.deliveries.rules import TakeState, base_name, shown_name
+from app.deliveries.schemas import (
+    ArchiveAdd,
+    ArchiveRead,
+    DeliveryAdd,
+    DeliveryChange,
+    DeliveryDetail,
+    DeliveryRead,
+    TakeAdd,
+    TakeMatch,
+    TakeRead,
+)
+from app.deliveries.upload_endpoints import router as uploads_router
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
+from app.projects.errors import DesignerNeeded, ProjectNotFound
+from app.projects.service import standing_in
+from app.sound_lists.errors import CueNotFound
+
+PAGE = 50
 router = APIRouter(prefix="/v1", tags=["deliveries"], route_class=Route)
+router.include_router(uploads_router)
+
+SAME_TAKE: dict[int | str, dict[str, Any]] = {
+    200: {"model": TakeRead, "description": "The same file was here before; this is its take."}
+}
+Cursor = Annotated[str | None, Query(description="`next` of the page before.")]
+Limit = Annotated[int, Query(ge=1, le=200)]
+
+
+@router.post(
+    "/projects/{project_id}/deliveries",
+    status_code=201,
+    response_model=DeliveryRead,
+    responses=problems(ProjectNotFound, DesignerNeeded, InHouseDesignerNeeded),
+)
+def open_delivery(
+    project_id: UUID,
+    body: DeliveryAdd,
+    session: DbSession,
+    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+) -> DeliveryRead:
+    """Open a delivery to upload into."""
+    return _delivery_read(service.open_delivery(session, actor, project_id, body.note), 0)
+
+
+@router.get("/projects/{project_id}/deliveries", response_model=Page[DeliveryRead], responses=problems(ProjectNotFound))
+def list_deliveries(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT, build=Scope.DELIVERIES_WRITE),
+    cursor: Cursor = None,
+    limit: Limit = PAGE,
+) -> Page[DeliveryRead]:
+    """List deliveries, the newest first; a designer's own."""
+    standing = standing_in(session, actor, project_id)
+    found = queries.deliveries_of(
+        session, project_id, designer_id=standing.only_designer_id, before=uuid_cursor(cursor), limit=limit + 1
+    )
+    shown = found[:limit]
+    counts = queries.takes_counts(session, [delivery.id for delivery in shown])
+    return Page(
+        items=[_delivery_read(delivery, counts.get(delivery.id, 0)) for delivery in shown],
+        next=cursor_of(shown[-1].id) if len(found) > limit else None,
+    )
+
+
+@router.get("/deliveries/{delivery_id}", response_model=DeliveryDetail, responses=problems(DeliveryNotFound))
+def see_delivery(
+    delivery_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT, build=Scope.DELIVERIES_WRITE),
+) -> DeliveryDetail:
+    """Show a delivery with its takes and ZIPs."""
+    delivery, standing = service.delivery_for(session, actor, delivery_id)
+    takes = service.read_takes(session, standing.project, queries.takes_in(session, delivery_id))
+    archives = [_archive_read(archive) for archive in queries.archives_in(session, delivery_id)]
+    return DeliveryDetail(
+        **_delivery_read(delivery, len(takes)).model_dump(exclude={"designer"}),
+        designer=PersonBrief.model_validate(delivery.designer),
+        takes=takes,
+        archives=archives,
+    )
+
+
+@router.post(
+    "/deliveries/{delivery_id}/close",
+    response_model=DeliveryRead,
+    responses=problems(DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded),
+)
+def close_delivery(
+    delivery_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+) -> DeliveryRead:
+    """Say that nothing more is to come."""
+    return _counted(session, service.close_delivery(session, actor, delivery_id))
+
+
+@router.patch(
+    "/deliveries/{delivery_id}",
+    response_model=DeliveryRead,
+    responses=problems(DeliveryNotFound, DesignerNeeded),
+)
+def change_delivery(
+    delivery_id: UUID, body: DeliveryChange, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> DeliveryRead:
+    """Change a delivery's note."""
+    return _counted(session, service.change_note(session, actor, delivery_id, body.note))
+
+
+@router.post(
+    "/deliveries/{delivery_id}/takes",
+    status_code=201,
+    response_model=TakeRead,
+    responses=SAME_TAKE
+    | problems(
+        DeliveryNotFound, UploadNotFound, CueNotFound, DesignerNeeded, InHouseDesignerNeeded, UploadUnfinished,
+        VariationUnknown,
+    ),
+)  # fmt: skip
+def add_take(
+    delivery_id: UUID,
+    body: TakeAdd,
+    response: Response,
+    session: DbSession,
+    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+) -> TakeRead:
+    """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
+    _, standing = service.own_delivery(session, actor, delivery_id)
+    upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
+    take, already_here = service.receive_take(
+        session,
+        actor,
+        delivery_id,
+        upload=upload,
+        file_name=body.file_name,
+        cue_id=body.cue_id,
+        variation=body.variation,
+        note=body.note,
+    )
+    response.status_code = 200 if already_here else 201
+    return service.read_take(session, standing.project, take).model_copy(update={"already_here": already_here})
+
+
+@router.post(
+    "/deliveries/{delivery_id}/archives",
+    status_code=201,
+    response_model=ArchiveRead,
+    responses=problems(DeliveryNotFound, UploadNotFound, DesignerNeeded, InHouseDesignerNeeded, UploadUnfinished),
+)
+def add_archive(
+    delivery_id: UUID,
+    body: ArchiveAdd,
+    session: DbSession,
+    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+) -> ArchiveRead:
+    """Keep a finished upload as a ZIP and queue its unpacking; each file in it becomes a take."""
+    service.own_delivery(session, actor, delivery_id)
+    upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
+    return _archive_read(service.receive_archive(session, actor, delivery_id, upload=upload, file_name=body.file_name))
+
+
+@router.get("/projects/{project_id}/takes", response_model=Page[TakeRead], responses=problems(ProjectNotFound))
+def list_takes(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+    state: Annotated[list[TakeState], Query(description="One or several.")] = [],  # noqa: B006
+    unmatched: bool | None = None,
+    cue_id: UUID | None = None,
+    cursor: Cursor = None,
+    limit: Limit = PAGE,
+) -> Page[TakeRead]:
+    """List takes, the newest first; a designer's own. `unmatched=true` is the tray."""
+    standing = standing_in(session, actor, project_id)
+    found = queries.takes_of(
+        session,
+        project_id,
+        designer_id=standing.only_designer_id,
+        states=state,
+        unmatched=unmatched,
+        cue_id=cue_id,
+        before=uuid_cursor(cursor),
+        limit=limit + 1,
+    )
+    shown = found[:limit]
+    return Page(
+        items=service.read_takes(session, standing.project, shown),
+        next=cursor_of(shown[-1].id) if len(found) > limit else None,
+    )
+
+
+@router.get("/takes/{take_id}", response_model=TakeRead, responses=problems(TakeNotFound))
+def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> TakeRead:
+    """Show one take."""
+    take, standing = service.take_for(session, actor, take_id)
+    return service.read_take(session, standing.project, take)
+
+
+@router.put(
+    "/takes/{take_id}/match",
+    response_model=TakeRead,
+    responses=problems(TakeNotFound, CueNotFound, WrongState, VariationUnknown),
+)
+def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> TakeRead:
+    """Say which cue a take is for; it is checked again as that cue."""
+    take, standing = service.match_take(session, actor, take_id, body.cue_id, body.variation)
+    return service.read_take(session, standing.project, take)
+
+
+@router.get(
+    "/takes/{take_id}/master",
+    response_class=FileResponse,
+    responses=problems(TakeNotFound) | {200: {"content": {"application/octet-stream": {}}}},
+)
+def download_master(
+    take_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PROJECT)
+) -> FileResponse:
+    """Give a take's master exactly as it was delivered; ranges may be asked for."""
+    take, standing = service.take_for(session, actor, take_id)
+    name = quote(shown_name(base_name(take.file_name)), safe="")
+    return FileResponse(
+        runtime.store.path(standing.project.studio_id, take.master_sha256),
+        media_type="application/octet-stream",
+        headers={
+            "Content-Disposition": f"attachment; filename*=UTF-8''{name}",
+            "Cache-Control": "private, max-age=31536000, immutable",
+            "Content-Security-Policy": "sandbox",
+            "ETag": f'"{take.master_sha256}"',
+        },
+    )
+
+
+def _delivery_read(delivery: Delivery, takes_count: int) -> DeliveryRead:
+    own = {name: getattr(delivery, name) for name in DeliveryRead.model_fields if name != "takes_count"}
+    return DeliveryRead.model_validate(own | {"takes_count": takes_count})
+
+
+def _counted(session: Session, delivery: Delivery) -> DeliveryRead:
+    return _delivery_read(delivery, queries.takes_counts(session, [delivery.id]).get(delivery.id, 0))
+
+
+def _archive_read(archive: Archive) -> ArchiveRead:
+    return ArchiveRead.model_validate(archive)

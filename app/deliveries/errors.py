@@ -1,10 +1,14 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Conflict, NotFound
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound, Refused
 
 
 class DeliveryNotFound(NotFound):
     """No delivery of that id within the caller's sight."""
+
+
+class DeliveryClosed(Conflict):
+    """The designer has closed the delivery; what is already on its way still comes in."""
 
 
 class TakeNotFound(NotFound):
@@ -13,3 +17,39 @@ class TakeNotFound(NotFound):
 
 class WrongState(Conflict):
     """The take is not in a state from which this can be done."""
+
+
+class VariationUnknown(Invalid):
+    """The cue has no variation of that number."""
+
+
+class InHouseDesignerNeeded(Forbidden):
+    """A build delivers in the name of the project's one in-house designer, and there is not exactly one."""
+
+
+class UnknownTusVersion(Refused):
+    """The sender speaks another version of tus."""
+
+    status = 412
+
+
+class BadUploadHeader(Refused):
+    """A header of an upload is missing or cannot be read."""
+
+    status = 400
+
+
+class LengthRequired(Refused):
+    """The request does not say how long it is."""
+
+    status = 411
+
+
+class WrongContentType(Refused):
+    """The bytes of an upload come as application/offset+octet-stream."""
+
+    status = 415
+
+
+class ArchiveRefused(Exception):
+    """A ZIP that cannot or should not be unpacked; the message says why."""

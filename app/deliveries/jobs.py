@@ -1,1 +1,67 @@
 """The jobs of this room."""
+
+from typing import Any
+from uuid import UUID
+
+from app.deliveries import queries, service, unzip
+from app.deliveries.errors import ArchiveRefused
+from app.deliveries.models import Archive
+from app.deliveries.rules import ArchiveState, shown_name
+from app.deliveries.service import Origin
+from app.kit import kill
+from app.kit.queue import Payload, job
+from app.kit.runtime import Runtime
+
+
+@job("deliveries.unpack_archive")
+def unpack_archive(runtime: Runtime, payload: Payload) -> None:
+    """Make each sound in a delivered ZIP a take; a second run goes on where the first was killed."""
+    archive_id = UUID(payload["archive_id"])
+    with runtime.database.reading() as session:
+        archive = session.get_one(Archive, archive_id)
+    if archive.state is not ArchiveState.RECEIVED:
+        return
+    entries: list[dict[str, Any]] = []
+    try:
+        with (
+            runtime.store.local_copy(archive.studio_id, archive.sha256) as path,
+            unzip.opened(path) as opened,
+        ):
+            for entry in opened.entries:
+                entries.append(_unpacked(runtime, archive, opened, entry))
+                kill.point("deliveries.entry_unpacked")
+        state, message = ArchiveState.UNPACKED, ""
+    except ArchiveRefused as refusal:
+        state, message = ArchiveState.REFUSED, str(refusal)
+    with runtime.database.writing() as session:
+        row = session.get_one(Archive, archive_id, with_for_update=True)
+        row.state, row.message, row.entries = state, message, entries
+
+
+def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, entry: unzip.Entry) -> dict[str, Any]:
+    """Store one file of a ZIP and make it a take, or say why not."""
+    told: dict[str, Any] = {"path": shown_name(entry.path), "taken": False, "take_id": None, "reason": entry.left_out}
+    if entry.left_out:
+        return told
+    with runtime.database.reading() as session:
+        take = queries.take_of_entry(session, archive.id, entry.place)
+    if take is not None:
+        return told | {"taken": True, "take_id": str(take.id)}
+    try:
+        stored = runtime.store.put(archive.studio_id, opened.content(entry))
+    except unzip.EntryBroken as error:
+        return told | {"reason": str(error)}
+    with runtime.database.writing() as session:
+        delivery = queries.delivery_by_id(session, archive.delivery_id)
+        if delivery is None:
+            raise LookupError(f"archive {archive.id} has no delivery")
+        take, already_here = service.add_take(
+            session,
+            delivery,
+            stored.sha256,
+            stored.size_bytes,
+            entry.path,
+            Origin(archive_id=archive.id, archive_entry=entry.place),
+        )
+        reason = "the same file was here before" if already_here else None
+        return told | {"taken": True, "take_id": str(take.id), "reason": reason}

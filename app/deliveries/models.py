@@ -4,13 +4,14 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.deliveries.rules import ArchiveState, TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
+from app.kit.uploads import Upload
 from app.sound_lists.models import Cue
 
 
@@ -37,6 +38,7 @@ class Take(Base):
     __tablename__ = "deliveries_takes"
     __table_args__ = (
         UniqueConstraint("cue_id", "variation", "number"),
+        UniqueConstraint("archive_id", "archive_entry"),
         CheckConstraint("master_bytes >= 0", name="master_size_known"),
         CheckConstraint("(cue_id is null) = (number is null)", name="numbered_when_matched"),
         Index("ix_deliveries_takes_queue", "project_id", "state", "cue_id"),
@@ -47,20 +49,24 @@ class Take(Base):
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    upload_id: Mapped[UUID | None] = mapped_column(ForeignKey(Upload.id), unique=True)  # an upload is one take
+    archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
+    archive_entry: Mapped[int | None]  # its place in there
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)  # None: unmatched
     variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
     number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on
     alternate: Mapped[int | None]  # 2 for _altB or __alt2; None for a file without such an ending
     state: Mapped[TakeState] = mapped_column(default=TakeState.RECEIVED)
     late: Mapped[bool] = mapped_column(default=False)
-    file_name: Mapped[str]  # as the designer named it
+    file_name: Mapped[str]  # as the designer named it; never a path
     note: Mapped[str] = mapped_column(default="")
     master_sha256: Mapped[str] = mapped_column(index=True)
-    master_bytes: Mapped[int]
+    master_bytes: Mapped[int] = mapped_column(BigInteger)
     received_at: Mapped[datetime] = mapped_column(default=clock.now)
     state_since: Mapped[datetime] = mapped_column(default=clock.now)
     edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
     delivery: Mapped[Delivery] = relationship(lazy="raise")
+    designer: Mapped[Person] = relationship(lazy="raise")
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
@@ -73,9 +79,10 @@ class Archive(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
+    upload_id: Mapped[UUID] = mapped_column(ForeignKey(Upload.id), unique=True)
     file_name: Mapped[str]
     sha256: Mapped[str]
-    archive_bytes: Mapped[int]
+    archive_bytes: Mapped[int] = mapped_column(BigInteger)
     state: Mapped[ArchiveState] = mapped_column(default=ArchiveState.RECEIVED)
     message: Mapped[str] = mapped_column(default="")
     entries: Mapped[list[dict[str, Any]]] = mapped_column(default=list)  # path, taken or why left out

@@ -1,8 +1,17 @@
-"""How a take may go from state to state, stated without a database."""
+"""How a take may go from state to state, and what its name says, stated without a database."""
 
+import re
+import unicodedata
+from collections.abc import Collection
 from enum import StrEnum
 
-from app.deliveries.errors import WrongState
+import audio_checks
+from app.deliveries.errors import VariationUnknown, WrongState
+
+MAX_FILE_BYTES = 2 << 30
+MAX_ARCHIVE_BYTES = 4 << 30
+MAX_NAME_CHARS = 255
+_KEPT_END = 24  # of a name that is too long: its end says what kind of file it is
 
 
 class TakeState(StrEnum):
@@ -35,9 +44,64 @@ NEXT_STATES: dict[TakeState, frozenset[TakeState]] = {
     S.CHANGE_REQUESTED: frozenset(),
     S.SET_ASIDE: frozenset({S.APPROVED}),
 }
+CHECKABLE = frozenset(state for state, following in NEXT_STATES.items() if S.RECEIVED in following)
 
 
 def ensure_may_become(now: TakeState, wanted: TakeState) -> None:
     """Raise WrongState unless a take may go from one state to the other."""
     if wanted not in NEXT_STATES[now]:
         raise WrongState(f"a {now} take cannot become {wanted}")
+
+
+def is_archive(file_name: str) -> bool:
+    """Whether a name says that the file is a ZIP."""
+    return file_name.lower().endswith(".zip")
+
+
+def most_bytes(file_name: str) -> int:
+    """Return how long a file of this name may be."""
+    return MAX_ARCHIVE_BYTES if is_archive(file_name) else MAX_FILE_BYTES
+
+
+def kept_name(given: str) -> str:
+    """Return a file name as it is kept: as given, but of bounded length, and with what no database takes marked."""
+    name = re.sub("[\0\ud800-\udfff]", "\ufffd", given)
+    if len(name) <= MAX_NAME_CHARS:
+        return name
+    return f"{name[: MAX_NAME_CHARS - _KEPT_END - 1]}…{name[-_KEPT_END:]}"
+
+
+def shown_name(kept: str) -> str:
+    r"""Return a file name as it may be shown on one line: what does not print is escaped, as in `\n` or `\u202e`."""
+    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in kept)
+
+
+def base_name(kept: str) -> str:
+    """Return a file name without the folders before it."""
+    return re.split(r"[/\\]", kept)[-1]
+
+
+def stems_to_try(file_name: str) -> list[tuple[str, int | None]]:
+    """Return the stems by which a file may find its cue, with the alternate each implies; the whole name first."""
+    name = audio_checks.parse_file_name(file_name)
+    whole = unicodedata.normalize("NFC", base_name(file_name)).removesuffix(name.extension)
+    return [(whole, None), (name.stem, name.alternate)]
+
+
+def alternate_of(file_name: str) -> int | None:
+    """Return the number of the alternate that a name ends in; 2 for `_altB` and `__alt2`."""
+    return audio_checks.parse_file_name(file_name).alternate
+
+
+def variation_meant(file_name: str, variations: int, filled: Collection[int]) -> int:
+    """Return the variation of a set that a file dropped on its cue is for: the one it names, else the first empty."""
+    ending = re.search(r"([0-9]{1,4})$", audio_checks.parse_file_name(file_name).stem)
+    if ending and 1 <= int(ending[1]) <= variations:
+        return int(ending[1])
+    return next((place for place in range(1, variations + 1) if place not in filled), 1)
+
+
+def ensure_variation(variation: int, variations: int) -> None:
+    """Raise VariationUnknown unless the cue has a variation of that number."""
+    if not 1 <= variation <= variations:
+        raise VariationUnknown(f"the cue has {variations} variation(s); there is no number {variation}")

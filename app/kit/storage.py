@@ -4,7 +4,7 @@ import hashlib
 import os
 import tempfile
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
@@ -59,17 +59,24 @@ class Store:
 
     def adopt(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
         """Move a finished file of the same disk into the store under its known hash."""
+        stored = self.keep(studio_id, source, sha256)
+        source.unlink()
+        return stored
+
+    def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
+        """Give the store a finished file of the same disk under its known hash, and leave its old name in place.
+
+        Until the caller has written down that the blob is stored, the old name is what a restart finds.
+        """
         target = self.path(studio_id, sha256)
         size_bytes = source.stat().st_size
-        if target.exists():
-            source.unlink()
-            return StoredBlob(sha256, size_bytes)
-        target.parent.mkdir(parents=True, exist_ok=True)
         source.chmod(0o440)
-        _sync(source)
-        source.rename(target)
-        _sync(target.parent)
-        _sync(target.parent.parent)
+        sync(source)
+        made = make_folder(target.parent)
+        with suppress(FileExistsError):
+            os.link(source, target)
+        for folder in {target.parent, *made}:
+            sync(folder)
         return StoredBlob(sha256, size_bytes)
 
     @contextmanager
@@ -93,7 +100,19 @@ class Store:
             return file.read()
 
 
-def _sync(path: Path) -> None:
+def make_folder(folder: Path) -> list[Path]:
+    """Make a folder with its parents; return those whose entries changed, for the caller to sync."""
+    changed = []
+    missing = folder
+    while not missing.exists():
+        missing = missing.parent
+        changed.append(missing)
+    folder.mkdir(parents=True, exist_ok=True)
+    return changed
+
+
+def sync(path: Path) -> None:
+    """Return when a file's bytes, or a folder's entries, are on the disk."""
     descriptor = os.open(path, os.O_RDONLY)
     try:
         os.fsync(descriptor)

@@ -1,0 +1,72 @@
+"""Check runs and waivers, read from the database; callers have checked who looks."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy import select, update
+from sqlalchemy.orm import Session, joinedload
+
+from app.conformance.models import CheckRun, Waiver
+from app.deliveries.models import Take
+from app.deliveries.rules import CHECKABLE
+from app.projects.models import Spec
+
+
+def current_run(session: Session, take_id: UUID) -> CheckRun | None:
+    """Return the newest check of a take."""
+    return session.scalar(select(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current))
+
+
+def run_with_key(session: Session, studio_id: UUID, key: str) -> CheckRun | None:
+    """Return a check of the studio that says what a new one with this key would say."""
+    return session.scalar(
+        select(CheckRun)
+        .where(CheckRun.studio_id == studio_id, CheckRun.key == key, CheckRun.verdict != "unjudged")
+        .order_by(CheckRun.id.desc())
+        .limit(1)
+    )
+
+
+def retire_runs(session: Session, take_id: UUID) -> None:
+    """Make room for a new current run."""
+    session.execute(update(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current).values(is_current=False))
+
+
+def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
+    """Return the newest waiver of a take, with who gave it."""
+    return session.scalar(
+        select(Waiver)
+        .where(Waiver.take_id == take_id)
+        .options(joinedload(Waiver.decider))
+        .order_by(Waiver.id.desc())
+        .limit(1)
+    )
+
+
+def spec_version(session: Session, spec_id: UUID) -> int:
+    """Return the number of a version of the spec."""
+    return session.scalars(select(Spec.version).where(Spec.id == spec_id)).one()
+
+
+def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] | None) -> Sequence[UUID]:
+    """Return the takes that are not yet decided upon; those of some cues where they are given."""
+    query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(CHECKABLE))
+    if cue_ids is not None:
+        query = query.where(Take.cue_id.in_(cue_ids))
+    return session.scalars(query.order_by(Take.id)).all()
+
+
+def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, CheckRun, Take]]:
+    """Return the waivers of a project with the checks they waived and their takes with cues, the oldest first."""
+    return (
+        session.execute(
+            select(Waiver, CheckRun, Take)
+            .join(CheckRun, CheckRun.id == Waiver.check_run_id)
+            .join(Take, Take.id == Waiver.take_id)
+            .where(Waiver.project_id == project_id)
+            .options(joinedload(Take.cue))
+            .order_by(Waiver.id)
+        )
+        .tuples()
+        .all()
+    )

@@ -1,0 +1,67 @@
+"""What a verdict makes of a take, and when two checks are the same check: without a database."""
+
+import dataclasses
+import hashlib
+import json
+from collections.abc import Collection, Mapping
+from typing import Any
+
+import audio_checks
+from app.deliveries.rules import TakeState
+
+TRIES = 3
+Report = dict[str, Any]  # the file object of the report
+
+
+def run_key(master_sha256: str, spec: audio_checks.DeliverySpec, cue: audio_checks.CueFacts | None, name: str) -> str:
+    """Return what a check run is known by: two runs with one key say the same."""
+    facts = None if cue is None else {k: v for k, v in dataclasses.asdict(cue).items() if k != "more"}
+    said = [master_sha256, spec.sha256, spec.category, facts, name, audio_checks.TOOL_VERSION]
+    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
+
+
+def error_codes(report: Mapping[str, Any]) -> list[str]:
+    """Return the codes of the findings for which a take is returned, each once."""
+    return sorted({finding["code"] for finding in report["findings"] if finding["severity"] == "error"})
+
+
+def state_after(report: Mapping[str, Any], waived: Collection[str]) -> TakeState:
+    """Return what a take becomes by its report; a waiver of every error holds when it is checked again."""
+    verdict = report["verdict"]
+    if verdict == "unjudged":
+        return TakeState.UNJUDGED
+    if verdict == "conforming" or (verdict == "rejected" and set(error_codes(report)) <= set(waived)):
+        return TakeState.CONFORMING
+    return TakeState.RETURNED
+
+
+def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str]) -> list[dict[str, Any]]:
+    """Return findings with those marked that the decider let through."""
+    return [{**finding, "waived": finding["code"] in codes} for finding in findings]
+
+
+def unjudged(name: str, category: str | None, why: str) -> Report:
+    """Return the report of a file that our checker could not judge."""
+    finding = {
+        "check": "audio-checks",
+        "code": "audio-checks:failed",
+        "severity": "error",
+        "message": f"our checker failed {TRIES} times on this file ({why}); nothing is known to be wrong with it",
+        "fix": "this is our fault and not yours: ask for another check, or tell whoever runs this server",
+        "measured": None,
+        "limit": None,
+        "unit": None,
+        "start_s": None,
+        "end_s": None,
+    }
+    return {
+        "path": name,
+        "sha256": None,
+        "pcm_sha256": None,
+        "category": category,
+        "verdict": "unjudged",
+        "facts": None,
+        "measurements": {},
+        "judgements": {},
+        "findings": [finding],
+    }

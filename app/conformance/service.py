@@ -1,0 +1,189 @@
+"""The verdict: what a check needs to know, and what its report makes of a take."""
+
+from dataclasses import dataclass
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+import audio_checks
+from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
+from app.conformance import queries
+from app.conformance.errors import CheckNotFound, NothingToWaive
+from app.conformance.models import CheckRun, Waiver
+from app.conformance.rules import Report, error_codes, run_key, state_after, with_waived
+from app.conformance.schemas import CheckRead, FindingRead, WaiverRead
+from app.deliveries import queries as deliveries
+from app.deliveries.models import Take
+from app.deliveries.rules import CHECKABLE, TakeState
+from app.deliveries.service import change_state, check_again, check_name, take_for
+from app.kit.events import publish
+from app.kit.queue import BULK
+from app.projects.queries import current_spec
+from app.sound_lists.service import cue_facts
+
+
+@dataclass(frozen=True)
+class CheckOrder:
+    """All that a check of one take needs to know, as of one moment."""
+
+    take_id: UUID
+    edition: int
+    studio_id: UUID
+    master_sha256: str
+    master_bytes: int
+    name: str
+    spec_id: UUID
+    spec: audio_checks.DeliverySpec
+    cue: audio_checks.CueFacts | None
+    key: str
+
+
+def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
+    """Return what is to be checked; None where the take waits for no check."""
+    take = deliveries.take_by_id(session, take_id)
+    if take is None or take.state is not TakeState.RECEIVED:
+        return None
+    return _order(session, take)
+
+
+def _order(session: Session, take: Take) -> CheckOrder:
+    spec = current_spec(session, take.project_id)
+    whole = audio_checks.parse_spec(spec.toml)
+    cue = cue_facts(take.cue) if take.cue else None
+    resolved = whole.for_category((cue.category if cue else None) or whole.category_of(take.file_name))
+    name = check_name(session, take)
+    return CheckOrder(
+        take_id=take.id,
+        edition=take.edition,
+        studio_id=take.studio_id,
+        master_sha256=take.master_sha256,
+        master_bytes=take.master_bytes,
+        name=name,
+        spec_id=spec.id,
+        spec=resolved,
+        cue=cue,
+        key=run_key(take.master_sha256, resolved, cue, name),
+    )
+
+
+def known_report(session: Session, order: CheckOrder) -> Report | None:
+    """Return what an earlier check with the same key said."""
+    run = queries.run_with_key(session, order.studio_id, order.key)
+    return run.report if run else None
+
+
+def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
+    """Write a report and what it makes of its take, unless the take has moved on; return whether it was written."""
+    take = deliveries.take_by_id(session, order.take_id, locked=True)
+    if take is None or take.state is not TakeState.RECEIVED or take.edition != order.edition:
+        return False
+    queries.retire_runs(session, take.id)
+    session.add(
+        CheckRun(
+            studio_id=take.studio_id,
+            project_id=take.project_id,
+            take_id=take.id,
+            spec_id=order.spec_id,
+            key=order.key,
+            verdict=report["verdict"],
+            pcm_sha256=report["pcm_sha256"],
+            report=report,
+            tool_version=audio_checks.TOOL_VERSION,
+        )
+    )
+    change_state(session, take, state_after(report, _codes_waived(session, take)))
+    publish(session, "take.checked", take_id=take.id, verdict=report["verdict"], edition=take.edition)
+    return True
+
+
+def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:
+    """Have a take checked again; what would say the same is not computed anew."""
+    take, _ = take_for(session, actor, take_id, locked=True)
+    check_again(session, take)
+    return take
+
+
+def recheck_if_changed(session: Session, take_id: UUID) -> None:
+    """Have a take checked again where the spec or the list now asks something else of it."""
+    take = deliveries.take_by_id(session, take_id, locked=True)
+    if take is None or take.state not in CHECKABLE:
+        return
+    order = _order(session, take)
+    run = queries.current_run(session, take.id)
+    if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
+        run.spec_id = order.spec_id  # the new version asks the same of this take
+        return
+    check_again(session, take, priority=BULK)
+
+
+def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRead:
+    """Let a returned take through with its findings; only the decider may."""
+    take, standing = take_for(session, actor, take_id, locked=True)
+    standing.ensure_decider()
+    run = queries.current_run(session, take.id)
+    if take.state is not TakeState.RETURNED or run is None:
+        raise NothingToWaive(f"only a returned take can be let through; this one is {take.state}")
+    if run.verdict != "rejected":
+        raise NothingToWaive("this file cannot be read, so no game file could be made of it")
+    session.add(
+        Waiver(
+            studio_id=take.studio_id,
+            project_id=take.project_id,
+            take_id=take.id,
+            check_run_id=run.id,
+            master_sha256=take.master_sha256,
+            codes=error_codes(run.report),
+            reason=reason,
+            waived_by=actor.person,
+        )
+    )
+    change_state(session, take, TakeState.CONFORMING)
+    publish(session, "take.waived", take_id=take.id)
+    return read_check(session, take)
+
+
+def check_for(session: Session, actor: Actor, take_id: UUID) -> CheckRead:
+    """Return what the newest check says of a take within the caller's sight."""
+    take, _ = take_for(session, actor, take_id)
+    return read_check(session, take)
+
+
+def read_check(session: Session, take: Take) -> CheckRead:
+    """Return what the newest check says of a take."""
+    run = queries.current_run(session, take.id)
+    if run is None:
+        raise CheckNotFound("this take has not been checked yet", fix="ask again in a few seconds")
+    waiver = queries.waiver_of(session, take.id)
+    if waiver is not None and waiver.master_sha256 != take.master_sha256:
+        waiver = None
+    findings = with_waived(run.report["findings"], waiver.codes if waiver else [])
+    return CheckRead(
+        take_id=take.id,
+        state=take.state,
+        verdict=run.report["verdict"],
+        spec_version=queries.spec_version(session, run.spec_id),
+        is_newest_spec=run.spec_id == current_spec(session, take.project_id).id,
+        tool_version=run.tool_version,
+        created_at=run.created_at,
+        facts=run.report["facts"],
+        measurements=run.report["measurements"],
+        judgements=run.report["judgements"],
+        findings=[FindingRead.model_validate(finding) for finding in findings],
+        waiver=waiver and _waiver_read(waiver),
+    )
+
+
+def _waiver_read(waiver: Waiver) -> WaiverRead:
+    return WaiverRead(
+        id=waiver.id,
+        codes=waiver.codes,
+        reason=waiver.reason,
+        waived_by=PersonBrief.model_validate(waiver.decider),
+        created_at=waiver.created_at,
+    )
+
+
+def _codes_waived(session: Session, take: Take) -> list[str]:
+    waiver = queries.waiver_of(session, take.id)
+    return waiver.codes if waiver and waiver.master_sha256 == take.master_sha256 else []

@@ -1,0 +1,168 @@
+"""Deliveries and takes, read from the database; a designer's own only."""
+
+from collections.abc import Collection, Sequence
+from uuid import UUID
+
+from sqlalchemy import ColumnElement, func, select
+from sqlalchemy.orm import Session, joinedload
+
+from app.deliveries.models import Archive, Delivery, Take
+from app.deliveries.rules import TakeState
+from app.projects.models import Engagement, Project
+from app.projects.rules import EngagementKind
+from app.sound_lists.models import Cue, Stem
+
+
+def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:
+    """Return a delivery with its designer, without asking who looks."""
+    return session.scalar(select(Delivery).where(Delivery.id == delivery_id).options(joinedload(Delivery.designer)))
+
+
+def deliveries_of(
+    session: Session, project_id: UUID, *, designer_id: UUID | None, before: UUID | None, limit: int
+) -> Sequence[Delivery]:
+    """Return deliveries with their designers, the newest first; of one designer where one is given."""
+    query = select(Delivery).where(Delivery.project_id == project_id)
+    if designer_id is not None:
+        query = query.where(Delivery.designer_id == designer_id)
+    if before is not None:
+        query = query.where(Delivery.id < before)
+    return session.scalars(query.options(joinedload(Delivery.designer)).order_by(Delivery.id.desc()).limit(limit)).all()
+
+
+def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID, int]:
+    """Return how many takes each delivery has; deliveries without any are left out."""
+    rows = session.execute(
+        select(Take.delivery_id, func.count()).where(Take.delivery_id.in_(delivery_ids)).group_by(Take.delivery_id)
+    )
+    return dict(rows.tuples().all())
+
+
+def next_delivery_number(session: Session, project_id: UUID) -> int:
+    """Return the number of the next delivery; nobody else gets one until the transaction ends."""
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+    last = session.scalar(select(func.max(Delivery.number)).where(Delivery.project_id == project_id))
+    return (last or 0) + 1
+
+
+def in_house_designers(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the people of the studio who make sounds for this project."""
+    return session.scalars(
+        select(Engagement.designer_id).where(
+            Engagement.project_id == project_id,
+            Engagement.kind == EngagementKind.IN_HOUSE,
+            Engagement.ended_at.is_(None),
+        )
+    ).all()
+
+
+def next_number(session: Session, cue_id: UUID, variation: int) -> int:
+    """Return the number of a cue's next take; nobody else gets one until the transaction ends."""
+    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update())
+    last = session.scalar(select(func.max(Take.number)).where(Take.cue_id == cue_id, Take.variation == variation))
+    return (last or 0) + 1
+
+
+def filled_variations(session: Session, cue_id: UUID) -> set[int]:
+    """Return the variations of a cue for which a take has come."""
+    return set(session.scalars(select(Take.variation).where(Take.cue_id == cue_id).distinct()))
+
+
+def cues_without_takes(session: Session, project_id: UUID) -> set[UUID]:
+    """Return the cues of a project for which nothing has come yet."""
+    taken = select(Take.cue_id).where(Take.project_id == project_id, Take.cue_id.is_not(None))
+    return set(session.scalars(select(Cue.id).where(Cue.project_id == project_id, Cue.id.not_in(taken))))
+
+
+def stem_of(session: Session, take: Take) -> str | None:
+    """Return the stem that the list gives to a take; None while unmatched and for a cut cue."""
+    if take.cue_id is None:
+        return None
+    return session.scalar(select(Stem.stem).where(Stem.cue_id == take.cue_id, Stem.variation == take.variation))
+
+
+def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take | None:
+    """Return a take with its cue and designer, without asking who looks; locked where it is going to change."""
+    query = select(Take).where(Take.id == take_id).options(joinedload(Take.cue), joinedload(Take.designer))
+    if locked:
+        query = query.with_for_update(of=Take).execution_options(populate_existing=True)
+    return session.scalar(query)
+
+
+def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
+    """Return the take that an upload became, with its cue and designer."""
+    return _one(session, Take.upload_id == upload_id)
+
+
+def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None:
+    """Return the take that a file of a ZIP became."""
+    return _one(session, Take.archive_id == archive_id, Take.archive_entry == place)
+
+
+def same_take(session: Session, delivery: Delivery, sha256: str, cue_id: UUID | None, variation: int) -> Take | None:
+    """Return the designer's take of the same bytes for the same cue and variation, or in the tray."""
+    return _one(
+        session,
+        Take.project_id == delivery.project_id,
+        Take.designer_id == delivery.designer_id,
+        Take.master_sha256 == sha256,
+        Take.cue_id == cue_id if cue_id else Take.cue_id.is_(None),
+        Take.variation == variation,
+    )
+
+
+def _one(session: Session, *conditions: ColumnElement[bool]) -> Take | None:
+    return session.scalar(
+        select(Take)
+        .where(*conditions)
+        .options(joinedload(Take.cue), joinedload(Take.designer))
+        .order_by(Take.id.desc())
+        .limit(1)
+    )
+
+
+def takes_of(
+    session: Session,
+    project_id: UUID,
+    *,
+    designer_id: UUID | None,
+    states: Collection[TakeState] = (),
+    unmatched: bool | None = None,
+    cue_id: UUID | None = None,
+    before: UUID | None = None,
+    limit: int,
+) -> Sequence[Take]:
+    """Return takes with their cues and designers, the newest first; of one designer where one is given."""
+    query = select(Take).where(Take.project_id == project_id)
+    if designer_id is not None:
+        query = query.where(Take.designer_id == designer_id)
+    if states:
+        query = query.where(Take.state.in_(states))
+    if unmatched is not None:
+        query = query.where(Take.cue_id.is_(None) if unmatched else Take.cue_id.is_not(None))
+    if cue_id is not None:
+        query = query.where(Take.cue_id == cue_id)
+    if before is not None:
+        query = query.where(Take.id < before)
+    query = query.options(joinedload(Take.cue), joinedload(Take.designer))
+    return session.scalars(query.order_by(Take.id.desc()).limit(limit)).all()
+
+
+def takes_in(session: Session, delivery_id: UUID) -> Sequence[Take]:
+    """Return the takes of a delivery with their cues and designers, in the order they came."""
+    return session.scalars(
+        select(Take)
+        .where(Take.delivery_id == delivery_id)
+        .options(joinedload(Take.cue), joinedload(Take.designer))
+        .order_by(Take.id)
+    ).all()
+
+
+def archives_in(session: Session, delivery_id: UUID) -> Sequence[Archive]:
+    """Return the ZIPs of a delivery in the order they came."""
+    return session.scalars(select(Archive).where(Archive.delivery_id == delivery_id).order_by(Archive.id)).all()
+
+
+def archive_of_upload(session: Session, upload_id: UUID) -> Archive | None:
+    """Return the ZIP that an upload became."""
+    return session.scalar(select(Archive).where(Archive.upload_id == upload_id))

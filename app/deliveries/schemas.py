@@ -1,0 +1,142 @@
+"""Bodies that this room reads and answers."""
+
+from datetime import datetime
+from typing import Annotated
+from uuid import UUID
+
+from pydantic import BeforeValidator, Field
+
+from app.accounts.schemas import PersonBrief, Prose
+from app.deliveries.rules import ArchiveState, TakeState, shown_name
+from app.kit.http import Schema
+
+GivenName = Annotated[str, Field(min_length=1, max_length=100_000, description="Never used as a path.")]
+ShownName = Annotated[str, BeforeValidator(shown_name)]
+
+
+class UploadRead(Schema):
+    """A file on its way in, or arrived."""
+
+    upload_id: UUID
+    offset: int = Field(description="How many bytes are here.")
+    length: int
+    sha256: str | None = Field(description="Null until the last byte is here.")
+
+
+class DeliveryAdd(Schema):
+    """A new delivery."""
+
+    note: Prose = ""
+
+
+class DeliveryChange(Schema):
+    """What to change in a delivery."""
+
+    note: Prose
+
+
+class DeliveryRead(Schema):
+    """One upload of takes by a designer, with notes."""
+
+    id: UUID
+    project_id: UUID
+    number: int
+    note: str
+    created_at: datetime
+    closed_at: datetime | None
+    designer: PersonBrief
+    takes_count: int
+
+
+class TakeAdd(Schema):
+    """A finished upload that becomes a take; without a cue its name says which cue it is for."""
+
+    upload_id: UUID
+    file_name: GivenName
+    cue_id: UUID | None = None
+    variation: int | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
+    note: Prose = ""
+
+
+class CueBrief(Schema):
+    """The cue that a take is for."""
+
+    id: UUID
+    label: str = Field(examples=["SW-014"])
+    name: str
+
+
+class CueGuess(Schema):
+    """A cue that an unmatched file may be for."""
+
+    cue_id: UUID
+    label: str
+    name: str
+    variation: int
+    reason: str
+
+
+class TakeRead(Schema):
+    """One delivered file."""
+
+    id: UUID
+    project_id: UUID
+    delivery_id: UUID
+    designer: PersonBrief
+    cue: CueBrief | None = Field(description="Null while it waits in the unmatched tray.")
+    variation: int
+    number: int | None = Field(description="Shown as the version; null while unmatched.")
+    alternate: int | None
+    state: TakeState
+    late: bool = Field(description="It came after its delivery was closed.")
+    file_name: ShownName
+    note: str
+    master_sha256: str
+    master_bytes: int
+    received_at: datetime
+    state_since: datetime
+    guesses: list[CueGuess] = Field(description="The three likeliest cues of an unmatched file.")
+    already_here: bool = Field(False, description="The same file was here before; this is its take.")
+
+
+class TakeMatch(Schema):
+    """The cue that a take is for."""
+
+    cue_id: UUID
+    variation: int | None = None
+
+
+class ArchiveAdd(Schema):
+    """A finished upload that is a ZIP of takes."""
+
+    upload_id: UUID
+    file_name: GivenName
+
+
+class ArchiveEntry(Schema):
+    """What became of one file in a ZIP."""
+
+    path: str
+    taken: bool
+    take_id: UUID | None
+    reason: str | None = Field(description="Why it was left out, or that it was here before.")
+
+
+class ArchiveRead(Schema):
+    """A delivered ZIP and what became of it."""
+
+    id: UUID
+    delivery_id: UUID
+    file_name: ShownName
+    archive_bytes: int
+    state: ArchiveState
+    message: str
+    entries: list[ArchiveEntry]
+    received_at: datetime
+
+
+class DeliveryDetail(DeliveryRead):
+    """A delivery with everything that came in it."""
+
+    takes: list[TakeRead]
+    archives: list[ArchiveRead]

@@ -1,0 +1,316 @@
+"""Deliveries: how finished uploads become takes, and how takes find their cue."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.deliveries import queries
+from app.deliveries.errors import DeliveryClosed, DeliveryNotFound, InHouseDesignerNeeded, TakeNotFound
+from app.deliveries.models import Archive, Delivery, Take
+from app.deliveries.rules import (
+    TakeState,
+    alternate_of,
+    ensure_may_become,
+    ensure_variation,
+    kept_name,
+    stems_to_try,
+    variation_meant,
+)
+from app.deliveries.schemas import CueBrief, CueGuess, TakeRead
+from app.kit import clock
+from app.kit.events import publish
+from app.kit.queue import NORMAL
+from app.kit.uploads import FinishedUpload
+from app.projects.errors import ProjectNotFound
+from app.projects.models import Project
+from app.projects.service import Standing, standing_in
+from app.sound_lists import rules as list_rules
+from app.sound_lists import service as sound_lists
+from app.sound_lists.models import Cue
+
+
+@dataclass(frozen=True)
+class Slot:
+    """The place in the list that a file is for."""
+
+    cue: Cue
+    variation: int
+    alternate: int | None
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where the bytes of a take came from: an upload of its own, or a place in a ZIP."""
+
+    upload_id: UUID | None = None
+    archive_id: UUID | None = None
+    archive_entry: int | None = None
+
+
+def delivery_for(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing]:
+    """Return a delivery within the caller's sight, and what the caller is in its project."""
+    delivery = queries.delivery_by_id(session, delivery_id)
+    if delivery is None:
+        raise DeliveryNotFound(f"no delivery {delivery_id}")
+    try:
+        standing = standing_in(session, actor, delivery.project_id)
+    except ProjectNotFound:
+        raise DeliveryNotFound(f"no delivery {delivery_id}") from None
+    if standing.only_designer_id not in (None, delivery.designer_id):
+        raise DeliveryNotFound(f"no delivery {delivery_id}")
+    return delivery, standing
+
+
+def own_delivery(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing]:
+    """Return a delivery that the caller may add to; raise DesignerNeeded where they only see it."""
+    delivery, standing = delivery_for(session, actor, delivery_id)
+    if _designer_of(session, standing) != delivery.designer_id:
+        raise DeliveryNotFound(f"no delivery {delivery_id} of yours")
+    return delivery, standing
+
+
+def ensure_may_upload(session: Session, actor: Actor, delivery_id: UUID) -> Delivery:
+    """Return an open delivery that the caller may add to, before a byte is stored."""
+    delivery, _ = own_delivery(session, actor, delivery_id)
+    if delivery.closed_at is not None:
+        raise DeliveryClosed(f"delivery {delivery.number} is closed; open a new one")
+    return delivery
+
+
+def uploader(actor: Actor) -> UUID:
+    """Return the id under which the caller's uploads are kept: the person's, or the token's."""
+    return actor.token_id or actor.person
+
+
+def open_delivery(session: Session, actor: Actor, project_id: UUID, note: str) -> Delivery:
+    """Open a delivery of the caller."""
+    standing = standing_in(session, actor, project_id)
+    designer_id = _designer_of(session, standing)
+    delivery = Delivery(
+        studio_id=standing.project.studio_id,
+        project_id=project_id,
+        designer_id=designer_id,
+        number=queries.next_delivery_number(session, project_id),
+        note=note,
+    )
+    session.add(delivery)
+    session.flush()
+    session.refresh(delivery, ["designer"])
+    return delivery
+
+
+def close_delivery(session: Session, actor: Actor, delivery_id: UUID) -> Delivery:
+    """Say that nothing more is to come; what is on its way still comes in, marked late."""
+    delivery, _ = own_delivery(session, actor, delivery_id)
+    delivery.closed_at = delivery.closed_at or clock.now()
+    return delivery
+
+
+def change_note(session: Session, actor: Actor, delivery_id: UUID, note: str) -> Delivery:
+    """Change what a delivery's designer says of it."""
+    delivery, _ = own_delivery(session, actor, delivery_id)
+    delivery.note = note
+    return delivery
+
+
+def receive_take(
+    session: Session,
+    actor: Actor,
+    delivery_id: UUID,
+    *,
+    upload: FinishedUpload,
+    file_name: str,
+    cue_id: UUID | None = None,
+    variation: int | None = None,
+    note: str = "",
+) -> tuple[Take, bool]:
+    """Make a finished upload a take, for the cue given, else matched by name or left in the tray; ask for its check.
+
+    Also return whether the same bytes were there before: then it is that take, and nothing was added.
+    """
+    delivery, standing = own_delivery(session, actor, delivery_id)
+    if (made := queries.take_of_upload(session, upload.id)) is not None:
+        return made, False
+    slot = _slot_given(session, standing, cue_id, variation, file_name) if cue_id else None
+    origin = Origin(upload_id=upload.id)
+    return add_take(session, delivery, upload.sha256, upload.size_bytes, file_name, origin, slot=slot, note=note)
+
+
+def add_take(
+    session: Session,
+    delivery: Delivery,
+    sha256: str,
+    size_bytes: int,
+    file_name: str,
+    origin: Origin,
+    *,
+    slot: Slot | None = None,
+    note: str = "",
+) -> tuple[Take, bool]:
+    """Add stored bytes to a delivery and ask for their check; see `receive_take`."""
+    name = kept_name(file_name)
+    slot = slot or _slot_named(session, delivery.project_id, name)
+    cue_id, variation = (slot.cue.id, slot.variation) if slot else (None, 1)
+    number = queries.next_number(session, cue_id, variation) if cue_id else None
+    if (same := queries.same_take(session, delivery, sha256, cue_id, variation)) is not None:
+        return same, True
+    take = Take(
+        studio_id=delivery.studio_id,
+        project_id=delivery.project_id,
+        delivery_id=delivery.id,
+        designer_id=delivery.designer_id,
+        upload_id=origin.upload_id,
+        archive_id=origin.archive_id,
+        archive_entry=origin.archive_entry,
+        cue_id=cue_id,
+        variation=variation,
+        number=number,
+        alternate=slot.alternate if slot else alternate_of(name),
+        late=delivery.closed_at is not None,
+        file_name=name,
+        note=note,
+        master_sha256=sha256,
+        master_bytes=size_bytes,
+    )
+    session.add(take)
+    session.flush()
+    session.refresh(take, ["cue", "designer"])
+    publish(session, "take.received", take_id=take.id)
+    return take, False
+
+
+def receive_archive(
+    session: Session, actor: Actor, delivery_id: UUID, *, upload: FinishedUpload, file_name: str
+) -> Archive:
+    """Keep a delivered ZIP and ask for its unpacking; the same upload is one archive."""
+    delivery, _ = own_delivery(session, actor, delivery_id)
+    if (made := queries.archive_of_upload(session, upload.id)) is not None:
+        return made
+    archive = Archive(
+        studio_id=delivery.studio_id,
+        project_id=delivery.project_id,
+        delivery_id=delivery.id,
+        upload_id=upload.id,
+        file_name=kept_name(file_name),
+        sha256=upload.sha256,
+        archive_bytes=upload.size_bytes,
+    )
+    session.add(archive)
+    session.flush()
+    publish(session, "archive.received", archive_id=archive.id)
+    return archive
+
+
+def take_for(session: Session, actor: Actor, take_id: UUID, *, locked: bool = False) -> tuple[Take, Standing]:
+    """Return a take within the caller's sight, and what the caller is in its project."""
+    take = queries.take_by_id(session, take_id, locked=locked)
+    if take is None:
+        raise TakeNotFound(f"no take {take_id}")
+    try:
+        standing = standing_in(session, actor, take.project_id)
+    except ProjectNotFound:
+        raise TakeNotFound(f"no take {take_id}") from None
+    if standing.only_designer_id not in (None, take.designer_id):
+        raise TakeNotFound(f"no take {take_id}")
+    return take, standing
+
+
+def match_take(
+    session: Session, actor: Actor, take_id: UUID, cue_id: UUID, variation: int | None
+) -> tuple[Take, Standing]:
+    """Say which cue a take is for; it gets a number there and is checked again as that cue."""
+    take, standing = take_for(session, actor, take_id, locked=True)
+    slot = _slot_given(session, standing, cue_id, variation, take.file_name)
+    if (take.cue_id, take.variation) == (slot.cue.id, slot.variation):
+        return take, standing
+    ensure_may_become(take.state, TakeState.RECEIVED)
+    number = queries.next_number(session, slot.cue.id, slot.variation)
+    take.cue_id, take.variation, take.number = slot.cue.id, slot.variation, number
+    take.alternate = slot.alternate
+    session.flush()
+    session.refresh(take, ["cue"])
+    check_again(session, take)
+    return take, standing
+
+
+def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None:
+    """Put a take back to received, and ask for its check; whatever a running check says no longer counts."""
+    change_state(session, take, TakeState.RECEIVED)
+    take.edition += 1
+    session.flush()
+    publish(session, "take.received", priority=priority, take_id=take.id)
+
+
+def change_state(session: Session, take: Take, wanted: TakeState) -> None:
+    """Take a take from state to state; raise WrongState where that cannot be."""
+    ensure_may_become(take.state, wanted)
+    take.state, take.state_since = wanted, clock.now()
+    session.flush()
+
+
+def check_name(session: Session, take: Take) -> str:
+    """Return the name that a take is checked under: its cue's, for a file dropped on a cue is named for it."""
+    stem = queries.stem_of(session, take)
+    if stem is None:
+        return take.file_name
+    _, dot, ending = take.file_name.rpartition(".")
+    return f"{stem}{dot}{ending}" if dot else stem
+
+
+def read_takes(session: Session, project: Project, takes: Sequence[Take]) -> list[TakeRead]:
+    """Return takes of one project as they are shown; unmatched ones with their guesses."""
+    unmatched = [take for take in takes if take.cue_id is None]
+    guesses = dict(zip([take.id for take in unmatched], _guesses(session, project, unmatched), strict=True))
+    return [_take_read(project, take, guesses.get(take.id, [])) for take in takes]
+
+
+def read_take(session: Session, project: Project, take: Take) -> TakeRead:
+    """Return a take as it is shown; an unmatched one with its guesses."""
+    return read_takes(session, project, [take])[0]
+
+
+def _guesses(session: Session, project: Project, unmatched: Sequence[Take]) -> list[list[CueGuess]]:
+    if not unmatched:
+        return []
+    waiting = queries.cues_without_takes(session, project.id)
+    found = sound_lists.guesses_for(session, project.id, [(take.file_name, None) for take in unmatched], favour=waiting)
+    return [[CueGuess.model_validate(guess) for guess in guesses] for guesses in found]
+
+
+def _take_read(project: Project, take: Take, guesses: list[CueGuess]) -> TakeRead:
+    cue = take.cue
+    label = cue and list_rules.label(project.cue_prefix, cue.number)
+    joined = {"cue": cue and CueBrief(id=cue.id, label=str(label), name=cue.name), "guesses": guesses}
+    own = {name: getattr(take, name) for name in TakeRead.model_fields.keys() - {"cue", "guesses", "already_here"}}
+    return TakeRead.model_validate(own | joined)
+
+
+def _designer_of(session: Session, standing: Standing) -> UUID:
+    """Return in whose name the caller delivers; raise DesignerNeeded or InHouseDesignerNeeded where in nobody's."""
+    if not standing.actor.is_build:
+        return standing.ensure_designer().designer_id
+    designers = queries.in_house_designers(session, standing.project.id)
+    if len(designers) != 1:
+        raise InHouseDesignerNeeded(
+            f"a build delivers in the name of the project's in-house designer, and {len(designers)} are engaged",
+            fix="engage one designer as in-house, or deliver as a person",
+        )
+    return designers[0]
+
+
+def _slot_given(session: Session, standing: Standing, cue_id: UUID, variation: int | None, file_name: str) -> Slot:
+    cue = sound_lists.cue_for(session, standing, cue_id)
+    if variation is None:
+        variation = variation_meant(file_name, cue.variations, queries.filled_variations(session, cue.id))
+    ensure_variation(variation, cue.variations)
+    return Slot(cue, variation, alternate_of(file_name))
+
+
+def _slot_named(session: Session, project_id: UUID, file_name: str) -> Slot | None:
+    for stem, alternate in stems_to_try(file_name):
+        if (found := sound_lists.slot_by_stem(session, project_id, stem)) is not None:
+            return Slot(*found, alternate)
+    return None

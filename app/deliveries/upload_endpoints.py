@@ -1,0 +1,349 @@
+"""Files on their way into a delivery: tus 1.0 for people on shaky lines, one PUT for scripts.
+
+These endpoints read a body as it comes, so they are `async`, touch the database in a thread, and keep no
+Idempotency-Key: an upload has its own.
+"""
+
+import asyncio
+import base64
+import binascii
+import re
+from collections.abc import Callable, Coroutine
+from email.utils import format_datetime
+from typing import Annotated, Any
+from uuid import UUID
+
+from fastapi import APIRouter, Header, Query, Request, Response
+from fastapi.routing import APIRoute
+
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.deliveries import service
+from app.deliveries.errors import (
+    BadUploadHeader,
+    DeliveryClosed,
+    DeliveryNotFound,
+    InHouseDesignerNeeded,
+    LengthRequired,
+    UnknownTusVersion,
+    WrongContentType,
+)
+from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
+from app.deliveries.schemas import UploadRead
+from app.kit.http import CurrentRuntime, problems
+from app.kit.runtime import Runtime
+from app.kit.uploads import (
+    CHECKSUMS,
+    Checksum,
+    ChecksumMismatch,
+    OffsetMismatch,
+    StoreFull,
+    Upload,
+    UploadBusy,
+    UploadIncomplete,
+    UploadNotFound,
+    Uploads,
+    UploadStalled,
+    UploadTooLong,
+)
+from app.projects.errors import DesignerNeeded
+
+TUS_VERSION = "1.0.0"
+EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
+BODY_TYPE = "application/offset+octet-stream"
+MOST_METADATA = 8_192  # characters; the name of a file may be long
+HEX_SHA256 = re.compile(r"[0-9a-f]{64}")
+
+UploadsActor = Annotated[Actor, allows(Sight.PERSON, build=Scope.DELIVERIES_WRITE)]
+Tus = Annotated[str | None, Header(alias="Tus-Resumable", description="1.0.0")]
+BINARY_BODY: dict[str, Any] = {
+    "requestBody": {"content": {BODY_TYPE: {"schema": {"type": "string", "format": "binary"}}}}
+}
+
+
+class TusRoute(APIRoute):
+    """A route whose answers name the version of tus that they speak."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Add the header to every answer."""
+        handle = super().get_route_handler()
+
+        async def handle_tus(request: Request) -> Response:
+            response = await handle(request)
+            response.headers["Tus-Resumable"] = TUS_VERSION
+            response.headers.setdefault("Cache-Control", "no-store")
+            return response
+
+        return handle_tus
+
+
+router = APIRouter(tags=["uploads"], route_class=TusRoute)
+
+
+@router.options("/uploads", status_code=204)
+def describe_uploads(actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
+    """Say what this server knows of tus."""
+    return Response(
+        status_code=204,
+        headers={
+            "Tus-Version": TUS_VERSION,
+            "Tus-Extension": EXTENSIONS,
+            "Tus-Max-Size": str(MAX_ARCHIVE_BYTES),
+            "Tus-Checksum-Algorithm": ",".join(CHECKSUMS),
+        },
+    )
+
+
+@router.post(
+    "/uploads",
+    status_code=201,
+    response_class=Response,
+    openapi_extra=BINARY_BODY,
+    responses=problems(
+        BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
+        StoreFull, UnknownTusVersion, UploadTooLong, WrongContentType,
+    ),
+)  # fmt: skip
+async def begin_upload(
+    request: Request,
+    runtime: CurrentRuntime,
+    actor: UploadsActor,
+    tus_resumable: Tus = None,
+    upload_length: Annotated[str | None, Header(description="How many bytes the whole file has.")] = None,
+    upload_metadata: Annotated[
+        str | None, Header(description="`delivery_id` and `file_name`, `sha256` if known; values in Base64.")
+    ] = None,
+    upload_checksum: Annotated[str | None, Header()] = None,
+) -> Response:
+    """Make room for a file in a delivery; bytes may come along."""
+    _ensure_tus(tus_resumable)
+    length = _number("Upload-Length", upload_length)
+    metadata = _metadata(upload_metadata)
+    has_body = request.headers.get("content-type") == BODY_TYPE
+    if not has_body and request.headers.get("content-length", "0") != "0":
+        raise WrongContentType(f"the bytes of an upload come as {BODY_TYPE}")
+    checksum = _checksum(upload_checksum)
+    uploads = _uploads(runtime)
+    upload = await asyncio.to_thread(
+        _permitted, runtime, actor, _uuid(metadata.get("delivery_id", "")), metadata.get("file_name", ""), length,
+        _sha256(metadata.get("sha256")),
+    )  # fmt: skip
+    if has_body:
+        upload = await uploads.receive(upload, 0, request.stream(), announced=_announced(request), checksum=checksum)
+    return await asyncio.to_thread(_standing, uploads, upload, 201)
+
+
+@router.head(
+    "/uploads/{upload_id}",
+    status_code=200,
+    response_class=Response,
+    responses=problems(UploadNotFound, UnknownTusVersion, UploadBusy),
+)
+def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tus_resumable: Tus = None) -> Response:
+    """Say how many bytes are here."""
+    _ensure_tus(tus_resumable)
+    uploads = _uploads(runtime)
+    return _standing(uploads, uploads.find(upload_id, owner_id=service.uploader(actor)), 200)
+
+
+@router.patch(
+    "/uploads/{upload_id}",
+    status_code=204,
+    response_class=Response,
+    openapi_extra=BINARY_BODY,
+    responses=problems(
+        BadUploadHeader, ChecksumMismatch, OffsetMismatch, StoreFull, UnknownTusVersion, UploadBusy, UploadNotFound,
+        UploadStalled, UploadTooLong, WrongContentType,
+    ),
+)  # fmt: skip
+async def continue_upload(
+    upload_id: UUID,
+    request: Request,
+    runtime: CurrentRuntime,
+    actor: UploadsActor,
+    tus_resumable: Tus = None,
+    upload_offset: Annotated[str | None, Header(description="How many bytes are here already.")] = None,
+    upload_checksum: Annotated[
+        str | None, Header(description="`sha256` or `sha1`, a space, the digest in Base64.")
+    ] = None,
+) -> Response:
+    """Append bytes to an upload, and answer once they are on the disk."""
+    _ensure_tus(tus_resumable)
+    if request.headers.get("content-type") != BODY_TYPE:
+        raise WrongContentType(f"the bytes of an upload come as {BODY_TYPE}")
+    offset = _number("Upload-Offset", upload_offset)
+    checksum = _checksum(upload_checksum)
+    uploads = _uploads(runtime)
+    upload = await asyncio.to_thread(_own, runtime, actor, upload_id)
+    upload = await uploads.receive(upload, offset, request.stream(), announced=_announced(request), checksum=checksum)
+    return await asyncio.to_thread(_standing, uploads, upload, 204)
+
+
+@router.delete(
+    "/uploads/{upload_id}",
+    status_code=204,
+    response_class=Response,
+    responses=problems(UploadNotFound, UnknownTusVersion, UploadBusy),
+)
+def give_up_upload(
+    upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tus_resumable: Tus = None
+) -> Response:
+    """Delete an unfinished upload."""
+    _ensure_tus(tus_resumable)
+    uploads = _uploads(runtime)
+    uploads.give_up(uploads.find(upload_id, owner_id=service.uploader(actor)))
+    return Response(status_code=204)
+
+
+@router.put(
+    "/uploads",
+    status_code=201,
+    response_model=UploadRead,
+    openapi_extra={
+        "requestBody": {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}}
+    },
+    responses=problems(
+        BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
+        LengthRequired, StoreFull, UploadIncomplete, UploadStalled, UploadTooLong,
+    ),
+)  # fmt: skip
+async def put_upload(
+    request: Request,
+    runtime: CurrentRuntime,
+    actor: UploadsActor,
+    delivery_id: UUID,
+    file_name: Annotated[str, Query(min_length=1, max_length=100_000)],
+    repr_digest: Annotated[str | None, Header(description="RFC 9530, `sha-256=:…:`")] = None,
+    x_content_sha256: Annotated[str | None, Header(description="The file's SHA-256 in hex.")] = None,
+) -> UploadRead:
+    """Take a whole file in one request: all of it, or nothing."""
+    length = _announced(request)
+    if length is None:
+        raise LengthRequired("say how long the file is: Content-Length is missing")
+    expected = _sha256(x_content_sha256) or _repr_digest(repr_digest)
+    uploads = _uploads(runtime)
+    upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected)
+    try:
+        upload = await uploads.receive(upload, 0, request.stream(), announced=length)
+        if upload.sha256 is None:
+            raise UploadIncomplete(f"fewer than the announced {length} bytes came; send the file again")
+    except BaseException:  # its sender does not know its id, so nobody could go on with it
+        await asyncio.to_thread(uploads.give_up, upload)
+        raise
+    return UploadRead(upload_id=upload.id, offset=upload.length, length=upload.length, sha256=upload.sha256)
+
+
+def _uploads(runtime: Runtime) -> Uploads:
+    return Uploads(runtime.database, runtime.store)
+
+
+def _permitted(
+    runtime: Runtime, actor: Actor, delivery_id: UUID, file_name: str, length: int, expected_sha256: str | None
+) -> Upload:
+    """Make room for a file, once it is certain that the caller may deliver it there."""
+    if not file_name:
+        raise BadUploadHeader("the upload has no file_name")
+    with runtime.database.reading() as session:
+        delivery = service.ensure_may_upload(session, actor, delivery_id)
+    return _uploads(runtime).create(
+        studio_id=delivery.studio_id,
+        owner_id=service.uploader(actor),
+        scope=str(delivery.id),
+        file_name=kept_name(file_name),
+        length=length,
+        max_length=most_bytes(file_name),
+        expected_sha256=expected_sha256,
+    )
+
+
+def _own(runtime: Runtime, actor: Actor, upload_id: UUID) -> Upload:
+    """Return the caller's upload while they still may deliver there; a delivery closed meanwhile takes it."""
+    upload = _uploads(runtime).find(upload_id, owner_id=service.uploader(actor))
+    with runtime.database.reading() as session:
+        service.own_delivery(session, actor, UUID(upload.scope))
+    return upload
+
+
+def _standing(uploads: Uploads, upload: Upload, status: int) -> Response:
+    """Answer with where the upload stands."""
+    headers = {"Upload-Offset": str(uploads.offset(upload)), "Upload-Length": str(upload.length)}
+    if (expires_at := uploads.expires_at(upload)) is not None:
+        headers["Upload-Expires"] = format_datetime(expires_at, usegmt=True)
+    if status == 201:
+        headers["Location"] = f"/v1/uploads/{upload.id}"
+    return Response(status_code=status, headers=headers)
+
+
+def _ensure_tus(version: str | None) -> None:
+    if version != TUS_VERSION:
+        raise UnknownTusVersion(f"Tus-Resumable is {version or 'missing'}; this server speaks {TUS_VERSION}")
+
+
+def _number(name: str, value: str | None) -> int:
+    if value is None or not re.fullmatch("[0-9]{1,18}", value):
+        raise BadUploadHeader(f"{name} is {value!r}; it must be a number of bytes")
+    return int(value)
+
+
+def _announced(request: Request) -> int | None:
+    value = request.headers.get("content-length")
+    return None if value is None else _number("Content-Length", value)
+
+
+def _metadata(header: str | None) -> dict[str, str]:
+    if header is None or len(header) > 4 * MOST_METADATA:
+        raise BadUploadHeader("Upload-Metadata must name delivery_id and file_name, in at most 32 KiB")
+    pairs: dict[str, str] = {}
+    for pair in header.split(","):
+        name, _, value = pair.strip().partition(" ")
+        pairs[name] = _text(name, value)
+    return pairs
+
+
+def _text(name: str, value: str) -> str:
+    try:
+        return base64.b64decode(value.strip(), validate=True).decode()
+    except (binascii.Error, UnicodeDecodeError):
+        raise BadUploadHeader(f"the value of {name!r} in Upload-Metadata is not UTF-8 in Base64") from None
+
+
+def _uuid(value: str) -> UUID:
+    try:
+        return UUID(value)
+    except ValueError:
+        raise BadUploadHeader(f"delivery_id in Upload-Metadata is {value!r}; it must be the id of a delivery") from None
+
+
+def _checksum(header: str | None) -> Checksum | None:
+    if header is None:
+        return None
+    algorithm, _, value = header.strip().partition(" ")
+    try:
+        digest = base64.b64decode(value, validate=True)
+    except binascii.Error:
+        digest = b""
+    if algorithm not in CHECKSUMS or not digest:
+        raise BadUploadHeader("Upload-Checksum must be sha256 or sha1, a space and the digest in Base64")
+    return Checksum(algorithm, digest)
+
+
+def _sha256(value: str | None) -> str | None:
+    if value is None:
+        return None
+    if not HEX_SHA256.fullmatch(value.strip().lower()):
+        raise BadUploadHeader("a SHA-256 has 64 hexadecimal digits")
+    return value.strip().lower()
+
+
+def _repr_digest(header: str | None) -> str | None:
+    """Read Repr-Digest; algorithms other than SHA-256 are the sender's business."""
+    found = re.search(r"(?:^|,)\s*sha-256=:([A-Za-z0-9+/=]+):", header or "")
+    if found is None:
+        return None
+    try:
+        digest = base64.b64decode(found[1], validate=True)
+    except binascii.Error:
+        digest = b""
+    if len(digest) != 32:
+        raise BadUploadHeader("Repr-Digest must hold the 32 bytes of a SHA-256 in Base64")
+    return digest.hex()

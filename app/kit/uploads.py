@@ -1,0 +1,435 @@
+"""Files on their way in: resumable, and safe against a kill or a dropped line at any point.
+
+The offset of an upload is the size of its file on disk and nothing else. Bytes that carry a checksum
+are counted only once it was found right. A finished file is in the store before its row says so.
+"""
+
+import asyncio
+import fcntl
+import hashlib
+import os
+import shutil
+from collections.abc import AsyncIterator, Callable, Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from uuid import UUID
+
+from sqlalchemy import BigInteger, CheckConstraint, select
+from sqlalchemy.orm import Mapped, Session, mapped_column
+
+from app.kit import clock, kill
+from app.kit.db import Base, Database, new_id
+from app.kit.errors import Conflict, NotFound, Refused
+from app.kit.storage import READ_BYTES, Store, make_folder, sync
+
+CHECKSUMS = ("sha256", "sha1")
+KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
+LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
+SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
+SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
+STAGING = ".uploads"
+
+
+class UploadNotFound(NotFound):
+    """No upload of that id within the caller's sight."""
+
+
+class UploadUnfinished(Conflict):
+    """Not all bytes of the upload are here yet."""
+
+
+class OffsetMismatch(Conflict):
+    """The bytes sent do not continue where the upload stands."""
+
+
+class UploadBusy(Refused):
+    """Another request is writing to this upload."""
+
+    status = 423
+
+
+class UploadTooLong(Refused):
+    """More bytes than were announced, or than one file may have."""
+
+    status = 413
+
+
+class UploadIncomplete(Refused):
+    """Fewer bytes came than were announced."""
+
+    status = 400
+
+
+class UploadStalled(Refused):
+    """The sender fell silent."""
+
+    status = 408
+
+
+class ChecksumMismatch(Refused):
+    """The bytes that came are not the bytes that were sent."""
+
+    status = 460
+
+
+class StoreFull(Refused):
+    """The disk has no room for this file."""
+
+    status = 507
+
+
+class Upload(Base):
+    """One file on its way in, or arrived; `scope` and `owner_id` mean something to the caller only."""
+
+    __tablename__ = "kit_uploads"
+    __table_args__ = (
+        CheckConstraint("length >= 0", name="length_known"),
+        CheckConstraint("(sha256 is null) = (finished_at is null)", name="finished_is_hashed"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(index=True)
+    owner_id: Mapped[UUID]
+    scope: Mapped[str]
+    file_name: Mapped[str]
+    length: Mapped[int] = mapped_column(BigInteger)
+    expected_sha256: Mapped[str | None]
+    sha256: Mapped[str | None]  # once it is in the store
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    finished_at: Mapped[datetime | None]
+
+
+@dataclass(frozen=True)
+class Checksum:
+    """What a sender says of the bytes of one request."""
+
+    algorithm: str
+    digest: bytes
+
+
+@dataclass(frozen=True)
+class FinishedUpload:
+    """A file that is wholly here and in the store."""
+
+    id: UUID
+    file_name: str
+    sha256: str
+    size_bytes: int
+
+
+def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope: str) -> FinishedUpload:
+    """Return a finished upload of this owner and scope, locked until the transaction ends.
+
+    Raises UploadNotFound where it is somebody else's, UploadUnfinished where bytes are missing.
+    """
+    upload = session.scalar(select(Upload).where(Upload.id == upload_id).with_for_update())
+    if upload is None or upload.owner_id != owner_id or upload.scope != scope:
+        raise UploadNotFound(f"no upload {upload_id}")
+    if upload.sha256 is None:
+        raise UploadUnfinished("this file is not wholly here yet", fix="ask for its offset and send the rest")
+    return FinishedUpload(upload.id, upload.file_name, upload.sha256, upload.length)
+
+
+class Uploads:
+    """The uploads of one server, beside the store that they end in."""
+
+    def __init__(self, database: Database, store: Store) -> None:
+        self._database = database
+        self._store = store
+
+    def create(
+        self,
+        *,
+        studio_id: UUID,
+        owner_id: UUID,
+        scope: str,
+        file_name: str,
+        length: int,
+        max_length: int,
+        expected_sha256: str | None = None,
+    ) -> Upload:
+        """Make room for a file; a file of no bytes is finished at once."""
+        if length > max_length:
+            raise UploadTooLong(f"the file has {length} bytes; one file may have {max_length}")
+        self._ensure_room(length)
+        upload = Upload(
+            studio_id=studio_id,
+            owner_id=owner_id,
+            scope=scope,
+            file_name=file_name,
+            length=length,
+            expected_sha256=expected_sha256,
+        )
+        with self._database.writing() as session:
+            session.add(upload)
+        staging = self._staging(upload)
+        made = make_folder(staging.parent)
+        os.close(os.open(staging, os.O_CREAT | os.O_WRONLY, 0o640))
+        for folder in {staging.parent, *made}:
+            sync(folder)
+        return self._settled(upload)
+
+    def find(self, upload_id: UUID, *, owner_id: UUID) -> Upload:
+        """Return an upload of this owner; one that is whole and was interrupted before its end is finished first."""
+        upload = self._row(upload_id, owner_id)
+        try:
+            return self._settled(upload)
+        except UploadNotFound:  # finished by another request since its row was read, or given up
+            return self._settled(self._row(upload_id, owner_id))
+
+    def offset(self, upload: Upload) -> int:
+        """Return how many bytes are here and on the disk."""
+        if upload.sha256 is not None:
+            return upload.length
+        try:
+            with self._staging(upload).open("rb") as file:
+                os.fsync(file.fileno())
+                return os.fstat(file.fileno()).st_size
+        except FileNotFoundError:
+            raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired") from None
+
+    def expires_at(self, upload: Upload) -> datetime | None:
+        """Return when an unfinished upload is given up; None once it is finished."""
+        if upload.sha256 is not None:
+            return None
+        return _touched_at(self._staging(upload)) + KEPT_FOR
+
+    async def receive(
+        self,
+        upload: Upload,
+        offset: int,
+        stream: AsyncIterator[bytes],
+        *,
+        announced: int | None = None,
+        checksum: Checksum | None = None,
+    ) -> Upload:
+        """Append what comes, and finish the upload with its last byte.
+
+        Whatever a broken line leaves behind stays and counts, unless a checksum was to prove it.
+        More bytes than `announced` for the file are refused before the first is stored.
+        """
+        if upload.sha256 is not None:
+            _ensure_continues(upload.length, offset)
+            await _ensure_empty(stream)
+            return upload
+        file = await asyncio.to_thread(self._locked, upload, os.O_WRONLY | os.O_APPEND)
+        try:
+            here = os.fstat(file).st_size
+            room = upload.length - here
+            _ensure_continues(here, offset)
+            if announced is not None and announced > room:
+                raise UploadTooLong(f"{announced} bytes are announced, {room} are missing; none was stored")
+            if checksum is None:
+                await _pour(stream, file, room)
+            else:
+                await self._pour_proven(upload, stream, file, room, checksum)
+            await asyncio.to_thread(os.fsync, file)
+            kill.point("uploads.received")
+            if os.fstat(file).st_size == upload.length:
+                return await asyncio.to_thread(self._finish, upload)
+            return upload
+        finally:
+            os.close(file)  # which gives the lock back
+
+    def give_up(self, upload: Upload) -> None:
+        """Delete an unfinished upload; a finished one belongs to whoever finished it."""
+        if upload.sha256 is not None:
+            raise Conflict("this file is wholly here; it cannot be taken back")
+        file = self._locked(upload, os.O_RDONLY)
+        try:
+            self._forget(upload.id, self._staging(upload))
+        finally:
+            os.close(file)
+
+    def sweep(self) -> int:
+        """Delete what expired unfinished and what dead processes left over; return how many files went."""
+        gone = 0
+        for staging in list(self._store.root.glob(f"*/{STAGING}/*")):  # listed before rows are read: rows come first
+            gone += self._swept(staging)
+        for left_over in self._store.root.glob("*/.put-*"):
+            if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
+                left_over.unlink(missing_ok=True)
+                gone += 1
+        return gone
+
+    def _swept(self, staging: Path) -> bool:
+        with self._database.reading() as session:
+            upload = session.get(Upload, UUID(staging.stem))
+        if upload is None or upload.sha256 is not None:
+            staging.unlink(missing_ok=True)
+            return True
+        if clock.now() - _touched_at(self._staging(upload)) < KEPT_FOR:
+            return False
+        try:
+            self.give_up(upload)
+        except (UploadBusy, UploadNotFound):
+            return False
+        return True
+
+    def _forget(self, upload_id: UUID, staging: Path) -> None:
+        staging.unlink(missing_ok=True)
+        _part_of(staging).unlink(missing_ok=True)
+        with self._database.writing() as session:
+            if (row := session.get(Upload, upload_id)) is not None:
+                session.delete(row)
+
+    def _settled(self, upload: Upload) -> Upload:
+        """Finish an upload whose last byte is here, unless somebody is just doing so."""
+        if upload.sha256 is not None or self.offset(upload) < upload.length:
+            return upload
+        file = self._locked(upload, os.O_RDONLY)
+        try:
+            return self._finish(upload)
+        finally:
+            os.close(file)
+
+    def _finish(self, upload: Upload) -> Upload:
+        """Hash the whole file, give it to the store, write that down, and drop the staging name, in this order."""
+        staging = self._staging(upload)
+        with staging.open("rb") as content:
+            sha256 = hashlib.file_digest(content, "sha256").hexdigest()
+        if upload.expected_sha256 not in (None, sha256):
+            os.truncate(staging, 0)
+            sync(staging)
+            raise ChecksumMismatch(
+                f"the whole file's SHA-256 is {sha256}, announced was {upload.expected_sha256}",
+                fix="send the file again from its first byte",
+            )
+        kill.point("uploads.before_store")
+        self._store.keep(upload.studio_id, staging, sha256)
+        kill.point("uploads.after_store")
+        with self._database.writing() as session:
+            row = session.get_one(Upload, upload.id)
+            row.sha256, row.finished_at = sha256, clock.now()
+        kill.point("uploads.finished")
+        staging.unlink(missing_ok=True)
+        return row
+
+    def _staging(self, upload: Upload) -> Path:
+        return self._store.root / str(upload.studio_id) / STAGING / str(upload.id)
+
+    def _row(self, upload_id: UUID, owner_id: UUID) -> Upload:
+        with self._database.reading() as session:
+            upload = session.get(Upload, upload_id)
+        if upload is None or upload.owner_id != owner_id:
+            raise UploadNotFound(f"no upload {upload_id}")
+        return upload
+
+    def _locked(self, upload: Upload, flags: int) -> int:
+        """Open an unfinished upload's file, and lock it against a second writer."""
+        staging = self._staging(upload)
+        try:
+            file = os.open(staging, flags)
+        except FileNotFoundError:
+            raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired") from None
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(file)
+            raise UploadBusy(
+                "another request is sending to this upload", fix="ask for its offset in a few seconds and go on there"
+            ) from None
+        if not os.fstat(file).st_nlink or not staging.exists():  # given up or finished between opening and locking
+            os.close(file)
+            raise UploadNotFound(f"no upload {upload.id}: it was given up or is finished")
+        return file
+
+    async def _pour_proven(
+        self, upload: Upload, stream: AsyncIterator[bytes], file: int, room: int, checksum: Checksum
+    ) -> None:
+        part = _part_of(self._staging(upload))
+        digest = hashlib.new(checksum.algorithm, usedforsecurity=False)
+        aside = os.open(part, os.O_CREAT | os.O_TRUNC | os.O_RDWR, 0o640)
+        try:
+            await _pour(stream, aside, room, digest.update)
+            if digest.digest() != checksum.digest:
+                raise ChecksumMismatch(
+                    f"the {checksum.algorithm} of what came is {digest.hexdigest()}, announced was "
+                    f"{checksum.digest.hex()}; none of it was kept",
+                    fix="send these bytes again",
+                )
+            await asyncio.to_thread(_append, aside, file)
+        finally:
+            os.close(aside)
+            part.unlink(missing_ok=True)
+
+    def _ensure_room(self, length: int) -> None:
+        folder = self._store.root
+        folder.mkdir(parents=True, exist_ok=True)
+        if shutil.disk_usage(folder).free < length + SPARE_BYTES:
+            raise StoreFull("the server's disk has no room for this file", fix="tell whoever runs this server")
+
+
+async def _pour(
+    stream: AsyncIterator[bytes], file: int, room: int, also: Callable[[bytes], None] | None = None
+) -> None:
+    """Write what comes to the file, in large pieces; stop before the first byte that there is no room for."""
+    waiting = bytearray()
+    try:
+        async for chunk in _lively(stream):
+            room -= len(chunk)
+            if room < 0:
+                raise UploadTooLong("more bytes came than were announced for this file")
+            waiting += chunk
+            if len(waiting) >= READ_BYTES:
+                piece, waiting = bytes(waiting), bytearray()
+                await asyncio.to_thread(_write, file, piece, also)
+    finally:
+        if waiting:
+            _write(file, bytes(waiting), also)
+
+
+async def _lively(stream: AsyncIterator[bytes]) -> AsyncIterator[bytes]:
+    while True:
+        try:
+            chunk = await asyncio.wait_for(anext(stream), SILENT_FOR_S)
+        except StopAsyncIteration:
+            return
+        except TimeoutError:
+            raise UploadStalled(f"nothing came for {SILENT_FOR_S:.0f} s; what came before is kept") from None
+        yield chunk
+
+
+async def _ensure_empty(stream: AsyncIterator[bytes]) -> None:
+    async for chunk in _lively(stream):
+        if chunk:
+            raise UploadTooLong("this upload is finished; it takes no more bytes")
+
+
+def _ensure_continues(here: int, offset: int) -> None:
+    if offset != here:
+        raise OffsetMismatch(f"{here} bytes are here, the request continues at {offset}", fix=f"continue at {here}")
+
+
+def _write(file: int, piece: bytes, also: Callable[[bytes], None] | None) -> None:
+    left = memoryview(piece)
+    try:
+        while left:
+            left = left[os.write(file, left) :]
+    except OSError as error:
+        raise StoreFull(f"the server could not write: {error.strerror}", fix="tell whoever runs this server") from None
+    if also is not None:
+        also(piece)
+
+
+def _append(source: int, target: int) -> None:
+    os.lseek(source, 0, os.SEEK_SET)
+    for piece in _pieces(source):
+        _write(target, piece, None)
+
+
+def _pieces(file: int) -> Iterator[bytes]:
+    while piece := os.read(file, READ_BYTES):
+        yield piece
+
+
+def _part_of(staging: Path) -> Path:
+    return staging.with_suffix(".part")
+
+
+def _touched_at(path: Path) -> datetime:
+    try:
+        return datetime.fromtimestamp(path.stat().st_mtime, UTC)
+    except FileNotFoundError:
+        return clock.now()
