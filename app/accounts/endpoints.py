@@ -64,6 +64,8 @@ __all__ = [
     "CSRF_HEADER",
     "DEMO_PARTS",
     "SESSION_COOKIE",
+    "PatientRoute",
+    "SecretRoute",
     "allows",
     "csrf_token",
     "demo_part_of",

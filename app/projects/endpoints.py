@@ -1,7 +1,409 @@
-"""The endpoints of this room."""
+"""The endpoints of projects."""
 
-from fastapi import APIRouter
+from collections.abc import Sequence
+from typing import Annotated
+from uuid import UUID
 
-from app.kit.http import Route
+from fastapi import APIRouter, Header, Path, Query, Request, Response
+from fastapi.responses import PlainTextResponse
 
-router = APIRouter(prefix="/v1", tags=["projects"], route_class=Route)
+import audio_checks
+from app.accounts.endpoints import (
+    PatientRoute,
+    SecretRoute,
+    allows,
+    ensure_may_invite_more,
+    ensure_may_try_password,
+    sha256_of,
+    sign_in_browser,
+)
+from app.accounts.errors import (
+    BadAddress,
+    NameNeeded,
+    PasswordTooWeak,
+    SignInNeeded,
+    StudioNotFound,
+    TooManyTries,
+)
+from app.accounts.models import Person, Token
+from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.projects import engagements, queries, schemas, service, specs
+from app.projects.errors import (
+    AlreadyEngaged,
+    BadSpec,
+    CannotDecide,
+    EngagementNotFound,
+    InvitationNotFound,
+    LiaisonDecides,
+    LiaisonNotFound,
+    ProducerNeeded,
+    ProjectNotFound,
+    SpecMovedOn,
+    SpecVersionNotFound,
+    TeamNeeded,
+    TokenNotFound,
+)
+from app.projects.models import DeciderChange, Engagement, ProjectInvitation, Spec
+
+PAGE_ROWS = 50
+router = APIRouter(prefix="/v1", tags=["projects"], route_class=PatientRoute)
+_secret_router = APIRouter(tags=["projects"], route_class=SecretRoute)
+
+
+def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
+    project, own = view.project, view.own_engagement
+    return schemas.ProjectRead(
+        id=project.id,
+        name=project.name,
+        description=project.description,
+        cue_prefix=project.cue_prefix,
+        created_at=project.created_at,
+        archived_at=project.archived_at,
+        studio=StudioBrief.model_validate(project.studio),
+        decider=PersonBrief.model_validate(view.decider),
+        liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
+        engagements=[schemas.EngagementRead.model_validate(engagement) for engagement in view.engagements],
+        mine=schemas.Mine(
+            is_team=bool(view.roles),
+            is_producer=view.is_producer,
+            is_liaison=view.is_liaison,
+            is_decider=view.is_decider,
+            engagement_kind=own.kind if own else None,
+        ),
+        spec_version=view.spec_version,
+    )
+
+
+def _tried(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecTried:
+    return schemas.SpecTried(
+        toml=toml,
+        sha256=spec.sha256,
+        tables=spec.tables,
+        resolved=schemas.ResolvedSpec.model_validate(spec),
+        warnings=list(spec.warnings),
+    )
+
+
+def _spec(spec: Spec) -> schemas.SpecRead:
+    tried = _tried(spec.toml, specs.read_spec(spec.toml))
+    brief = schemas.SpecBrief.model_validate(spec)
+    return schemas.SpecRead.model_validate(tried.model_dump() | brief.model_dump())
+
+
+@router.get("/projects")
+def list_projects(
+    session: DbSession,
+    cursor: str | None = None,
+    archived: Annotated[bool, Query(description="Those put away instead of the running ones.")] = False,
+    actor: Actor = allows(Sight.PERSON),
+) -> Page[schemas.ProjectRead]:
+    """Return the projects of the caller's studios and engagements, newest first."""
+    found = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
+    shown = found[:PAGE_ROWS]
+    items = [_project(view) for view in service.overviews(session, actor, shown)]
+    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > PAGE_ROWS else None)
+
+
+@router.post("/projects", status_code=201, responses=problems(StudioNotFound, ProducerNeeded))
+def open_project(
+    body: schemas.ProjectAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ProjectRead:
+    """Open a project with the field's default spec; whoever opens it decides until somebody is named."""
+    project = service.open_project(
+        session,
+        actor,
+        body.studio_id,
+        name=body.name,
+        description=body.description,
+        cue_prefix=body.cue_prefix,
+        preset=body.preset,
+    )
+    return _project(service.overview(session, actor, project.id))
+
+
+@router.get("/projects/{project_id}", responses=problems(ProjectNotFound))
+def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ProjectRead:
+    """Return a project as its page heads it."""
+    return _project(service.overview(session, actor, project_id))
+
+
+@router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded))
+def change_project(
+    project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ProjectRead:
+    """Change what a project is called, or put it away."""
+    service.change_project(
+        session,
+        actor,
+        project_id,
+        name=body.name,
+        description=body.description,
+        cue_prefix=body.cue_prefix,
+        archived=body.archived,
+    )
+    return _project(service.overview(session, actor, project_id))
+
+
+@router.put(
+    "/projects/{project_id}/liaisons/{person_id}",
+    responses=problems(ProjectNotFound, ProducerNeeded, LiaisonNotFound),
+)
+def add_liaison(
+    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ProjectRead:
+    """Let a member of the studio speak for the team in this project."""
+    service.add_liaison(session, actor, project_id, person_id)
+    return _project(service.overview(session, actor, project_id))
+
+
+@router.delete(
+    "/projects/{project_id}/liaisons/{person_id}",
+    responses=problems(ProjectNotFound, ProducerNeeded, LiaisonNotFound, LiaisonDecides),
+)
+def remove_liaison(
+    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ProjectRead:
+    """Let somebody speak for the team no longer."""
+    service.remove_liaison(session, actor, project_id, person_id)
+    return _project(service.overview(session, actor, project_id))
+
+
+@router.put(
+    "/projects/{project_id}/decider",
+    responses=problems(ProjectNotFound, ProducerNeeded, CannotDecide),
+)
+def name_decider(
+    project_id: UUID, body: schemas.DeciderAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ProjectRead:
+    """Give the last word to a liaison, or take it over as a producer; the reason is kept."""
+    service.name_decider(session, actor, project_id, person_id=body.person_id, reason=body.reason)
+    return _project(service.overview(session, actor, project_id))
+
+
+@router.get(
+    "/projects/{project_id}/decider-history",
+    response_model=list[schemas.DeciderChangeRead],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_decider_changes(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> Sequence[DeciderChange]:
+    """Return who had the last word, newest first."""
+    return service.decider_history(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/spec", responses=problems(ProjectNotFound))
+def read_spec(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ)
+) -> schemas.SpecRead:
+    """Return the delivery spec that holds now."""
+    return _spec(service.spec_in_force(session, actor, project_id))
+
+
+@router.get(
+    "/projects/{project_id}/spec.toml",
+    response_class=PlainTextResponse,
+    responses=problems(ProjectNotFound) | {304: {"description": "the copy that was named in If-None-Match is good"}},
+)
+def download_spec(
+    project_id: UUID,
+    session: DbSession,
+    if_none_match: Annotated[str | None, Header()] = None,
+    actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ),
+) -> Response:
+    """Return the delivery spec as the file that audio-checks reads."""
+    spec = service.spec_in_force(session, actor, project_id)
+    etag = specs.etag_of(spec)
+    known = [tag.strip().removeprefix("W/") for tag in (if_none_match or "").split(",")]
+    headers = {"ETag": etag, "Cache-Control": "private, no-cache"}
+    if etag in known or "*" in known:
+        return Response(status_code=304, headers=headers)
+    headers["Content-Disposition"] = f'inline; filename="{specs.FILE_NAME}"'
+    return PlainTextResponse(spec.toml, headers=headers)
+
+
+@router.get("/projects/{project_id}/spec/versions", responses=problems(ProjectNotFound, BadCursor))
+def list_spec_versions(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.PROJECT)
+) -> Page[schemas.SpecBrief]:
+    """Return the versions of the spec, newest first."""
+    if cursor is not None and not (cursor.isascii() and cursor.isdigit() and len(cursor) < 10):
+        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
+    below = int(cursor) if cursor else None
+    found = service.spec_versions(session, actor, project_id, below=below, limit=PAGE_ROWS + 1)
+    shown = found[:PAGE_ROWS]
+    items = [schemas.SpecBrief.model_validate(spec) for spec in shown]
+    return Page(items=items, next=cursor_of(shown[-1].version) if len(found) > PAGE_ROWS else None)
+
+
+@router.get("/projects/{project_id}/spec/versions/{version}", responses=problems(ProjectNotFound, SpecVersionNotFound))
+def read_spec_version(
+    project_id: UUID,
+    version: Annotated[int, Path(ge=1, le=2**31 - 1)],
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+) -> schemas.SpecRead:
+    """Return one version of the spec."""
+    return _spec(service.spec_version(session, actor, project_id, version))
+
+
+@router.put("/projects/{project_id}/spec", responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec))
+def save_spec(
+    project_id: UUID, body: schemas.SpecChange, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> schemas.SpecRead:
+    """Save the spec from its text; takes that it touches are judged anew."""
+    return _spec(
+        service.save_spec(
+            session, actor, project_id, toml=body.toml, note=body.note, based_on_version=body.based_on_version
+        )
+    )
+
+
+@router.post("/projects/{project_id}/spec/form", responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec))
+def save_spec_form(
+    project_id: UUID, body: schemas.SpecFormChange, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> schemas.SpecRead:
+    """Save the spec from the tables of a form; takes that it touches are judged anew."""
+    toml = specs.toml_of_form(body.tables)
+    return _spec(
+        service.save_spec(session, actor, project_id, toml=toml, note=body.note, based_on_version=body.based_on_version)
+    )
+
+
+@router.post("/projects/{project_id}/spec/check-toml", responses=problems(ProjectNotFound, BadSpec))
+def try_spec(
+    project_id: UUID, body: schemas.SpecTry, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.SpecTried:
+    """Say what a text or a form's tables come to, and what is wrong with them; nothing is saved."""
+    service.standing_in(session, actor, project_id)
+    toml = body.toml if body.toml is not None else specs.toml_of_form(body.tables or {})
+    return _tried(toml, specs.read_spec(toml))
+
+
+@router.post(
+    "/projects/{project_id}/invitations",
+    status_code=201,
+    response_model=schemas.InvitationRead,
+    responses=problems(ProjectNotFound, TeamNeeded, AlreadyEngaged, BadAddress, TooManyTries),
+)
+def invite_designer(
+    project_id: UUID,
+    body: schemas.InvitationAdd,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.TEAM),
+) -> ProjectInvitation:
+    """Mail a designer a link that shows the list; whether the address has an account is not said."""
+    service.standing_in(session, actor, project_id).ensure_speaks()
+    ensure_may_invite_more(actor)
+    return engagements.invite_designer(
+        session,
+        actor,
+        project_id,
+        email=body.email,
+        kind=body.kind,
+        note=body.note,
+        base_url=runtime.settings.base_url,
+    )
+
+
+@router.get(
+    "/projects/{project_id}/invitations",
+    response_model=list[schemas.InvitationRead],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_invitations(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> Sequence[ProjectInvitation]:
+    """Return the project's invitations, but for those withdrawn."""
+    return engagements.invitations_of(session, actor, project_id)
+
+
+@router.delete(
+    "/projects/{project_id}/invitations/{invitation_id}",
+    status_code=204,
+    responses=problems(ProjectNotFound, TeamNeeded, InvitationNotFound),
+)
+def revoke_invitation(
+    project_id: UUID, invitation_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> None:
+    """Withdraw an invitation: its link shows nothing any more."""
+    engagements.revoke_invitation(session, actor, project_id, invitation_id)
+
+
+@_secret_router.post(
+    "/invitations/{secret}/accept",
+    responses=problems(InvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyTries),
+)
+def accept_invitation(
+    secret: str,
+    body: InvitationAccept,
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.ANYONE),
+) -> schemas.InvitationAccepted:
+    """Engage the invited designer with the address's account, made now if there is none, and sign in."""
+    ensure_may_try_password(request, sha256_of(secret))
+    engagement = engagements.accept_invitation(session, actor, secret, name=body.name, password=body.password)
+    designer: Person = engagement.designer
+    if actor.person_id != designer.id:
+        sign_in_browser(session, runtime.settings, response, designer.id)
+    return schemas.InvitationAccepted(
+        person=PersonRead.model_validate(designer),
+        project_id=engagement.project_id,
+        engagement=schemas.EngagementRead.model_validate(engagement),
+    )
+
+
+@router.patch(
+    "/projects/{project_id}/engagements/{engagement_id}",
+    response_model=schemas.EngagementRead,
+    responses=problems(ProjectNotFound, ProducerNeeded, EngagementNotFound),
+)
+def change_engagement(
+    project_id: UUID,
+    engagement_id: UUID,
+    body: schemas.EngagementChange,
+    session: DbSession,
+    actor: Actor = allows(Sight.PRODUCER),
+) -> Engagement:
+    """Change a designer's tie, end it or take it up again."""
+    return engagements.change_engagement(session, actor, project_id, engagement_id, kind=body.kind, ended=body.ended)
+
+
+@router.get(
+    "/projects/{project_id}/tokens",
+    response_model=list[schemas.TokenRead],
+    responses=problems(ProjectNotFound, ProducerNeeded),
+)
+def list_tokens(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> Sequence[Token]:
+    """Return the keys of the project's builds, without their secrets."""
+    return service.tokens_of(session, actor, project_id)
+
+
+@_secret_router.post(
+    "/projects/{project_id}/tokens", status_code=201, responses=problems(ProjectNotFound, ProducerNeeded)
+)
+def create_token(
+    project_id: UUID, body: schemas.TokenAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.TokenMade:
+    """Make a key for the project's builds; its secret is shown this once."""
+    token, secret = service.create_token(session, actor, project_id, name=body.name, scopes=body.scopes)
+    return schemas.TokenMade(**schemas.TokenRead.model_validate(token).model_dump(), secret=secret)
+
+
+@router.delete(
+    "/projects/{project_id}/tokens/{token_id}",
+    status_code=204,
+    responses=problems(ProjectNotFound, ProducerNeeded, TokenNotFound),
+)
+def revoke_token(project_id: UUID, token_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> None:
+    """Make a token worthless at once."""
+    service.revoke_token(session, actor, project_id, token_id)
+
+
+router.include_router(_secret_router)

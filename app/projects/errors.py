@@ -1,10 +1,30 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Forbidden, NotFound
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
 
 
 class ProjectNotFound(NotFound):
     """No project of that id within the caller's sight."""
+
+
+class SpecVersionNotFound(NotFound):
+    """The project has no spec of that version."""
+
+
+class LiaisonNotFound(NotFound):
+    """No such person among those who could be, or are, liaisons of the project."""
+
+
+class EngagementNotFound(NotFound):
+    """No such engagement on the project."""
+
+
+class InvitationNotFound(NotFound):
+    """No good invitation under that link or id: unknown, withdrawn or too old."""
+
+
+class TokenNotFound(NotFound):
+    """No such token of the project."""
 
 
 class TeamNeeded(Forbidden):
@@ -21,3 +41,23 @@ class DeciderNeeded(Forbidden):
 
 class DesignerNeeded(Forbidden):
     """Only a designer engaged on the project may do this."""
+
+
+class LiaisonDecides(Conflict):
+    """The liaison has the last word; somebody else must have it before they can go."""
+
+
+class SpecMovedOn(Conflict):
+    """The spec was changed by somebody else since it was read."""
+
+
+class AlreadyEngaged(Conflict):
+    """The designer is engaged on the project already."""
+
+
+class CannotDecide(Invalid):
+    """The last word belongs to a liaison of the project or a producer of the studio."""
+
+
+class BadSpec(Invalid):
+    """What was sent is no delivery spec; `errors` names the places."""

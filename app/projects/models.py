@@ -43,6 +43,7 @@ class Spec(Base):
     note: Mapped[str] = mapped_column(default="")
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    author: Mapped[Person] = relationship(lazy="raise")
 
 
 class Liaison(Base):
@@ -70,6 +71,7 @@ class DeciderChange(Base):
     changed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
+    changer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[changed_by])
 
 
 class Engagement(Base):
@@ -107,3 +109,4 @@ class ProjectInvitation(Base):
     accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     revoked_at: Mapped[datetime | None]
     project: Mapped[Project] = relationship(lazy="raise")
+    inviter: Mapped[Person] = relationship(lazy="raise", foreign_keys=[invited_by])

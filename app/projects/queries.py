@@ -1,16 +1,43 @@
 """Projects within the caller's reach."""
 
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import select
-from sqlalchemy.orm import Session
+from sqlalchemy import exists, func, or_, select
+from sqlalchemy.orm import Session, joinedload
 
-from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
+from app.accounts.models import Membership, Person
+from app.accounts.rules import Actor
+from app.kit import clock
+from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 
 
 def project_by_id(session: Session, project_id: UUID) -> Project | None:
     """Return a project without asking who looks; for services that check the caller's standing, and for jobs."""
     return session.get(Project, project_id)
+
+
+def lock_project(session: Session, project_id: UUID) -> None:
+    """Let nobody else number a version in this project until the transaction ends."""
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+
+
+def projects_seen(
+    session: Session, actor: Actor, *, before: UUID | None, limit: int, archived: bool
+) -> Sequence[Project]:
+    """Return the projects of the caller's studios and engagements, newest first, with their studios."""
+    engaged = exists().where(
+        Engagement.project_id == Project.id,
+        Engagement.designer_id == actor.person,
+        Engagement.ended_at.is_(None),
+    )
+    found = select(Project).where(
+        or_(Project.studio_id.in_(actor.roles), engaged),
+        Project.archived_at.is_not(None) if archived else Project.archived_at.is_(None),
+    )
+    if before is not None:
+        found = found.where(Project.id < before)
+    return session.scalars(found.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
 
 
 def engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engagement | None:
@@ -24,6 +51,31 @@ def engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engage
     )
 
 
+def any_engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engagement | None:
+    """Return a designer's engagement on a project, running or ended."""
+    return session.scalar(
+        select(Engagement)
+        .where(Engagement.project_id == project_id, Engagement.designer_id == person_id)
+        .options(joinedload(Engagement.designer))
+    )
+
+
+def engagement_by_id(session: Session, project_id: UUID, engagement_id: UUID) -> Engagement | None:
+    """Return one engagement of a project."""
+    return session.scalar(
+        select(Engagement)
+        .where(Engagement.id == engagement_id, Engagement.project_id == project_id)
+        .options(joinedload(Engagement.designer))
+    )
+
+
+def is_engaged_address(session: Session, project_id: UUID, email: str) -> bool:
+    """Whether a normalised address belongs to a designer who is engaged on the project now."""
+    found = select(Engagement.id).join(Engagement.designer)
+    running = found.where(Engagement.project_id == project_id, Engagement.ended_at.is_(None), Person.email == email)
+    return session.scalar(running) is not None
+
+
 def decider_of(session: Session, project: Project) -> UUID:
     """Return who has the last word: the one named last, else the producer who opened the project."""
     named = session.scalar(
@@ -35,13 +87,115 @@ def decider_of(session: Session, project: Project) -> UUID:
     return named or project.created_by
 
 
+def deciders_of(session: Session, projects: Collection[Project]) -> dict[UUID, Person]:
+    """Return who has the last word in each project, by its id."""
+    order = func.row_number().over(partition_by=DeciderChange.project_id, order_by=DeciderChange.id.desc())
+    numbered = (
+        select(DeciderChange.project_id, DeciderChange.person_id, order.label("place"))
+        .where(DeciderChange.project_id.in_([project.id for project in projects]))
+        .subquery()
+    )
+    newest = select(numbered.c.project_id, numbered.c.person_id).where(numbered.c.place == 1)
+    named = dict(session.execute(newest).tuples().all())
+    ids = {project.id: named.get(project.id, project.created_by) for project in projects}
+    people = {
+        person.id: person for person in session.scalars(select(Person).where(Person.id.in_(set(ids.values())))).all()
+    }
+    return {project_id: people[person_id] for project_id, person_id in ids.items()}
+
+
+def decider_changes(session: Session, project_id: UUID) -> Sequence[DeciderChange]:
+    """Return who had the last word, newest first."""
+    return session.scalars(
+        select(DeciderChange)
+        .where(DeciderChange.project_id == project_id)
+        .options(joinedload(DeciderChange.person), joinedload(DeciderChange.changer))
+        .order_by(DeciderChange.id.desc())
+    ).all()
+
+
 def is_liaison(session: Session, project_id: UUID, person_id: UUID) -> bool:
     """Whether a person speaks for the team in a project."""
     return session.get(Liaison, (project_id, person_id)) is not None
 
 
+def liaisons_of(session: Session, project_ids: Collection[UUID]) -> Sequence[Liaison]:
+    """Return the liaisons of projects who are still of the studio, in order of naming."""
+    return session.scalars(
+        select(Liaison)
+        .join(
+            Membership,
+            (Membership.studio_id == Liaison.studio_id) & (Membership.person_id == Liaison.person_id),
+        )
+        .where(Liaison.project_id.in_(project_ids))
+        .options(joinedload(Liaison.person))
+        .order_by(Liaison.created_at, Liaison.person_id)
+    ).all()
+
+
+def engagements_of(session: Session, project_ids: Collection[UUID]) -> Sequence[Engagement]:
+    """Return the engagements on projects, running and ended, in order of their making."""
+    return session.scalars(
+        select(Engagement)
+        .where(Engagement.project_id.in_(project_ids))
+        .options(joinedload(Engagement.designer))
+        .order_by(Engagement.id)
+    ).all()
+
+
+def spec_versions_of(session: Session, project_ids: Collection[UUID]) -> dict[UUID, int]:
+    """Return the newest spec version of each project."""
+    newest = select(Spec.project_id, func.max(Spec.version)).where(Spec.project_id.in_(project_ids))
+    return dict(session.execute(newest.group_by(Spec.project_id)).tuples().all())
+
+
 def current_spec(session: Session, project_id: UUID) -> Spec:
     """Return the newest version of the delivery spec; every project has one from its first moment."""
     return session.scalars(
-        select(Spec).where(Spec.project_id == project_id).order_by(Spec.version.desc()).limit(1)
+        select(Spec)
+        .where(Spec.project_id == project_id)
+        .options(joinedload(Spec.author))
+        .order_by(Spec.version.desc())
+        .limit(1)
     ).one()
+
+
+def spec_version(session: Session, project_id: UUID, version: int) -> Spec | None:
+    """Return one version of the delivery spec."""
+    return session.scalar(
+        select(Spec).where(Spec.project_id == project_id, Spec.version == version).options(joinedload(Spec.author))
+    )
+
+
+def spec_versions(session: Session, project_id: UUID, *, below: int | None, limit: int) -> Sequence[Spec]:
+    """Return the versions of the delivery spec, newest first."""
+    found = select(Spec).where(Spec.project_id == project_id)
+    if below is not None:
+        found = found.where(Spec.version < below)
+    return session.scalars(found.options(joinedload(Spec.author)).order_by(Spec.version.desc()).limit(limit)).all()
+
+
+def invitations(session: Session, project_id: UUID) -> Sequence[ProjectInvitation]:
+    """Return a project's invitations that were not withdrawn, newest first."""
+    return session.scalars(
+        select(ProjectInvitation)
+        .where(ProjectInvitation.project_id == project_id, ProjectInvitation.revoked_at.is_(None))
+        .options(joinedload(ProjectInvitation.inviter))
+        .order_by(ProjectInvitation.id.desc())
+    ).all()
+
+
+def invitation_by_secret(session: Session, secret_sha256: str) -> ProjectInvitation | None:
+    """Return the invitation behind a link that is still good, with its project, studio and inviter."""
+    return session.scalar(
+        select(ProjectInvitation)
+        .where(
+            ProjectInvitation.secret_sha256 == secret_sha256,
+            ProjectInvitation.revoked_at.is_(None),
+            ProjectInvitation.expires_at > clock.now(),
+        )
+        .options(
+            joinedload(ProjectInvitation.project).joinedload(Project.studio),
+            joinedload(ProjectInvitation.inviter),
+        )
+    )

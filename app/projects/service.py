@@ -1,14 +1,37 @@
 """Projects: who stands where in one, and the steps that change it."""
 
+from collections import defaultdict
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+import audio_checks
+from app.accounts.doors import sha256_of
+from app.accounts.models import Person, Token
+from app.accounts.queries import membership, project_token, project_tokens
+from app.accounts.rules import Actor, Role, Scope
+from app.accounts.service import add_token, ensure_producer_of
+from app.kit import clock
+from app.kit.events import publish
 from app.projects import queries
-from app.projects.errors import DeciderNeeded, DesignerNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.projects.models import Engagement, Project
+from app.projects.errors import (
+    DeciderNeeded,
+    DesignerNeeded,
+    InvitationNotFound,
+    LiaisonDecides,
+    LiaisonNotFound,
+    ProducerNeeded,
+    ProjectNotFound,
+    SpecMovedOn,
+    SpecVersionNotFound,
+    TeamNeeded,
+    TokenNotFound,
+)
+from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
+from app.projects.rules import ensure_can_decide
+from app.projects.specs import add_version, read_spec
 
 
 @dataclass(frozen=True)
@@ -55,9 +78,7 @@ class Standing:
     def ensure_decider(self) -> None:
         """Raise DeciderNeeded unless the caller has the last word."""
         if not self.is_decider:
-            raise DeciderNeeded(
-                "you advise here: only the project's approver decides; comment instead"
-            )
+            raise DeciderNeeded("you advise here: only the project's approver decides; comment instead")
 
     def ensure_designer(self) -> Engagement:
         """Return the caller's engagement, or raise DesignerNeeded."""
@@ -89,3 +110,274 @@ def standing_in(session: Session, actor: Actor, project_id: UUID) -> Standing:
         is_decider=bool(roles) and queries.decider_of(session, project) == actor.person_id,
         engagement=engagement,
     )
+
+
+@dataclass(frozen=True)
+class ProjectOverview:
+    """A project as its page heads it; a designer is shown no engagement but their own."""
+
+    project: Project
+    decider: Person
+    liaisons: Sequence[Person]
+    engagements: Sequence[Engagement]
+    spec_version: int
+    roles: frozenset[Role]
+    person_id: UUID
+
+    @property
+    def is_producer(self) -> bool:
+        """Whether the caller runs the project and its money."""
+        return Role.PRODUCER in self.roles
+
+    @property
+    def is_liaison(self) -> bool:
+        """Whether the caller speaks for the team."""
+        return bool(self.roles) and any(person.id == self.person_id for person in self.liaisons)
+
+    @property
+    def is_decider(self) -> bool:
+        """Whether the caller has the last word."""
+        return bool(self.roles) and self.decider.id == self.person_id
+
+    @property
+    def own_engagement(self) -> Engagement | None:
+        """The caller's running engagement."""
+        running = (one for one in self.engagements if one.designer_id == self.person_id and one.ended_at is None)
+        return next(running, None)
+
+
+def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> list[ProjectOverview]:
+    """Return projects that the caller sees as their pages head them, in the given order."""
+    ids = [project.id for project in projects]
+    deciders = queries.deciders_of(session, projects)
+    versions = queries.spec_versions_of(session, ids)
+    liaisons: defaultdict[UUID, list[Person]] = defaultdict(list)
+    for liaison in queries.liaisons_of(session, ids):
+        liaisons[liaison.project_id].append(liaison.person)
+    engagements: defaultdict[UUID, list[Engagement]] = defaultdict(list)
+    for engagement in queries.engagements_of(session, ids):
+        engagements[engagement.project_id].append(engagement)
+    return [
+        ProjectOverview(
+            project=project,
+            decider=deciders[project.id],
+            liaisons=liaisons[project.id],
+            engagements=[
+                engagement
+                for engagement in engagements[project.id]
+                if actor.roles_in(project.studio_id) or engagement.designer_id == actor.person
+            ],
+            spec_version=versions[project.id],
+            roles=actor.roles_in(project.studio_id),
+            person_id=actor.person,
+        )
+        for project in projects
+    ]
+
+
+def overview(session: Session, actor: Actor, project_id: UUID) -> ProjectOverview:
+    """Return one project as its page heads it."""
+    standing = standing_in(session, actor, project_id)
+    session.refresh(standing.project, ["studio"])
+    return overviews(session, actor, [standing.project])[0]
+
+
+def open_project(
+    session: Session,
+    actor: Actor,
+    studio_id: UUID,
+    *,
+    name: str,
+    cue_prefix: str,
+    description: str = "",
+    preset: str = "44k1",
+) -> Project:
+    """Make a project with the field's default spec; whoever opens it decides until somebody is named."""
+    ensure_producer_of(session, actor, studio_id)
+    project = Project(
+        studio_id=studio_id, name=name, description=description, cue_prefix=cue_prefix, created_by=actor.person
+    )
+    session.add(project)
+    session.flush()
+    toml = audio_checks.new_spec(preset, name=name)
+    add_version(session, project, actor.person, toml=toml, number=1, note="The field's defaults")
+    return project
+
+
+def change_project(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    *,
+    name: str | None = None,
+    description: str | None = None,
+    cue_prefix: str | None = None,
+    archived: bool | None = None,
+) -> None:
+    """Change what a project is called, or put it away; what is None stays."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_producer()
+    project = standing.project
+    project.name = project.name if name is None else name
+    project.description = project.description if description is None else description
+    project.cue_prefix = project.cue_prefix if cue_prefix is None else cue_prefix
+    if archived is not None and archived != (project.archived_at is not None):
+        project.archived_at = clock.now() if archived else None
+    session.flush()
+
+
+def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
+    """Let a member of the studio speak for the team in this project."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_producer()
+    studio_id = standing.project.studio_id
+    if membership(session, studio_id, person_id) is None:
+        raise LiaisonNotFound(f"no person {person_id} in this studio", fix="invite them into the studio first")
+    if not queries.is_liaison(session, project_id, person_id):
+        session.add(Liaison(project_id=project_id, person_id=person_id, studio_id=studio_id))
+        session.flush()
+
+
+def remove_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
+    """Let somebody speak for the team no longer; raise LiaisonDecides while they have the last word."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_producer()
+    liaison = session.get(Liaison, (project_id, person_id))
+    if liaison is None:
+        raise LiaisonNotFound(f"no liaison {person_id} in this project")
+    if queries.decider_of(session, standing.project) == person_id:
+        raise LiaisonDecides("this liaison is the project's approver", fix="name another approver first")
+    session.delete(liaison)
+    session.flush()
+
+
+def name_decider(session: Session, actor: Actor, project_id: UUID, *, person_id: UUID, reason: str) -> None:
+    """Give the last word to a liaison, or to a producer who takes it over; who, when and why is kept."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_producer()
+    project = standing.project
+    place = membership(session, project.studio_id, person_id)
+    ensure_can_decide(
+        is_liaison=place is not None and queries.is_liaison(session, project_id, person_id),
+        is_producer=place is not None and Role.PRODUCER in place.roles,
+    )
+    session.add(
+        DeciderChange(
+            studio_id=project.studio_id,
+            project_id=project_id,
+            person_id=person_id,
+            reason=reason,
+            changed_by=actor.person,
+        )
+    )
+    session.flush()
+
+
+def decider_history(session: Session, actor: Actor, project_id: UUID) -> Sequence[DeciderChange]:
+    """Return who had the last word, newest first."""
+    standing_in(session, actor, project_id).ensure_team()
+    return queries.decider_changes(session, project_id)
+
+
+def spec_in_force(session: Session, actor: Actor, project_id: UUID) -> Spec:
+    """Return the spec that holds now."""
+    standing_in(session, actor, project_id)
+    return queries.current_spec(session, project_id)
+
+
+def spec_version(session: Session, actor: Actor, project_id: UUID, number: int) -> Spec:
+    """Return one version of the spec."""
+    standing_in(session, actor, project_id)
+    spec = queries.spec_version(session, project_id, number)
+    if spec is None:
+        raise SpecVersionNotFound(f"this project has no spec of version {number}")
+    return spec
+
+
+def spec_versions(session: Session, actor: Actor, project_id: UUID, *, below: int | None, limit: int) -> Sequence[Spec]:
+    """Return the versions of the spec, newest first."""
+    standing_in(session, actor, project_id)
+    return queries.spec_versions(session, project_id, below=below, limit=limit)
+
+
+def save_spec(
+    session: Session, actor: Actor, project_id: UUID, *, toml: str, based_on_version: int, note: str = ""
+) -> Spec:
+    """Add a version to the spec, and have the takes that it touches judged anew.
+
+    Raises BadSpec for what is no spec, SpecMovedOn when the newest version is not the one that was edited.
+    """
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_speaks()
+    read = read_spec(toml)
+    queries.lock_project(session, project_id)
+    newest = queries.current_spec(session, project_id)
+    if newest.version != based_on_version:
+        raise SpecMovedOn(
+            f"{newest.author.name} saved version {newest.version}; yours began from version {based_on_version}",
+            fix=f"compare with version {newest.version}, then save what you still want",
+        )
+    if newest.toml == toml:
+        return newest
+    spec = add_version(session, standing.project, actor.person, toml=toml, number=newest.version + 1, note=note)
+    if read.sha256 != newest.sha256:
+        publish(session, "spec.changed", project_id=project_id, version=spec.version)
+    return spec
+
+
+def invitation_by_secret(session: Session, secret: str) -> ProjectInvitation:
+    """Return the invitation behind a link, with its project, studio and inviter loaded.
+
+    Raises InvitationNotFound for a link that is unknown, withdrawn or too old; an accepted one still shows the list.
+    """
+    invitation = queries.invitation_by_secret(session, sha256_of(secret))
+    if invitation is None:
+        raise InvitationNotFound("this invitation is unknown, withdrawn or too old", fix="ask the studio for a new one")
+    return invitation
+
+
+def create_token(
+    session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope]
+) -> tuple[Token, str]:
+    """Make a key for the project's builds; its secret is shown this once."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_producer()
+    return add_token(
+        session,
+        studio_id=standing.project.studio_id,
+        project_id=project_id,
+        created_by=actor.person,
+        name=name,
+        scopes=scopes,
+    )
+
+
+def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collection[Scope]) -> str:
+    """Make a key for the project's builds from the server's own command line, and return its secret."""
+    project = queries.project_by_id(session, project_id)
+    if project is None:
+        raise ProjectNotFound(f"no project {project_id}")
+    _, secret = add_token(
+        session,
+        studio_id=project.studio_id,
+        project_id=project_id,
+        created_by=project.created_by,
+        name=name,
+        scopes=scopes,
+    )
+    return secret
+
+
+def tokens_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Token]:
+    """Return the project's tokens, without their secrets."""
+    standing_in(session, actor, project_id).ensure_producer()
+    return project_tokens(session, project_id)
+
+
+def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUID) -> None:
+    """Make a token worthless at once."""
+    standing_in(session, actor, project_id).ensure_producer()
+    token = project_token(session, project_id, token_id)
+    if token is None:
+        raise TokenNotFound(f"no token {token_id} in this project")
+    token.revoked_at = token.revoked_at or clock.now()

@@ -1,0 +1,139 @@
+"""Designers: invited by a mailed link, engaged by accepting it, and let go."""
+
+from collections.abc import Sequence
+from datetime import timedelta
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.doors import new_secret, sha256_of
+from app.accounts.models import Person
+from app.accounts.people import person_for_link
+from app.accounts.rules import Actor, ensure_address
+from app.kit import clock
+from app.kit.events import publish
+from app.projects import queries
+from app.projects.errors import AlreadyEngaged, EngagementNotFound, InvitationNotFound
+from app.projects.models import Engagement, ProjectInvitation
+from app.projects.rules import EngagementKind
+from app.projects.service import invitation_by_secret, standing_in
+
+INVITATION_LASTS = timedelta(days=30)
+
+
+def invite_designer(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    *,
+    email: str,
+    kind: EngagementKind,
+    base_url: str,
+    note: str = "",
+) -> ProjectInvitation:
+    """Mail a designer a link that shows the list; an earlier one to the same address loses its worth."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_speaks()
+    address = ensure_address(email)
+    if queries.is_engaged_address(session, project_id, address):
+        message = "this designer is engaged on the project already"
+        raise AlreadyEngaged(message, errors=[{"where": "email", "message": message}])
+    for earlier in queries.invitations(session, project_id):
+        if earlier.email == address:
+            earlier.revoked_at = clock.now()
+    secret = new_secret()
+    inviter = session.get_one(Person, actor.person)
+    invitation = ProjectInvitation(
+        studio_id=standing.project.studio_id,
+        project=standing.project,
+        email=address,
+        kind=kind,
+        note=note,
+        secret_sha256=sha256_of(secret),
+        inviter=inviter,
+        expires_at=clock.now() + INVITATION_LASTS,
+    )
+    session.add(invitation)
+    session.flush()
+    publish(
+        session,
+        "designer.invited",
+        studio_id=invitation.studio_id,
+        project_id=project_id,
+        recipient=address,
+        link=f"{base_url}/invitation/{secret}",
+        kind=kind.value,
+        subject_name=standing.project.name,
+        from_name=inviter.name,
+        note=note,
+    )
+    return invitation
+
+
+def invitations_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[ProjectInvitation]:
+    """Return the project's invitations, but for those withdrawn."""
+    standing_in(session, actor, project_id).ensure_speaks()
+    return queries.invitations(session, project_id)
+
+
+def revoke_invitation(session: Session, actor: Actor, project_id: UUID, invitation_id: UUID) -> None:
+    """Make an invitation's link worthless; an engagement made by it remains."""
+    for invitation in invitations_of(session, actor, project_id):
+        if invitation.id == invitation_id:
+            invitation.revoked_at = clock.now()
+            return
+    raise InvitationNotFound(f"no invitation {invitation_id} in this project")
+
+
+def accept_invitation(
+    session: Session, actor: Actor, secret: str, *, name: str | None = None, password: str | None = None
+) -> Engagement:
+    """Engage the designer whom a link invites, with the account of its address, made now if there is none.
+
+    Raises InvitationNotFound, or SignInNeeded when the address has an account and the caller is not its holder.
+    Accepting again is accepting once.
+    """
+    invitation = invitation_by_secret(session, secret)
+    designer = person_for_link(session, actor, invitation.email, name=name, password=password)
+    engagement = queries.any_engagement_of(session, invitation.project_id, designer.id)
+    if invitation.accepted_at is not None and engagement is not None:
+        return engagement
+    invitation.accepted_at = clock.now()
+    invitation.accepted_by = designer.id
+    if engagement is None:
+        engagement = Engagement(
+            studio_id=invitation.studio_id,
+            project_id=invitation.project_id,
+            designer=designer,
+            kind=invitation.kind,
+        )
+        session.add(engagement)
+    else:
+        engagement.kind, engagement.ended_at = invitation.kind, None
+    session.flush()
+    return engagement
+
+
+def change_engagement(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    engagement_id: UUID,
+    *,
+    kind: EngagementKind | None = None,
+    ended: bool | None = None,
+) -> Engagement:
+    """Change a designer's tie, end it or take it up again; what is None stays. The designer's work remains."""
+    standing_in(session, actor, project_id).ensure_producer()
+    engagement = queries.engagement_by_id(session, project_id, engagement_id)
+    if engagement is None:
+        raise EngagementNotFound(f"no engagement {engagement_id} in this project")
+    engagement.kind = kind or engagement.kind
+    if ended is not None and ended != (engagement.ended_at is not None):
+        engagement.ended_at = clock.now() if ended else None
+    if engagement.ended_at is not None:
+        for invitation in queries.invitations(session, project_id):
+            if engagement.designer_id == invitation.accepted_by or engagement.designer.email == invitation.email:
+                invitation.revoked_at = clock.now()  # the link would show the list, and engage again
+    session.flush()
+    return engagement

@@ -1,0 +1,282 @@
+"""What projects are asked and answer."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+from uuid import UUID
+
+from pydantic import ConfigDict, Field, StringConstraints, model_validator
+
+from app.accounts.rules import Scope
+from app.accounts.schemas import Email, Line, PersonBrief, PersonRead, Prose, StudioBrief
+from app.kit.http import Schema
+from app.projects.rules import EngagementKind
+
+CuePrefix = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z][A-Z0-9]{0,7}$")]
+Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500, pattern="^[^\\x00]*$")]
+Toml = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200_000)]
+
+
+class ProjectAdd(Schema):
+    """A new project."""
+
+    studio_id: UUID
+    name: Line
+    description: Prose = ""
+    cue_prefix: CuePrefix = Field(description="One to eight capitals and digits: SW numbers the cues SW-001, SW-002 …")
+    preset: Literal["44k1", "48k"] = "44k1"
+
+
+class ProjectChange(Schema):
+    """What is to be different; what is left out stays."""
+
+    name: Line | None = None
+    description: Prose | None = None
+    cue_prefix: CuePrefix | None = None
+    archived: bool | None = None
+
+
+class EngagementRead(Schema):
+    """A designer's tie to the project."""
+
+    id: UUID
+    designer: PersonBrief
+    kind: EngagementKind
+    created_at: datetime
+    ended_at: datetime | None
+
+
+class Mine(Schema):
+    """What the caller is in the project."""
+
+    is_team: bool
+    is_producer: bool
+    is_liaison: bool
+    is_decider: bool
+    engagement_kind: EngagementKind | None
+
+
+class ProjectRead(Schema):
+    """A project as its page heads it; a designer is shown no engagement but their own."""
+
+    id: UUID
+    name: str
+    description: str
+    cue_prefix: str
+    created_at: datetime
+    archived_at: datetime | None
+    studio: StudioBrief
+    decider: PersonBrief
+    liaisons: list[PersonBrief]
+    engagements: list[EngagementRead]
+    mine: Mine
+    spec_version: int
+
+
+class DeciderAdd(Schema):
+    """Who has the last word from now on, and why."""
+
+    person_id: UUID
+    reason: Reason
+
+
+class DeciderChangeRead(Schema):
+    """Who got the last word, from whom, and why."""
+
+    person: PersonBrief
+    reason: str
+    changer: PersonBrief
+    created_at: datetime
+
+
+class RangeRead(Schema):
+    """A lower and an upper bound; null does not limit."""
+
+    min: float | None
+    max: float | None
+
+
+class AcceptRead(Schema):
+    """What a delivered file may be; null accepts anything that can be read."""
+
+    containers: list[str] | None
+    encodings: list[str] | None
+    sample_rates_hz: list[int] | None
+    bit_depths: list[int] | None
+    channels: list[int] | None
+    duration_s: RangeRead
+
+
+class LimitsRead(Schema):
+    """The levels and edges a file keeps to; null does not limit."""
+
+    sample_peak_dbfs: float | None
+    true_peak_dbtp: float | None
+    dc_offset_percent: float | None
+    silence_below_dbfs: float | None
+    head_silence_ms: float | None
+    tail_silence_ms: float | None
+    edge_silence_below_dbfs: float
+    tolerance_db: float
+    loudness_lufs: RangeRead
+    noise_floor_dbfs: float | None
+
+
+class NamingRead(Schema):
+    """How files are named."""
+
+    pattern: str | None
+    extension: str | None
+
+
+class EngineRead(Schema):
+    """What the game adds, so files come without it."""
+
+    adds: list[str]
+
+
+class TargetRead(Schema):
+    """What renders are made to."""
+
+    name: str
+    sample_rate_hz: int
+    bit_depth: int
+    encoding: str
+    channels: Literal["master", 1, 2]
+    dither: str
+    over_peak: str
+
+
+class ResolvedSpec(Schema):
+    """The spec with its defaults filled in, for sounds of no category."""
+
+    name: str
+    accept: AcceptRead
+    limits: LimitsRead
+    naming: NamingRead
+    engine: EngineRead
+    targets: dict[str, TargetRead]
+    checks: dict[str, str]
+    categories: list[str]
+
+
+class SpecBrief(Schema):
+    """One version of the spec, without its text."""
+
+    version: int
+    sha256: str
+    note: str
+    created_at: datetime
+    author: PersonBrief
+
+
+class SpecRead(SpecBrief):
+    """One version of the spec: its text, the tables that the text says, and what they come to."""
+
+    toml: str
+    tables: dict[str, Any]
+    resolved: ResolvedSpec
+    warnings: list[str]
+
+
+class SpecChange(Schema):
+    """The whole text of the spec to be."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
+
+    toml: Toml
+    note: Prose = ""
+    based_on_version: int = Field(ge=1)
+
+
+class SpecFormChange(Schema):
+    """The tables of the spec to be, keyed as in its TOML; null leaves a key out."""
+
+    tables: dict[str, Any]
+    note: Prose = ""
+    based_on_version: int = Field(ge=1)
+
+
+class SpecTry(Schema):
+    """A spec to look at before it is saved: its text, or its tables."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
+
+    toml: Toml | None = None
+    tables: dict[str, Any] | None = None
+
+    @model_validator(mode="after")
+    def _is_one_of_both(self) -> "SpecTry":
+        if (self.toml is None) == (self.tables is None):
+            raise ValueError("send either toml or tables")
+        return self
+
+
+class SpecTried(Schema):
+    """The text, the tables it says and what they come to, with what is probably not meant."""
+
+    toml: str
+    sha256: str
+    tables: dict[str, Any]
+    resolved: ResolvedSpec
+    warnings: list[str]
+
+
+class InvitationAdd(Schema):
+    """Whom to invite, by what tie."""
+
+    email: Email
+    kind: EngagementKind = EngagementKind.CONTRACT
+    note: Prose = ""
+
+
+class InvitationRead(Schema):
+    """An invitation of a designer, and whether it was accepted."""
+
+    id: UUID
+    email: str
+    kind: EngagementKind
+    note: str
+    inviter: PersonBrief
+    created_at: datetime
+    expires_at: datetime
+    accepted_at: datetime | None
+
+
+class InvitationAccepted(Schema):
+    """The tie that accepting made, and to what."""
+
+    person: PersonRead
+    project_id: UUID
+    engagement: EngagementRead
+
+
+class EngagementChange(Schema):
+    """What is to be different; what is left out stays."""
+
+    kind: EngagementKind | None = None
+    ended: bool | None = None
+
+
+class TokenAdd(Schema):
+    """What a build's key is for, and what it may do."""
+
+    name: Line
+    scopes: list[Scope] = Field(min_length=1)
+
+
+class TokenRead(Schema):
+    """A build's key, without its secret."""
+
+    id: UUID
+    name: str
+    scopes: list[Scope]
+    creator: PersonBrief
+    created_at: datetime
+    last_used_at: datetime | None
+    revoked_at: datetime | None
+
+
+class TokenMade(TokenRead):
+    """A new key with its secret, which is shown this once."""
+
+    secret: str

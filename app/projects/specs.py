@@ -1,0 +1,60 @@
+"""The text of a delivery spec: read, written from a form, and kept as a version."""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+import audio_checks
+from app.accounts.models import Person
+from app.projects.errors import BadSpec
+from app.projects.models import Project, Spec
+from app.projects.rules import stated
+
+FILE_NAME = "spec.toml"
+
+
+def read_spec(toml: str) -> audio_checks.DeliverySpec:
+    """Return the spec that a TOML text says, or raise BadSpec naming the place."""
+    try:
+        return audio_checks.parse_spec(toml, where=FILE_NAME)
+    except audio_checks.SpecError as error:
+        message = str(error.args[0])
+        where = error.where.removeprefix(FILE_NAME).removeprefix(": ")
+        raise BadSpec(
+            f"{where}: {message}" if where else f"the spec {message}", errors=[{"where": where, "message": message}]
+        ) from None
+
+
+def toml_of_form(tables: Mapping[str, Any]) -> str:
+    """Return the TOML that says what a form states, or raise BadSpec."""
+    try:
+        toml = audio_checks.DeliverySpec(tables=stated(tables)).to_toml()
+        toml.encode()
+    except (RecursionError, UnicodeEncodeError):
+        message = "the form holds what no spec can say"
+        raise BadSpec(message, errors=[{"where": "", "message": message}]) from None
+    return toml
+
+
+def add_version(session: Session, project: Project, author_id: UUID, *, toml: str, number: int, note: str) -> Spec:
+    """Write one version of a project's spec, or raise BadSpec."""
+    spec = Spec(
+        studio_id=project.studio_id,
+        project_id=project.id,
+        version=number,
+        toml=toml,
+        sha256=read_spec(toml).sha256,
+        note=note,
+        author=session.get_one(Person, author_id),
+    )
+    session.add(spec)
+    session.flush()
+    return spec
+
+
+def etag_of(spec: Spec) -> str:
+    """Return the strong entity tag of a spec's text."""
+    return f'"{hashlib.sha256(spec.toml.encode()).hexdigest()}"'
