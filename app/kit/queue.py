@@ -6,6 +6,7 @@ Nothing else imports DBOS. Its tables live in the application's own database.
 import contextlib
 import logging
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -27,11 +28,21 @@ STEPS_VERSION = "1"
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
 ATTEMPTS = 4
+FIRST_RETRY_S = 0.5
+BACKOFF = 4.0
 RECOVERY_ATTEMPTS = 20
 URGENT, NORMAL, BULK = 1, 10, 100
 BEAT_EVERY_S = 5.0
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
-FAILED_STATES = ["ERROR", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "CANCELLED"]
+FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
+STATE_WORDS = {
+    "ENQUEUED": "waiting",
+    "DELAYED": "waiting",
+    "PENDING": "running",
+    "CANCELLED": "parked",
+    "MAX_RECOVERY_ATTEMPTS_EXCEEDED": "parked",
+    "ERROR": "broken",
+}
 
 Payload = dict[str, Any]
 Handler = Callable[["Runtime", Payload], None]
@@ -117,7 +128,7 @@ class JobQueue:
             UnfinishedJob(
                 id=workflow.workflow_id,
                 name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
-                state=workflow.status.lower(),
+                state=STATE_WORDS[workflow.status],
                 recoveries=workflow.recovery_attempts or 0,
                 since=datetime.fromtimestamp((workflow.created_at or 0) / 1000, UTC),
             )
@@ -126,7 +137,7 @@ class JobQueue:
 
     def retry(self, job_id: str) -> None:
         """Let a job run again that gave up."""
-        self._client.resume_workflow(job_id)
+        self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
 
     def close(self) -> None:
         """Close the client's own connections."""
@@ -159,18 +170,18 @@ def _run_job(name: str, payload: Payload) -> None:
     runtime = _runtime
     if runtime is None:
         raise RuntimeError("no worker was started in this process")
-    DBOS.run_step(
-        {
-            "name": name,
-            "retries_allowed": True,
-            "max_attempts": ATTEMPTS,
-            "interval_seconds": 0.5,
-            "backoff_rate": 4.0,
-        },
-        handler,
-        runtime,
-        payload,
-    )
+    for attempt in range(1, ATTEMPTS + 1):
+        try:
+            handler(runtime, payload)
+        except Exception:
+            if attempt == ATTEMPTS:
+                log.exception("job %s is parked", name)
+                DBOS.cancel_workflow(str(DBOS.workflow_id))  # a cancelled job can be resumed, one in error cannot
+                raise
+            log.warning("job %s failed, attempt %d of %d", name, attempt, ATTEMPTS, exc_info=True)
+            time.sleep(FIRST_RETRY_S * BACKOFF ** (attempt - 1))
+        else:
+            return
 
 
 class Worker:
