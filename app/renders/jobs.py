@@ -1,1 +1,171 @@
-"""The jobs of this room."""
+"""The jobs of this room: pictures of masters, game files, and new game files at a new spec."""
+
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+from uuid import UUID
+
+import structlog
+from sqlalchemy.orm import Session
+
+from app.deliveries.models import Take
+from app.deliveries.queries import take_by_id
+from app.kit.queue import BULK, Payload, job
+from app.kit.runtime import Runtime
+from app.projects.models import Spec
+from app.projects.queries import current_spec
+from app.renders import drawing, queries, service
+from app.renders.models import Picture, Render
+from app.renders.rules import RENDERED_STATES, Recipe, RenderState
+from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable
+
+log = structlog.get_logger(__name__)
+TRIES = 3
+TIMEOUT_S = 300.0
+MEMORY_BYTES = 1 << 30
+OUR_FAULT = "the renderer itself failed three times; that is our fault, and nothing is wrong with the master"
+
+
+@cache
+def _sandbox() -> Sandbox:
+    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, preload=("numpy", "audio_checks", drawing.__name__))
+
+
+@job("renders.draw_take")
+def draw_take(runtime: Runtime, payload: Payload) -> None:
+    """Draw a take's master and make its preview, whatever its check says."""
+    with runtime.database.reading() as session:
+        take = take_by_id(session, UUID(payload["take_id"]))
+        if take is None or queries.picture_of(session, take.studio_id, take.master_sha256) is not None:
+            return
+        loop = take.cue is not None and take.cue.loop
+    with (
+        runtime.store.local_copy(take.studio_id, take.master_sha256) as master,
+        tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
+    ):
+        try:
+            drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), folder, loop=loop))
+        except (Unreadable, RenderRefused, SandboxFailed) as error:
+            log.info("a master could not be drawn", take_id=str(take.id), error=str(error))
+            picture = Picture(studio_id=take.studio_id, sound_sha256=take.master_sha256)
+        else:
+            picture = _stored_picture(runtime, take.studio_id, take.master_sha256, Path(folder), drawn)
+    with runtime.database.writing() as session:
+        service.keep_picture(session, picture)
+
+
+def _tried(call: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Return what a sandboxed call gives, tried again when its child fails; the last failure is raised."""
+    for _ in range(TRIES - 1):
+        try:
+            return call()
+        except SandboxFailed as error:
+            log.warning("a sandboxed call failed", error=str(error))
+    return call()
+
+
+def _stored_picture(
+    runtime: Runtime, studio_id: UUID, sound_sha256: str, folder: Path, drawn: dict[str, Any]
+) -> Picture:
+    def stored(name: str) -> str:
+        return runtime.store.put_file(studio_id, folder / name).sha256
+
+    return Picture(
+        studio_id=studio_id,
+        sound_sha256=sound_sha256,
+        duration_s=drawn["duration_s"],
+        facts=drawn["facts"],
+        thumb=drawn["thumb"],
+        peaks_sha256=stored(drawing.PEAKS),
+        spectrum_sha256=stored(drawing.SPECTRUM),
+        preview_sha256=sound_sha256 if drawn["plays_itself"] else stored(drawing.PREVIEW),
+        preview_media_type="audio/wav",
+    )
+
+
+@job("renders.make_renders")
+def make_renders(runtime: Runtime, payload: Payload) -> None:
+    """Make the game files of an admitted take for every target of the current spec, or record why not."""
+    with runtime.database.reading() as session:
+        work = _work_on(session, UUID(payload["take_id"]))
+    if work is None:
+        return
+    for target, recipe in work.missing.items():
+        render, picture = _rendered(runtime, work.take, target, recipe)
+        with runtime.database.writing() as session:
+            service.keep_render(session, render, picture)
+    with runtime.database.writing() as session:
+        service.complete(session, work.take, work.spec)
+
+
+class _Work(NamedTuple):
+    """What is to be made of a take."""
+
+    take: Take
+    spec: Spec
+    missing: dict[str, Recipe]  # by target
+
+
+def _work_on(session: Session, take_id: UUID) -> _Work | None:
+    take = take_by_id(session, take_id)
+    if take is None or take.cue is None or take.state not in RENDERED_STATES:
+        return None
+    spec = current_spec(session, take.project_id)
+    made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id]
+    recipes = queries.wanted_recipes(spec, take)
+    return _Work(take, spec, {target: recipe for target, recipe in recipes.items() if made[target] is None})
+
+
+def _rendered(runtime: Runtime, take: Take, target: str, recipe: Recipe) -> tuple[Render, Picture | None]:
+    render = Render(
+        studio_id=take.studio_id,
+        project_id=take.project_id,
+        take_id=take.id,
+        target=target,
+        key=recipe.key(take.master_sha256),
+        state=RenderState.REFUSED,
+    )
+    with (
+        runtime.store.local_copy(take.studio_id, take.master_sha256) as master,
+        tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
+    ):
+        try:
+            made = _tried(lambda: _sandbox().call(drawing.render, str(master), folder, **recipe._asdict()))
+        except (RenderRefused, Unreadable) as error:
+            render.refusal = f"{error}; {error.fix}"
+            return render, None
+        except SandboxFailed as error:
+            log.error("a render failed", take_id=str(take.id), target=target, error=str(error))
+            render.refusal = OUR_FAULT
+            return render, None
+        blob = runtime.store.put_file(take.studio_id, Path(folder, drawing.GAME_FILE))
+        picture = _stored_picture(runtime, take.studio_id, blob.sha256, Path(folder), made["drawing"])
+    rendered = made["rendered"]
+    render.state, render.sha256, render.file_bytes = RenderState.MADE, blob.sha256, blob.size_bytes
+    render.pcm_sha256 = rendered["pcm_sha256"]
+    render.measurements = rendered.pop("measurements")
+    render.attenuation_db = rendered.pop("attenuation_db")
+    render.facts = rendered
+    return render, picture
+
+
+@job("renders.renew_renders")
+def renew_renders(runtime: Runtime, payload: Payload) -> None:
+    """Ask for the game files that a new spec, or a changed cue, wants of takes admitted before; old ones stay."""
+    with runtime.database.writing() as session:
+        for take_id in queries.admitted_take_ids(
+            session, project_id=_id_in(payload, "project_id"), cue_id=_id_in(payload, "cue_id")
+        ):
+            runtime.queue.enqueue(
+                session,
+                "renders.make_renders",
+                {"take_id": str(take_id)},
+                key=f"{payload['event_id']}:renders.make_renders:{take_id}",
+                priority=BULK,
+            )
+
+
+def _id_in(payload: Payload, name: str) -> UUID | None:
+    return UUID(payload[name]) if payload.get(name) else None

@@ -59,10 +59,10 @@ class Picture(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     sound_sha256: Mapped[str] = mapped_column(index=True)  # of a master or of a render
-    duration_s: Mapped[float]
+    duration_s: Mapped[float | None]  # None, like the hashes below, when the sound cannot be drawn
     facts: Mapped[dict[str, Any]] = mapped_column(default=dict)  # rate, depth, channels and frames
     thumb: Mapped[dict[str, Any]] = mapped_column(default=dict)  # points, min, max, rms as integers −127..127
-    peaks_sha256: Mapped[str | None]  # None, like the next two, when drawing it failed again and again
+    peaks_sha256: Mapped[str | None]
     spectrum_sha256: Mapped[str | None]
     preview_sha256: Mapped[str | None]
     preview_media_type: Mapped[str | None]

@@ -1,6 +1,6 @@
 """Renders and pictures within the caller's reach."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from uuid import UUID
 
@@ -12,20 +12,19 @@ from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
 from app.renders.models import Picture, Render
-from app.renders.rules import render_keys
+from app.renders.rules import RENDERED_STATES, Recipe, recipes
 
 
 @lru_cache(maxsize=64)
-def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
-    """Return what a stored spec says."""
+def _parsed(toml: str) -> audio_checks.DeliverySpec:
     return audio_checks.parse_spec(toml)
 
 
-def wanted_keys(spec: Spec, take: Take) -> dict[str, str]:
-    """Return the key of each render that a spec wants of a matched take (its cue loaded), by target."""
+def wanted_recipes(spec: Spec, take: Take) -> dict[str, Recipe]:
+    """Return what a spec wants made of a take (its cue loaded), by target; nothing while it is unmatched."""
     if take.cue is None:
         return {}
-    return render_keys(parsed_spec(spec.toml), take.master_sha256, category=take.cue.category, loop=take.cue.loop)
+    return recipes(_parsed(spec.toml), category=take.cue.category, loop=take.cue.loop)
 
 
 def _renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:
@@ -95,8 +94,20 @@ def current_renders(
     stored = _renders_by_key(session, [take.id for take in takes])
     return {
         take.id: {
-            target: stored.get((take.id, target, key))
-            for target, key in wanted_keys(specs[take.project_id], take).items()
+            target: stored.get((take.id, target, recipe.key(take.master_sha256)))
+            for target, recipe in wanted_recipes(specs[take.project_id], take).items()
         }
         for take in takes
     }
+
+
+def admitted_take_ids(session: Session, *, project_id: UUID | None, cue_id: UUID | None) -> Sequence[UUID]:
+    """Return the matched takes of a project or of a cue that may still ship."""
+    query = select(Take.id).where(Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None)).order_by(Take.id)
+    query = query.where(Take.cue_id == cue_id) if cue_id else query.where(Take.project_id == project_id)
+    return session.scalars(query).all()
+
+
+def render_of(session: Session, take_id: UUID, target: str, key: str) -> Render | None:
+    """Return the render of a take for one target under one key."""
+    return session.scalar(select(Render).where(Render.take_id == take_id, Render.target == target, Render.key == key))

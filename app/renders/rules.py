@@ -2,12 +2,13 @@
 
 import hashlib
 import json
-from dataclasses import asdict
 from enum import StrEnum
+from typing import NamedTuple
 
-from audio_checks import DeliverySpec, Target
+from app.deliveries.rules import TakeState
+from audio_checks import RENDERER_VERSION, DeliverySpec, Target
 
-RENDERER_VERSION = "1"  # changes when the same master would give other bytes
+RENDERED_STATES = frozenset({TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE})  # may still ship
 
 
 class RenderState(StrEnum):
@@ -17,39 +18,47 @@ class RenderState(StrEnum):
     REFUSED = "refused"
 
 
-def render_key(
-    master_sha256: str,
-    target: Target,
-    *,
-    loop: bool,
-    sample_peak_limit_dbfs: float | None,
-    true_peak_limit_dbtp: float | None,
-) -> str:
-    """Return what tells one render from another: equal keys are equal bytes.
+class Recipe(NamedTuple):
+    """Everything but the master that decides what a game file becomes."""
+
+    target: Target
+    loop: bool
+    sample_peak_limit_dbfs: float | None
+    true_peak_limit_dbtp: float | None
+    tolerance_db: float
+
+    def key(self, master_sha256: str) -> str:
+        """Return what tells one render from another; see `render_key`."""
+        return render_key(master_sha256, self)
+
+
+def render_key(master_sha256: str, recipe: Recipe) -> str:
+    """Return what tells one render from another: the same master, recipe and renderer give the same bytes.
 
     A master's own loop points are part of the master, so its hash stands for them.
     """
-    facts = {
-        "master": master_sha256,
-        "target": asdict(target),
-        "loop": loop,
-        "sample_peak_limit_dbfs": sample_peak_limit_dbfs,
-        "true_peak_limit_dbtp": true_peak_limit_dbtp,
-        "renderer": RENDERER_VERSION,
-    }
+    target = recipe.target
+    facts = [
+        master_sha256,
+        RENDERER_VERSION,
+        {
+            "sample_rate_hz": target.sample_rate_hz,
+            "bit_depth": target.bit_depth,
+            "encoding": target.encoding,
+            "channels": target.channels,
+            "dither": target.dither,
+            "over_peak": target.over_peak,
+        },
+        *recipe[1:],
+    ]
     return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()
 
 
-def render_keys(spec: DeliverySpec, master_sha256: str, *, category: str, loop: bool) -> dict[str, str]:
-    """Return the key of each render that a spec wants of a master, by target."""
+def recipes(spec: DeliverySpec, *, category: str, loop: bool) -> dict[str, Recipe]:
+    """Return what a spec wants made of a master of a category, by target."""
     view = spec.for_category(category or None)
+    limits = view.limits
     return {
-        name: render_key(
-            master_sha256,
-            target,
-            loop=loop,
-            sample_peak_limit_dbfs=view.limits.sample_peak_dbfs,
-            true_peak_limit_dbtp=view.limits.true_peak_dbtp,
-        )
+        name: Recipe(target, loop, limits.sample_peak_dbfs, limits.true_peak_dbtp, limits.tolerance_db)
         for name, target in view.targets.items()
     }

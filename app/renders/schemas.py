@@ -42,7 +42,7 @@ class SoundBrief(Schema):
 class MasterSoundRead(SoundBrief):
     """A take's master, to see and to hear; its measurements are in its check."""
 
-    state: Literal["drawn", "drawing"]
+    state: Literal["drawn", "drawing", "undrawable"]
     facts: dict[str, Any]
     file_bytes: int
 

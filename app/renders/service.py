@@ -9,10 +9,11 @@ from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of
 from app.deliveries.service import take_for
+from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
-from app.renders.models import Picture, Render
+from app.renders.models import Picture, Render, RenderSet
 from app.renders.schemas import MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 
 
@@ -49,7 +50,7 @@ def master_sound(take: Take, picture: Picture | None) -> MasterSoundRead:
     """Return a take's master as it is shown."""
     return MasterSoundRead(
         **sound_places(picture),
-        state="drawn" if picture else "drawing",
+        state="drawing" if picture is None else "drawn" if picture.preview_sha256 else "undrawable",
         facts=picture.facts if picture else {},
         file_bytes=take.master_bytes,
     )
@@ -101,3 +102,26 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
         raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
     stem = stem_of(session, take) or "render"
     return render, render.sha256, f"{stem}.wav"
+
+
+def keep_picture(session: Session, picture: Picture) -> None:
+    """Put a picture on record unless the same sound is drawn already."""
+    if queries.picture_of(session, picture.studio_id, picture.sound_sha256) is None:
+        session.add(picture)
+        session.flush()
+
+
+def keep_render(session: Session, render: Render, picture: Picture | None) -> None:
+    """Put a render and its picture on record, once."""
+    if queries.render_of(session, render.take_id, render.target, render.key) is None:
+        session.add(render)
+    if picture is not None:
+        keep_picture(session, picture)
+
+
+def complete(session: Session, take: Take, spec: Spec) -> None:
+    """Say that every render of a take is made or refused, unless take or spec moved on meanwhile."""
+    now = session.get(Take, take.id)
+    if now is None or now.edition != take.edition or current_spec(session, take.project_id).id != spec.id:
+        return
+    session.merge(RenderSet(take_id=take.id, studio_id=take.studio_id, spec_id=spec.id, edition=take.edition))

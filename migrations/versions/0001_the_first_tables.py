@@ -211,7 +211,7 @@ def upgrade() -> None:
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("sound_sha256", sa.String(), nullable=False),
-        sa.Column("duration_s", sa.Double(), nullable=False),
+        sa.Column("duration_s", sa.Double(), nullable=True),
         sa.Column("facts", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
         sa.Column("thumb", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
         sa.Column("peaks_sha256", sa.String(), nullable=True),

@@ -1,0 +1,108 @@
+"""What runs in the sandbox's child: a sound's pictures and preview, and game files, written into a folder.
+
+Answers are plain values, the only ones that may come out of a sandbox.
+"""
+
+import json
+import wave
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.renders.spectrum import SpectrumPicture
+from audio_checks import AudioFile, Target, preview, render_master, wave_shapes
+
+THUMB_POINTS = 160
+PEAKS_POINTS = 4096
+THUMB_FULL_SCALE = 127
+PLAYABLE_RATE_HZ = 48_000
+BLOCK_FRAMES = 65_536
+PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
+
+
+def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
+    """Write a sound's peaks, spectrum and preview; return its duration, facts and thumb, and what plays it."""
+    with AudioFile(path) as file:
+        facts = file.facts
+    small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
+    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict()}
+    Path(folder, PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
+    plays_itself = _plays_itself(path)
+    played = path if plays_itself else str(Path(folder, PREVIEW))
+    if not plays_itself:
+        preview(path, played, loop=loop)
+    Path(folder, SPECTRUM).write_bytes(_spectrum(played))
+    return {
+        "duration_s": facts.duration_s,
+        "facts": {
+            "container": facts.container,
+            "encoding": facts.encoding,
+            "sample_rate_hz": facts.sample_rate_hz,
+            "bit_depth": facts.bit_depth,
+            "channels": facts.channels,
+            "frames": facts.frames,
+        },
+        "thumb": _thumb(small.to_dict()),
+        "plays_itself": plays_itself,
+    }
+
+
+def _plays_itself(path: str) -> bool:
+    """Whether every browser plays this readable file as it is: plain 16-bit WAV, mono or stereo, at most 48 kHz."""
+    try:
+        with wave.open(path) as file:
+            is_narrow = file.getsampwidth() == 2 and file.getnchannels() <= 2
+            return is_narrow and bool(file.getframerate() <= PLAYABLE_RATE_HZ)
+    except (wave.Error, EOFError):
+        return False
+
+
+def _spectrum(path: str) -> bytes:
+    """Return the spectrum of a file that plays: 16 bits reach below black, 48 kHz above the top row."""
+    with wave.open(path) as file:
+        picture = SpectrumPicture(file.getframerate(), file.getnchannels(), file.getnframes())
+        for block in _blocks(file):
+            picture.add(block)
+    return picture.png()
+
+
+def _blocks(file: wave.Wave_read) -> Iterator[NDArray[np.float64]]:
+    while raw := file.readframes(BLOCK_FRAMES):
+        yield np.frombuffer(raw, "<i2").reshape(-1, file.getnchannels()) / 32_768.0
+
+
+def _thumb(shape: dict[str, Any]) -> dict[str, Any]:
+    """Return a shape in integers; ±127 is full scale."""
+    whole = {name: [round(_held(value) * THUMB_FULL_SCALE) for value in shape[name]] for name in ("min", "max", "rms")}
+    return {"points": len(whole["rms"]), **whole}
+
+
+def _held(value: float) -> float:
+    return max(-1.0, min(1.0, value))
+
+
+def render(
+    path: str,
+    folder: str,
+    target: Target,
+    *,
+    loop: bool,
+    sample_peak_limit_dbfs: float | None,
+    true_peak_limit_dbtp: float | None,
+    tolerance_db: float,
+) -> dict[str, Any]:
+    """Make a game file and draw it; return what was made, and its drawing."""
+    out = Path(folder, GAME_FILE)
+    rendered = render_master(
+        path,
+        target,
+        out,
+        loop=loop,
+        sample_peak_limit_dbfs=sample_peak_limit_dbfs,
+        true_peak_limit_dbtp=true_peak_limit_dbtp,
+        tolerance_db=tolerance_db,
+    )
+    return {"rendered": rendered.to_dict(), "drawing": draw(str(out), folder, loop=loop)}
