@@ -58,15 +58,12 @@ def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] 
 
 def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, CheckRun, Take]]:
     """Return the waivers of a project with the checks they waived and their takes with cues, the oldest first."""
-    return (
-        session.execute(
-            select(Waiver, CheckRun, Take)
-            .join(CheckRun, CheckRun.id == Waiver.check_run_id)
-            .join(Take, Take.id == Waiver.take_id)
-            .where(Waiver.project_id == project_id)
-            .options(joinedload(Take.cue))
-            .order_by(Waiver.id)
-        )
-        .tuples()
-        .all()
+    rows = session.execute(
+        select(Waiver, CheckRun, Take)
+        .join(CheckRun, CheckRun.id == Waiver.check_run_id)
+        .join(Take, Take.id == Waiver.take_id)
+        .where(Waiver.project_id == project_id)
+        .options(joinedload(Take.cue))
+        .order_by(Waiver.id)
     )
+    return [(waiver, run, take) for waiver, run, take in rows]

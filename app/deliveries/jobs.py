@@ -19,6 +19,7 @@ def unpack_archive(runtime: Runtime, payload: Payload) -> None:
     archive_id = UUID(payload["archive_id"])
     with runtime.database.reading() as session:
         archive = session.get_one(Archive, archive_id)
+        session.expunge(archive)
     if archive.state is not ArchiveState.RECEIVED:
         return
     entries: list[dict[str, Any]] = []
@@ -45,8 +46,8 @@ def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, ent
         return told
     with runtime.database.reading() as session:
         take = queries.take_of_entry(session, archive.id, entry.place)
-    if take is not None:
-        return told | {"taken": True, "take_id": str(take.id)}
+        if take is not None:
+            return told | {"taken": True, "take_id": str(take.id)}
     try:
         stored = runtime.store.put(archive.studio_id, opened.content(entry))
     except unzip.EntryBroken as error:

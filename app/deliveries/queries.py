@@ -35,7 +35,7 @@ def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID,
     rows = session.execute(
         select(Take.delivery_id, func.count()).where(Take.delivery_id.in_(delivery_ids)).group_by(Take.delivery_id)
     )
-    return dict(rows.tuples().all())
+    return {row[0]: row[1] for row in rows}
 
 
 def next_delivery_number(session: Session, project_id: UUID) -> int:

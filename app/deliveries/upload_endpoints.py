@@ -244,11 +244,11 @@ def _permitted(
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading() as session:
-        delivery = service.ensure_may_upload(session, actor, delivery_id)
+        studio_id = service.ensure_may_upload(session, actor, delivery_id).studio_id
     return _uploads(runtime).create(
-        studio_id=delivery.studio_id,
+        studio_id=studio_id,
         owner_id=service.uploader(actor),
-        scope=str(delivery.id),
+        scope=str(delivery_id),
         file_name=kept_name(file_name),
         length=length,
         max_length=most_bytes(file_name),

@@ -254,8 +254,7 @@ class Uploads:
         return gone
 
     def _swept(self, staging: Path) -> bool:
-        with self._database.reading() as session:
-            upload = session.get(Upload, UUID(staging.stem))
+        upload = self._found(UUID(staging.stem))
         if upload is None or upload.sha256 is not None:
             staging.unlink(missing_ok=True)
             return True
@@ -310,11 +309,16 @@ class Uploads:
         return self._store.root / str(upload.studio_id) / STAGING / str(upload.id)
 
     def _row(self, upload_id: UUID, owner_id: UUID) -> Upload:
-        with self._database.reading() as session:
-            upload = session.get(Upload, upload_id)
+        upload = self._found(upload_id)
         if upload is None or upload.owner_id != owner_id:
             raise UploadNotFound(f"no upload {upload_id}")
         return upload
+
+    def _found(self, upload_id: UUID) -> Upload | None:
+        with self._database.reading() as session:
+            if (upload := session.get(Upload, upload_id)) is not None:
+                session.expunge(upload)
+            return upload
 
     def _locked(self, upload: Upload, flags: int) -> int:
         """Open an unfinished upload's file, and lock it against a second writer."""
