@@ -46,6 +46,13 @@ export class ApiProblem extends Error {
 const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null
 const textOf = (value: unknown): string | undefined => (typeof value === 'string' && value !== '' ? value : undefined)
 
+function errorsOf(value: unknown): FieldProblem[] {
+  if (!Array.isArray(value)) return []
+  return value
+    .filter(isRecord)
+    .map((error) => ({ field: textOf(error.where) ?? '', message: textOf(error.message) ?? '' }))
+}
+
 /** Read a refusal; a body that is no problem document still becomes a sentence. */
 export function problemOf(status: number, body: unknown): ApiProblem {
   if (!isRecord(body) || (textOf(body.detail) === undefined && textOf(body.title) === undefined)) {

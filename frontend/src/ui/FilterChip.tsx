@@ -24,7 +24,7 @@ export function FilterChip({ kind, children, count, pressed, onPress }: FilterCh
       onClick={onPress}
     >
       {face && <Icon name={face.icon} />}
-      <span className={face && !('resting' in face) ? classes.word : undefined}>{children ?? face?.word}</span>
+      <span className={face && !('resting' in face) ? classes.word : undefined}>{children ?? face?.word}</span>{' '}
       <span className={classes.count}>{count}</span>
     </button>
   )

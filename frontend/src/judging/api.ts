@@ -1,0 +1,135 @@
+import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { finePeaks, type Peaks } from '@/audio'
+
+type Schemas = components['schemas']
+export type Me = Schemas['Me']
+export type MyProject = Schemas['MyProject']
+export type QueueItem = Schemas['QueueItem']
+export type ReviewTake = Schemas['ReviewTake']
+export type ReviewCue = Schemas['ReviewCue']
+export type ReviewFinding = Schemas['ReviewFinding']
+export type CueReview = Schemas['CueReviewRead']
+export type ChangeRequest = Schemas['ChangeRequestRead']
+export type Sending = Schemas['SendingRead']
+
+/** Where the answers that reviewing rests on are kept. */
+export const keys = {
+  me: ['me'] as const,
+  queue: (projectId: string) => ['review-queue', projectId] as const,
+  review: (cueId: string) => ['cue-review', cueId] as const,
+  drafts: (projectId: string) => ['change-requests', projectId, 'draft'] as const,
+  history: (takeId: string) => ['take-history', takeId] as const,
+  peaks: (url: string) => ['peaks', url] as const,
+}
+
+/** What a verdict changes elsewhere: lists and dashboards of the project, whoever shows them. */
+const TOUCHED = ['today', 'overview', 'standing', 'take-history']
+
+export const meQuery = queryOptions({ queryKey: keys.me, queryFn: () => answered(api.GET('/v1/me')), staleTime: 60_000 })
+
+/** What the person at the screen is in one project. */
+export function useMyProject(projectId: string): MyProject | undefined {
+  const { data } = useQuery(meQuery)
+  return data?.projects.find(({ id }) => id === projectId)
+}
+
+async function everyPage<T>(page: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> {
+  const all: T[] = []
+  let cursor: string | undefined
+  do {
+    const { items, next } = await page(cursor)
+    all.push(...items)
+    cursor = next ?? undefined
+  } while (cursor !== undefined)
+  return all
+}
+
+/** Every cue that waits for a verdict, the oldest first. */
+export const queueQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.queue(projectId),
+    queryFn: () =>
+      everyPage((cursor) =>
+        answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
+      ),
+  })
+
+export const reviewQuery = (cueId: string) =>
+  queryOptions({
+    queryKey: keys.review(cueId),
+    queryFn: () => answered(api.GET('/v1/cues/{cue_id}/review', { params: { path: { cue_id: cueId } } })),
+  })
+
+/** Changes that are noted and not sent. */
+export const draftsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.drafts(projectId),
+    queryFn: () =>
+      everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/change-requests', {
+            params: { path: { project_id: projectId }, query: { state: 'draft', cursor } },
+          }),
+        ),
+      ),
+  })
+
+async function readPeaks(url: string): Promise<Peaks> {
+  const read = await answered<Schemas['PeaksRead']>(
+    fetch(url, { credentials: 'same-origin' }).then(async (response) => ({
+      response,
+      data: response.ok ? ((await response.json()) as Schemas['PeaksRead']) : undefined,
+    })),
+  )
+  return finePeaks(read)
+}
+
+/** The fine shape of one sound: undefined while it is on its way, null where the server has none. */
+export function usePeaks(url: string | null | undefined): Peaks | null | undefined {
+  const { data, isError } = useQuery({
+    queryKey: keys.peaks(url ?? ''),
+    queryFn: () => readPeaks(url ?? ''),
+    enabled: Boolean(url),
+    staleTime: Infinity,
+  })
+  if (url === undefined) return undefined
+  return url === null || isError ? null : data
+}
+
+/** Ask anew for what a verdict, a change or a sending touched. */
+export async function refresh(client: QueryClient, projectId: string): Promise<void> {
+  const touched = [keys.queue(projectId), keys.drafts(projectId), ['cue-review'], ...TOUCHED.map((key) => [key])]
+  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+}
+
+/** Send every draft together. */
+export function useSending(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (note: string) =>
+      answered(
+        api.POST('/v1/projects/{project_id}/sendings', {
+          params: { path: { project_id: projectId } },
+          body: { note },
+        }),
+      ),
+    onSettled: () => refresh(client, projectId),
+  })
+}
+
+/** Take a draft back before it is sent. */
+export function useDropDraft(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (draft: ChangeRequest) =>
+      answered(
+        api.DELETE('/v1/change-requests/{change_request_id}', {
+          params: { path: { change_request_id: draft.id } },
+        }),
+      ),
+    onSettled: () => refresh(client, projectId),
+  })
+}

@@ -1,0 +1,113 @@
+import { figure, length, place, plural, range } from '@/ui/format'
+
+import type { QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
+import { inOrder, letterOf, oddOne, variationName } from './hearing'
+
+/** A sentence of the checker as the screens write it: a capital first, a true minus before figures. */
+export function sentence(text: string): string {
+  const written = text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')
+  return written.charAt(0).toUpperCase() + written.slice(1)
+}
+
+/** What a finding measured: up to the comma that begins its limit. */
+export function measuredPart(finding: ReviewFinding): [measured: string, rest: string] {
+  const said = sentence(finding.message)
+  const comma = said.indexOf(', ')
+  return comma < 0 ? [said, ''] : [said.slice(0, comma), said.slice(comma)]
+}
+
+export interface Waits {
+  before: string
+  /** What stands out, coloured. */
+  odd: string
+  after: string
+}
+
+/** What waits of a cue, in one line. */
+export function whatWaits(item: QueueItem): Waits {
+  const plain = (before: string): Waits => ({ before, odd: '', after: '' })
+  if (item.kind === 'set') {
+    const here = new Set(item.takes.map(({ variation }) => variation)).size
+    const whole = item.cue.variations
+    const set = here === whole ? `Set of ${whole}` : `${here} of a set of ${whole}`
+    const odd = oddOne(item.takes)
+    if (odd) {
+      const words = `${variationName(odd.take.variation)} is ${figure(Math.abs(odd.awayDb), 1)} dB ${odd.awayDb > 0 ? 'louder' : 'softer'}`
+      return { before: `${set}: `, odd: words, after: ' than the others' }
+    }
+    if (item.worst_finding) return withFinding(`${set}: `, item.worst_finding)
+    return plain(`${set}, all conforming`)
+  }
+  if (item.kind === 'alternates') {
+    const many = `${item.takes.length} alternates, pick one`
+    return item.worst_finding ? withFinding(`${many}: `, item.worst_finding) : plain(many)
+  }
+  const number = Math.max(1, ...item.takes.map((take) => take.number))
+  const version = number === 1 ? 'First version' : `Version ${number}`
+  return item.worst_finding ? withFinding(`${version}: `, item.worst_finding) : plain(`${version}, conforming`)
+}
+
+function withFinding(before: string, finding: ReviewFinding): Waits {
+  const [odd, after] = measuredPart(finding)
+  return { before, odd, after }
+}
+
+const SMALL_NUMBERS = ['none', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve']
+
+/** "three", "14": small numbers as words, as in a sentence. */
+export const spelled = (count: number): string => SMALL_NUMBERS[count] ?? figure(count)
+
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
+
+/** What is to be done with a cue: "Pick one of three for shield_hit". */
+export function asks(item: QueueItem): string {
+  const { name, variations } = item.cue
+  if (item.kind === 'alternates') return `Pick one of ${spelled(item.takes.length)} for ${name}`
+  if (item.kind === 'set') return `Hear the set of ${spelled(variations)} for ${name}`
+  const number = Math.max(1, ...item.takes.map((take) => take.number))
+  return number > 1 ? `Decide on version ${number} of ${name}` : `Decide on ${name}`
+}
+
+const REVERB_WORDS: Record<string, string> = {
+  dry: 'no reverb in the file',
+  'designed-tail': 'its tail is designed',
+  'separate-tail': 'its tail is a file of its own',
+}
+
+/** The facts that were asked for: "Weapon, one-shot, 0.80 s wanted, no reverb in the file". */
+export function asked(cue: ReviewCue): string {
+  const facts = [
+    cue.category,
+    cue.loop ? 'loop' : 'one-shot',
+    cue.variations > 1 ? `set of ${cue.variations}` : '',
+    cue.duration_s === null ? '' : `${length(cue.duration_s)} wanted`,
+    cue.reverb === null ? '' : (REVERB_WORDS[cue.reverb] ?? ''),
+  ]
+  return capital(facts.filter(Boolean).join(', '))
+}
+
+/** How a take is called beside its cue: "A", "_03", "_03 B", "version 2". */
+export function takeName(take: ReviewTake, cue: ReviewCue, waiting: readonly ReviewTake[]): string {
+  const ofVariation = waiting.filter(({ variation }) => variation === take.variation)
+  const letter = ofVariation.length > 1 ? letterOf(take, waiting) : ''
+  const variation = cue.variations > 1 ? variationName(take.variation) : ''
+  const name = [variation, letter].filter(Boolean).join(' ')
+  if (name !== '' && ofVariation.some(({ id }) => id === take.id)) return name
+  return [variation, `version ${take.number}`].filter(Boolean).join(' ')
+}
+
+/** Where in a sound something was said: "0.307–0.462 s", "0.044 s", or nothing for the whole of it. */
+export function spot(startS: number | null | undefined, endS: number | null | undefined): string | undefined {
+  if (startS === null || startS === undefined) return undefined
+  return endS === null || endS === undefined || endS === startS ? place(startS) : range(startS, endS)
+}
+
+/** "shield_hit", "shield_hit and suit_hit", "shield_hit, suit_hit and 3 more". */
+export function namesOf(names: readonly string[]): string {
+  const own = [...new Set(names)]
+  if (own.length > 3) return `${own.slice(0, 2).join(', ')} and ${plural(own.length - 2, 'more', 'more')}`
+  return own.length < 2 ? (own[0] ?? '') : `${own.slice(0, -1).join(', ')} and ${own.at(-1)}`
+}
+
+/** The takes of an item in the order in which they are heard. */
+export const heardTakes = (item: QueueItem): ReviewTake[] => inOrder(item.takes)

@@ -1,0 +1,101 @@
+import { describe, expect, test } from 'vitest'
+
+import * as format from './format'
+
+const NOW = new Date(2026, 10, 17, 12, 0, 0)
+const before = (ms: number) => new Date(NOW.getTime() - ms)
+const MINUTE = 60_000
+const HOUR = 60 * MINUTE
+const DAY = 24 * HOUR
+
+describe('levels', () => {
+  test.each([
+    [-0.6, 'dBTP', '−0.6 dBTP'],
+    [0, 'dBFS', '0.0 dBFS'],
+    [-0.04, 'dBFS', '0.0 dBFS'],
+    [-0.05, 'dBFS', '−0.1 dBFS'],
+    [-14.24, 'LUFS', '−14.2 LUFS'],
+    [null, 'dBFS', '−∞ dBFS'],
+    [-Infinity, 'LUFS', '−∞ LUFS'],
+  ] as const)('%s %s is written %s', (value, unit, text) => {
+    expect(format.level(value, unit)).toBe(text)
+  })
+
+  test.each([
+    [1.4, '+1.4 dB'],
+    [-2.1, '−2.1 dB'],
+    [0.04, 'as sent'],
+  ])('a gain of %s is written %s', (db, text) => {
+    expect(format.gain(db)).toBe(text)
+  })
+})
+
+test('places have three decimals, lengths two', () => {
+  expect(format.place(0.418)).toBe('0.418 s')
+  expect(format.range(0.307, 0.462)).toBe('0.307–0.462 s')
+  expect(format.length(0.8399)).toBe('0.84 s')
+  expect(format.milliseconds(412)).toBe('412 ms')
+  expect(format.milliseconds(1500)).toBe('1.5 s')
+})
+
+test.each([
+  [48_000, '48 kHz'],
+  [44_100, '44.1 kHz'],
+  [22_050, '22.05 kHz'],
+  [11_025, '11.025 kHz'],
+])('%s Hz is written %s', (hz, text) => {
+  expect(format.rate(hz)).toBe(text)
+})
+
+test.each([
+  [0, '0 bytes'],
+  [999, '999 bytes'],
+  [1000, '1.0 kB'],
+  [999_949, '999.9 kB'],
+  [999_960, '1.0 MB'],
+  [17_300_000, '17.3 MB'],
+  [2_147_483_648, '2.1 GB'],
+])('%s bytes are written %s', (count, text) => {
+  expect(format.bytes(count)).toBe(text)
+})
+
+test('a part is counted in the unit of its whole', () => {
+  expect(format.bytesOf(9_100_000, 17_300_000)).toBe('9.1 of 17.3 MB')
+  expect(format.bytesOf(0, 17_300_000)).toBe('0.0 of 17.3 MB')
+  expect(format.bytesOf(12, 900)).toBe('12 of 900 bytes')
+})
+
+test.each([
+  [0, 'now'],
+  [MINUTE - 1, 'now'],
+  [20 * MINUTE, '20 min'],
+  [2 * HOUR, '2 h'],
+  [DAY - 1, '23 h'],
+  [DAY, '1 day'],
+  [5 * DAY, '5 days'],
+])('what waits %s ms is %s old', (ms, text) => {
+  expect(format.age(before(ms), NOW)).toBe(text)
+})
+
+test.each([
+  ['2026-11-20', 'Friday 20 November, in 3 days'],
+  ['2026-11-17', 'Tuesday 17 November, today'],
+  ['2026-11-18', 'Wednesday 18 November, tomorrow'],
+  ['2026-11-16', 'Monday 16 November, yesterday'],
+  ['2026-11-24', 'Tuesday 24 November, in 7 days'],
+  ['2026-12-18', 'Friday 18 December'],
+  ['2027-01-02', 'Saturday 2 January 2027'],
+])('%s is due %s', (on, text) => {
+  expect(format.dueDay(on, NOW)).toBe(text)
+})
+
+test('counts and words', () => {
+  expect(format.countOf(4, 4)).toBe('4 of 4')
+  expect(format.plural(1, 'cue')).toBe('1 cue')
+  expect(format.plural(3, 'cue')).toBe('3 cues')
+  expect(format.plural(1024, 'file')).toBe('1,024 files')
+  expect(format.remaining(40)).toBe('40 s')
+  expect(format.remaining(61)).toBe('2 min')
+  expect(format.channels(1)).toBe('mono')
+  expect(format.channels(6)).toBe('6 channels')
+})
