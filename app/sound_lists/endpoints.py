@@ -8,10 +8,14 @@ from uuid import UUID
 from fastapi import APIRouter, Query, Response
 
 from app.accounts.endpoints import allows
+from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
 from app.kit.http import DbSession, Page, Route, cursor_of, problems, uuid_cursor
-from app.projects.errors import ProjectNotFound, TeamNeeded
-from app.projects.service import standing_in
+from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
+from app.projects.queries import current_spec
+from app.projects.schemas import ResolvedSpec
+from app.projects.service import invitation_by_secret, standing_in
+from app.projects.specs import read_spec
 from app.sound_lists import queries, questions, revisions, service
 from app.sound_lists.errors import (
     ColumnUnknown,
@@ -35,9 +39,11 @@ from app.sound_lists.schemas import (
     CuesAdd,
     ImportAsk,
     ImportRead,
+    InvitationPreview,
     ListComparison,
     PaletteSet,
     PlaceholderSet,
+    PreviewProject,
     QuestionAdd,
     QuestionRead,
     RevisionRead,
@@ -257,3 +263,27 @@ def answer_question(
     """Answer a question; the answer joins the cue's description unless told not to."""
     standing, question = questions.answer_question(session, actor, question_id, body.text, joins=body.joins)
     return questions.question_read(question, standing)
+
+
+@router.get("/invitations/{secret}", response_model=InvitationPreview, responses=problems(InvitationNotFound))
+def preview_invitation(
+    secret: str,
+    session: DbSession,
+    actor: Actor = allows(Sight.ANYONE),  # noqa: ARG001  whoever holds the link
+) -> InvitationPreview:
+    """Show what a mailed link invites to: the project, its list, and how sounds must come."""
+    invitation = invitation_by_secret(session, secret)
+    project = invitation.project
+    return InvitationPreview(
+        project=PreviewProject(name=project.name, description=project.description, cue_prefix=project.cue_prefix),
+        studio_name=project.studio.name,
+        kind=invitation.kind,
+        note=invitation.note,
+        email=invitation.email,
+        invited_by_name=invitation.inviter.name,
+        has_account=has_account(session, invitation.email),
+        expires_at=invitation.expires_at,
+        accepted=invitation.accepted_at is not None,
+        cues=service.preview_cues(queries.cues_of(session, project.id), project.cue_prefix),
+        spec=ResolvedSpec.model_validate(read_spec(current_spec(session, project.id).toml)),
+    )

@@ -66,7 +66,7 @@ def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> 
     )
     if len(wanted) <= IDS_AT_ONCE:
         query = query.where(Stem.folded.in_(wanted))
-    return {key: (cue_id, number, stem) for key, cue_id, number, stem in session.execute(query).tuples()}
+    return {key: (cue_id, number, stem) for key, cue_id, number, stem in session.execute(query)}
 
 
 def lock_list(session: Session, project_id: UUID) -> None:
@@ -86,7 +86,7 @@ def last_numbers(session: Session, project_id: UUID) -> tuple[int, int]:
 
 def numbers_taken(session: Session, project_id: UUID) -> dict[int, UUID]:
     """Return the cue ids of a list by number."""
-    rows = session.execute(select(Cue.number, Cue.id).where(Cue.project_id == project_id)).tuples()
+    rows = session.execute(select(Cue.number, Cue.id).where(Cue.project_id == project_id))
     return dict(rows.all())
 
 
@@ -107,17 +107,13 @@ def revisions_of(session: Session, project_id: UUID, *, before: int | None, limi
 
 def changes_between(session: Session, project_id: UUID, first: int, last: int) -> Sequence[tuple[CueChange, Cue]]:
     """Return what the revisions after `first` up to `last` did to each cue, the oldest first."""
-    return (
-        session.execute(
-            select(CueChange, Cue)
-            .join(Revision, Revision.id == CueChange.revision_id)
-            .join(Cue, Cue.id == CueChange.cue_id)
-            .where(Revision.project_id == project_id, Revision.number > first, Revision.number <= last)
-            .order_by(Revision.number, Cue.position, Cue.number)
-        )
-        .tuples()
-        .all()
-    )
+    return session.execute(
+        select(CueChange, Cue)
+        .join(Revision, Revision.id == CueChange.revision_id)
+        .join(Cue, Cue.id == CueChange.cue_id)
+        .where(Revision.project_id == project_id, Revision.number > first, Revision.number <= last)
+        .order_by(Revision.number, Cue.position, Cue.number)
+    ).all()
 
 
 def open_question_counts(session: Session, project_id: UUID) -> dict[UUID, int]:
@@ -126,7 +122,7 @@ def open_question_counts(session: Session, project_id: UUID) -> dict[UUID, int]:
         select(Question.cue_id, func.count())
         .where(Question.project_id == project_id, Question.answered_at.is_(None))
         .group_by(Question.cue_id)
-    ).tuples()
+    )
     return defaultdict(int, counts.all())
 
 

@@ -9,6 +9,7 @@ from pydantic import Field
 from app.accounts.schemas import PersonBrief
 from app.kit.http import Schema
 from app.projects.rules import EngagementKind
+from app.projects.schemas import ResolvedSpec
 from app.sound_lists.rules import CueState, Reverb
 
 OpenState = Literal["concept", "prototype", "locked"]
@@ -320,4 +321,5 @@ class InvitationPreview(Schema):
     has_account: bool
     expires_at: datetime
     cues: list[PreviewCue]
-    spec: dict[str, Any]
+    accepted: bool
+    spec: ResolvedSpec

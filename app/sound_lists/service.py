@@ -33,7 +33,7 @@ from app.sound_lists.rules import (
     spreadsheet_safe,
     tidy,
 )
-from app.sound_lists.schemas import CueRead
+from app.sound_lists.schemas import CueRead, PreviewCue
 
 OWN_COLUMNS = ("playback_priority", "placeholder", "palette")  # in the export beside those every tool knows
 
@@ -104,6 +104,16 @@ def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
         cut_at=cue.cut_at,
         open_questions=open_questions,
     )
+
+
+def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:
+    """Return the cues that are still wanted, as an invited designer sees them before having an account."""
+    shown = ("number", "name", "file_name", "category", "description", "use", "duration_s", "loop", "variations")
+    return [
+        PreviewCue(label=label(cue_prefix, cue.number), state=cue.state, **{fact: getattr(cue, fact) for fact in shown})
+        for cue in cues
+        if cue.state is not CueState.CUT
+    ]
 
 
 def cue_facts(cue: Cue) -> audio_checks.CueFacts:
