@@ -1,7 +1,187 @@
 """The endpoints of this room."""
 
-from fastapi import APIRouter
+from typing import Annotated
+from urllib.parse import quote
+from uuid import UUID
 
-from app.kit.http import Route
+from fastapi import APIRouter, Query, Response
+from fastapi.responses import StreamingResponse
+
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.builds import packs, service
+from app.builds.documentation_key import key_csv, key_xlsx
+from app.builds.errors import (
+    BlobDamaged,
+    BuildNotFound,
+    NothingAccepted,
+    PackIncomplete,
+    ReportInvalid,
+    TargetUnknown,
+)
+from app.builds.rules import ci_lines
+from app.builds.schemas import Baseline, BuildAdd, BuildBrief, BuildRead, CiLines, PackRead
+from app.builds.zip_stream import zip_bytes, zip_length
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.projects.errors import ProjectNotFound, TeamNeeded
 
 router = APIRouter(prefix="/v1", tags=["builds"], route_class=Route)
+PAGE = 50
+XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
+Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
+BINARY = {"schema": {"type": "string", "format": "binary"}}
+
+
+@router.get(
+    "/projects/{project_id}/pack",
+    response_model=PackRead,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+)
+def get_pack(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> PackRead:
+    """Say what the approved pack of a target holds, and what it lacks."""
+    return packs.pack_read(packs.pack_in_sight(session, actor, project_id, target))
+
+
+@router.get(
+    "/projects/{project_id}/pack.zip",
+    response_class=StreamingResponse,
+    responses={
+        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, NothingAccepted, PackIncomplete, BlobDamaged),
+        200: {"content": {"application/zip": BINARY}},
+    },
+)
+def download_pack(
+    project_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    target: Target = None,
+    masters: bool = False,
+    allow_missing: Annotated[
+        bool, Query(description="Leave out accepted sounds that have no game file; the key says why.")
+    ] = False,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> StreamingResponse:
+    """Stream the approved pack; an answer shorter than its Content-Length is a broken one."""
+    pack = packs.pack_in_sight(session, actor, project_id, target)
+    entries = packs.pack_entries(runtime.store, pack, masters=masters, allow_missing=allow_missing)
+    name = f"{pack.project.name} {pack.target}.zip"
+    return StreamingResponse(
+        zip_bytes(entries),
+        media_type="application/zip",
+        headers={"Content-Length": str(zip_length(entries)), "Content-Disposition": _attachment(name)},
+    )
+
+
+def _attachment(name: str) -> str:
+    return f"attachment; filename=\"pack.zip\"; filename*=UTF-8''{quote(name, safe='')}"
+
+
+@router.get(
+    "/projects/{project_id}/documentation-key.csv",
+    response_class=Response,
+    responses={**problems(ProjectNotFound, TeamNeeded, TargetUnknown), 200: {"content": {"text/csv": {}}}},
+)
+def get_documentation_key_csv(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Response:
+    """Return what each file of the pack is and what it is for, as CSV."""
+    rows = packs.key_rows(packs.pack_in_sight(session, actor, project_id, target), masters=False)
+    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_CSV}"'}
+    return Response(key_csv(rows), media_type="text/csv; charset=utf-8", headers=headers)
+
+
+@router.get(
+    "/projects/{project_id}/documentation-key.xlsx",
+    response_class=Response,
+    responses={**problems(ProjectNotFound, TeamNeeded, TargetUnknown), 200: {"content": {XLSX: BINARY}}},
+)
+def get_documentation_key_xlsx(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Response:
+    """Return what each file of the pack is and what it is for, as a workbook."""
+    rows = packs.key_rows(packs.pack_in_sight(session, actor, project_id, target), masters=False)
+    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_XLSX}"'}
+    return Response(key_xlsx(rows), media_type=XLSX, headers=headers)
+
+
+@router.post(
+    "/projects/{project_id}/builds",
+    status_code=201,
+    response_model=BuildBrief,
+    responses=problems(ProjectNotFound, TeamNeeded, ReportInvalid),
+)
+def post_build(
+    project_id: UUID,
+    body: BuildAdd,
+    session: DbSession,
+    actor: Actor = allows(Sight.TEAM, build=Scope.CHECKS_WRITE),
+) -> BuildBrief:
+    """Keep what audio-checks said of one build of the game."""
+    build = service.keep_report(
+        session,
+        actor,
+        project_id,
+        label=body.label,
+        commit=body.commit,
+        target=body.target,
+        report=body.report.model_dump(exclude_unset=True),
+    )
+    return BuildBrief.model_validate(build)
+
+
+@router.get(
+    "/projects/{project_id}/builds",
+    response_model=Page[BuildBrief],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_builds(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.TEAM)
+) -> Page[BuildBrief]:
+    """Return the project's builds, the newest first."""
+    found = service.builds_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(
+        items=[BuildBrief.model_validate(build) for build in found[:PAGE]],
+        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+    )
+
+
+@router.get("/builds/{build_id}", response_model=BuildRead, responses=problems(BuildNotFound, TeamNeeded))
+def get_build(build_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> BuildRead:
+    """Return one build with its whole report."""
+    return BuildRead.model_validate(service.build_in_sight(session, actor, build_id))
+
+
+@router.get("/projects/{project_id}/baseline.json", response_model=Baseline, responses=problems(ProjectNotFound))
+def get_baseline(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+) -> Baseline:
+    """Return what the decider let through, for `audio-checks check --baseline`."""
+    return Baseline(waived=service.waived_sounds(session, actor, project_id))
+
+
+@router.get(
+    "/projects/{project_id}/ci",
+    response_model=CiLines,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+)
+def get_ci_lines(
+    project_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM),
+) -> CiLines:
+    """Return the shell lines by which the game's CI checks its audio and posts the report."""
+    pack = packs.pack_in_sight(session, actor, project_id, target)
+    return CiLines(lines=ci_lines(runtime.settings.base_url, str(project_id), pack.target))

@@ -1,0 +1,29 @@
+"""What this room refuses, each named after the fact."""
+
+from app.kit.errors import Conflict, Invalid, NotFound, Refused
+
+
+class BuildNotFound(NotFound):
+    """No build of that id within the caller's sight."""
+
+
+class TargetUnknown(Invalid):
+    """The project's spec has no target of that name."""
+
+
+class NothingAccepted(Conflict):
+    """No cue is accepted yet, so there is nothing to pack."""
+
+
+class PackIncomplete(Conflict):
+    """An accepted sound has no game file for the target."""
+
+
+class BlobDamaged(Refused):
+    """The store lost or altered a file; nothing is handed out in its place."""
+
+    status = 500
+
+
+class ReportInvalid(Invalid):
+    """What was sent is no report of audio-checks."""

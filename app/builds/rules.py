@@ -1,0 +1,52 @@
+"""What a report says of a build, and how CI speaks to us: without a database."""
+
+import json
+import shlex
+from collections.abc import Mapping
+from typing import Any
+
+from app.builds.errors import ReportInvalid
+
+MAX_REPORT_CHARS = 50_000_000
+
+
+def ensure_storable(report: Mapping[str, Any]) -> None:
+    """Raise ReportInvalid for a report that no JSON document can hold, or that is too large to keep."""
+    try:
+        text = json.dumps(report, allow_nan=False)
+        text.encode()
+    except (ValueError, RecursionError):
+        raise ReportInvalid("the report holds what JSON cannot: NaN, an infinity, or too many levels") from None
+    if len(text) > MAX_REPORT_CHARS:
+        raise ReportInvalid(f"the report has {len(text):,} characters; at most {MAX_REPORT_CHARS:,} are kept")
+    if "\\u0000" in text:
+        raise ReportInvalid("the report holds a zero character")
+
+
+def is_refused(entry: Mapping[str, Any]) -> bool:
+    """Whether a file of a report breaks a build: by a verdict that no waiver lifts."""
+    if entry["verdict"] != "rejected":
+        return bool(entry["verdict"] != "conforming")
+    return any(finding["severity"] == "error" and not finding.get("waived") for finding in entry["findings"])
+
+
+def warnings_in(entry: Mapping[str, Any]) -> int:
+    """Return how many findings of a file warn."""
+    return sum(finding["severity"] == "warning" for finding in entry["findings"])
+
+
+def ci_lines(base_url: str, project_id: str, target: str) -> list[str]:
+    """Return the shell lines by which a game's CI checks its audio and posts the report."""
+    project = f"{base_url}/v1/projects/{project_id}"
+    auth = '-H "Authorization: Bearer $SOUNDLIST_TOKEN"'
+    fetched = (("spec.toml", "spec.toml"), ("sound-list.csv", "sounds.csv"), ("baseline.json", "baseline.json"))
+    quoted = shlex.quote(target)
+    compose = "{label: $label, commit: $commit, target: $target, report: $report[0]}"
+    return [
+        *(f"curl -fsS {auth} -o {name} {project}/{path}" for path, name in fetched),
+        f"audio-checks check --spec spec.toml --list sounds.csv --target {quoted} --baseline baseline.json "
+        "--format text --format json:report.json assets/ || status=$?",
+        f'jq -n --arg label "$BUILD" --arg commit "$COMMIT" --arg target {quoted} --slurpfile report report.json '
+        f"'{compose}' | curl -fsS {auth} -H 'Content-Type: application/json' --data-binary @- {project}/builds",
+        'exit "${status:-0}"',
+    ]

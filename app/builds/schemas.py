@@ -1,0 +1,134 @@
+"""Bodies that this room reads and answers."""
+
+from datetime import datetime
+from typing import Any, Literal
+from uuid import UUID
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from app.kit.http import Schema
+
+
+class MissingFile(Schema):
+    """An accepted sound that a target has no game file of, and why."""
+
+    cue_id: UUID
+    label: str
+    name: str
+    file_name: str
+    reason: str
+
+
+class PackRead(Schema):
+    """What the approved pack of a target holds."""
+
+    target: str
+    targets: list[str]
+    files: int
+    bytes: int
+    masters_bytes: int
+    cues_accepted: int
+    cues_wanted: int = Field(description="Cues of the list that are not cut.")
+    missing: list[MissingFile]
+
+
+class ReportTool(BaseModel):
+    """What wrote the report."""
+
+    model_config = ConfigDict(extra="allow")
+
+    name: str = Field(max_length=100)
+    version: str = Field(max_length=100)
+
+
+class ReportSpec(BaseModel):
+    """The spec that the files were judged by."""
+
+    model_config = ConfigDict(extra="allow")
+
+    name: str = Field(max_length=500)
+    sha256: str = Field(max_length=64)
+
+
+class ReportFinding(BaseModel):
+    """One rule that a file breaks."""
+
+    model_config = ConfigDict(extra="allow")
+
+    code: str = Field(max_length=200)
+    severity: Literal["error", "warning"]
+    message: str = Field(max_length=10_000)
+    waived: bool = False
+
+
+class ReportFile(BaseModel):
+    """What is said of one file."""
+
+    model_config = ConfigDict(extra="allow")
+
+    path: str = Field(max_length=10_000)
+    verdict: Literal["conforming", "rejected", "unreadable", "unjudged"]
+    findings: list[ReportFinding] = Field(max_length=1000)
+
+
+class CheckReport(BaseModel):
+    """A report of audio-checks, as its JSON format has it."""
+
+    model_config = ConfigDict(extra="allow")
+
+    schema_version: Literal[1]
+    tool: ReportTool
+    spec: ReportSpec | None
+    files: list[ReportFile] = Field(max_length=20_000)
+    summary: dict[str, int]
+
+
+class BuildAdd(Schema):
+    """What a game's CI found in one build."""
+
+    label: str = Field(min_length=1, max_length=200)
+    commit: str = Field("", max_length=200)
+    target: str = Field("", max_length=100)
+    report: CheckReport
+
+
+class BuildBrief(Schema):
+    """One build, without its report."""
+
+    id: UUID
+    label: str
+    commit: str
+    target: str
+    files: int
+    rejected: int = Field(description="Files that are refused: rejected without a waiver, unreadable or unjudged.")
+    warnings: int
+    created_at: datetime
+
+
+class BuildRead(BuildBrief):
+    """One build with its whole report."""
+
+    report: dict[str, Any]
+
+
+class WaivedSound(Schema):
+    """Codes that the decider let through for one sound, found by the hash of its samples."""
+
+    pcm_sha256: str
+    codes: list[str]
+    reason: str
+    cue: str | None
+    file_name: str
+
+
+class Baseline(Schema):
+    """What `audio-checks check --baseline` reads."""
+
+    format: Literal[1] = 1
+    waived: list[WaivedSound]
+
+
+class CiLines(Schema):
+    """Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN."""
+
+    lines: list[str]

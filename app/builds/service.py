@@ -1,0 +1,84 @@
+"""Builds: reports of the game's CI are kept, and what the decider waived is told to it."""
+
+from collections.abc import Sequence
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.builds import queries
+from app.builds.errors import BuildNotFound
+from app.builds.models import Build
+from app.builds.packs import ensure_team_or_build
+from app.builds.rules import ensure_storable, is_refused, warnings_in
+from app.builds.schemas import WaivedSound
+from app.conformance.queries import waivers_in
+from app.kit.events import publish
+from app.projects.errors import ProjectNotFound
+from app.projects.service import standing_in
+from app.sound_lists.rules import label
+
+
+def keep_report(
+    session: Session, actor: Actor, project_id: UUID, *, label: str, commit: str, target: str, report: dict[str, Any]
+) -> Build:
+    """Keep the report of one build, counted by us."""
+    standing = standing_in(session, actor, project_id)
+    ensure_team_or_build(standing)
+    ensure_storable(report)
+    build = Build(
+        studio_id=standing.project.studio_id,
+        project_id=project_id,
+        label=label,
+        commit=commit,
+        target=target,
+        files=len(report["files"]),
+        rejected=sum(is_refused(entry) for entry in report["files"]),
+        warnings=sum(warnings_in(entry) for entry in report["files"]),
+        report=report,
+        token_id=actor.token_id,
+    )
+    session.add(build)
+    session.flush()
+    publish(session, "build.posted", build_id=build.id)
+    return build
+
+
+def builds_in(session: Session, actor: Actor, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Build]:
+    """Return builds of a project without their reports, the newest first."""
+    standing_in(session, actor, project_id).ensure_team()
+    return queries.builds_of(session, project_id, before=before, limit=limit)
+
+
+def build_in_sight(session: Session, actor: Actor, build_id: UUID) -> Build:
+    """Return a build with its report; raise BuildNotFound without sight of it."""
+    build = queries.build_by_id(session, build_id)
+    if build is None:
+        raise BuildNotFound(f"no build {build_id}")
+    try:
+        standing = standing_in(session, actor, build.project_id)
+    except ProjectNotFound:
+        raise BuildNotFound(f"no build {build_id}") from None
+    standing.ensure_team()
+    return build
+
+
+def waived_sounds(session: Session, actor: Actor, project_id: UUID) -> list[WaivedSound]:
+    """Return what the decider let through, by the samples of each master and of each game file made of it."""
+    standing = standing_in(session, actor, project_id)
+    only = standing.only_designer_id
+    waivers = [row for row in waivers_in(session, project_id) if only in (None, row[2].designer_id)]
+    renders = queries.render_hashes(session, {take.id for _, _, take in waivers})
+    return [
+        WaivedSound(
+            pcm_sha256=pcm_sha256,
+            codes=sorted(waiver.codes),
+            reason=waiver.reason,
+            cue=label(standing.project.cue_prefix, take.cue.number) if take.cue else None,
+            file_name=take.file_name,
+        )
+        for waiver, run, take in waivers
+        for pcm_sha256 in dict.fromkeys([run.pcm_sha256, *renders[take.id]])
+        if pcm_sha256
+    ]
