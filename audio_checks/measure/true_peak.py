@@ -13,8 +13,8 @@ from audio_checks.measure.decibels import decibels
 
 OVERSAMPLING = 8
 TAPS = 24  # a phase
-BAND = 0.9  # of the Nyquist frequency: up to there the curve is exact to the last digits of a decibel
-OUTER_WEIGHT = 1e-3  # of errors above it, so that they stay small as well
+BAND = 0.89  # of the Nyquist frequency: where the phases are to be right
+OUTER_WEIGHT = 1e-4  # of errors above it
 ROW = 32  # intervals that are interpolated together
 ROWS_AT_ONCE = 256
 

@@ -14,6 +14,7 @@ import pytest
 
 from audio_checks.errors import Unreadable
 from audio_checks.wav import blocks, open_regular, read_layout
+from tests.support.mutants import DATA, FMT, GOOD, SOUND, mutant, rf64
 from tests.support.waves import (
     FLOAT_GUID,
     chunk,
@@ -21,18 +22,11 @@ from tests.support.waves import (
     float_bytes,
     fmt,
     noise,
-    pcm_bytes,
     riff,
-    sine,
     smpl,
     wav_bytes,
     write_wav,
 )
-
-SOUND = pcm_bytes(sine(hz=440, seconds=0.01), 16)  # 480 frames, 960 bytes
-FMT = chunk(b"fmt ", fmt())
-DATA = chunk(b"data", SOUND)
-GOOD = riff(FMT, DATA)
 
 
 def layout_of(content):
@@ -46,16 +40,6 @@ def samples_of(content, block_frames=65_536):
 
 def with_format(**kinds):
     return riff(chunk(b"fmt ", fmt(**kinds)), DATA)
-
-
-def ds64(riff_size, data_size, frames, entries=0):
-    return chunk(b"ds64", struct.pack("<QQQI", riff_size, data_size, frames, entries))
-
-
-def rf64(data_size=960, frames=480, riff_size=None, entries=0, **kinds):
-    size = 4 + 36 + len(FMT) + len(DATA) if riff_size is None else riff_size
-    data = b"data\xff\xff\xff\xff" + SOUND
-    return riff(ds64(size, data_size, frames, entries), FMT, data, magic=b"RF64", size=0xFFFFFFFF, **kinds)
 
 
 REFUSED = {
@@ -308,13 +292,12 @@ def test_two_gigabytes_take_little_memory_and_time(tmp_path):
     size = 2 << 30
     header = riff(chunk(b"fmt ", fmt(channels=2)), b"data" + struct.pack("<I", size - 44), size=size - 8)
     sparse(tmp_path / "sound.wav", header, size)
-    sparse(tmp_path / "padded.wav", GOOD, size)
+    sparse(tmp_path / "padded.wav", GOOD, size // 8)
     sparse(tmp_path / "junk.wav", riff(FMT, DATA, b"JUNK" + struct.pack("<I", 0xFFFFFF00), size=size - 8), size)
     script = f"""
-import itertools, resource, sys
+import itertools
 from audio_checks.errors import Unreadable
 from audio_checks.wav import blocks, open_regular, read_layout
-from audio_checks.audio import AudioFile
 for name in ("sound", "padded", "junk"):
     with open_regular({str(tmp_path)!r} + "/" + name + ".wav") as file:
         try:
@@ -324,7 +307,7 @@ for name in ("sound", "padded", "junk"):
             print(name, layout.frames)
         except Unreadable as refusal:
             print(name, refusal.rule)
-print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+print(open("/proc/self/status").read().partition("VmHWM:")[2].split()[0])
 """
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
@@ -332,7 +315,7 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
     *lines, peak_kib = done.stdout.splitlines()
     assert lines == [f"sound {(size - 44) // 4}", "padded 480", "junk R1"]
     assert int(peak_kib) < 256 * 1_024
-    assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 15
+    assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 10
 
 
 def test_a_header_of_many_channels_takes_little_memory():
@@ -342,41 +325,6 @@ def test_a_header_of_many_channels_takes_little_memory():
     sizes = [block.nbytes for block in blocks(file, layout)]
     assert max(sizes) <= 4 << 20
     assert sum(sizes) == 1_024 * 4_096 * 8
-
-
-SEEDS = [
-    GOOD,
-    wav_bytes(noise(seconds=0.005, channels=2), bits=24, before=[chunk(b"bext", bytes(99))], after=[smpl([(3, 99)])]),
-    wav_bytes(noise(seconds=0.005), bits=32, encoding="float", after=[chunk(b"LIST", b"INFO" + chunk(b"ICMT", b"x"))]),
-    riff(chunk(b"fmt ", extensible(channels=2)), chunk(b"data", pcm_bytes(noise(seconds=0.005, channels=2), 32))),
-    rf64(),
-    wav_bytes(noise(seconds=0.005), bits=8),
-]
-EXTREMES = [0, 1, 7, 8, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF]
-
-
-def mutant(rng):
-    content = bytearray(SEEDS[rng.integers(len(SEEDS))])
-    for _ in range(rng.integers(1, 4)):
-        near = int(rng.integers(min(120, len(content)) if rng.random() < 0.8 else len(content)))
-        match rng.integers(6):
-            case 0:
-                content[near] = rng.integers(256)
-            case 1:
-                extreme = EXTREMES[rng.integers(len(EXTREMES))]
-                width = int(rng.choice([1, 2, 4]))
-                content[near : near + width] = (extreme & (1 << 8 * width) - 1).to_bytes(width, "little")
-            case 2:
-                del content[near : near + int(rng.integers(1, 64))]
-            case 3:
-                content[near:near] = rng.bytes(int(rng.integers(1, 32)))
-            case 4:
-                content[near:near] = content[12 : 12 + int(rng.integers(8, 60))]
-            case _:
-                del content[max(near, 1) :]
-        if not content:
-            content = bytearray(b"R")
-    return bytes(content)
 
 
 def test_thousands_of_mutants_are_read_or_refused():

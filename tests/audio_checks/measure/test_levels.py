@@ -1,0 +1,146 @@
+"""Peak, RMS, offset, flat tops, correlation and bits, from theory."""
+
+import math
+
+import numpy as np
+import pytest
+
+from audio_checks.measure.bits import effective_bits
+from audio_checks.measure.flat_tops import FlatTops
+from audio_checks.measure.levels import Levels, dc_offset_percent, rms_dbfs, sample_peak_dbfs
+from audio_checks.measure.phase import Phase
+from tests.support.waves import click, join, noise, silence, sine
+
+
+def measured(accumulator, samples, size=1_000):
+    for start in range(0, len(samples), size):
+        accumulator.add(samples[start : start + size])
+    return accumulator.result()
+
+
+def levels(samples, rate=48_000):
+    return measured(Levels(rate, samples.shape[1], len(samples)), samples)
+
+
+def test_a_sine():
+    figures = levels(sine(hz=1_000, dbfs=-6, channels=2))
+    assert figures["sample_peak_dbfs"] == pytest.approx(-6, abs=1e-9)
+    assert figures["rms_dbfs"] == pytest.approx(-9.0103, abs=1e-4)
+    assert figures["crest_db"] == pytest.approx(3.0103, abs=1e-4)
+    assert figures["dc_offset_percent"] == pytest.approx(0, abs=1e-9)
+    assert figures["sample_peak_s"] == pytest.approx(0.25e-3)
+    assert figures["silent_channels"] == ()
+    assert not figures["is_silence"]
+
+
+def test_a_full_scale_square_is_0_dbfs_rms():
+    square = np.where(np.arange(960) % 96 < 48, 1.0, -1.0)[:, np.newaxis]
+    assert rms_dbfs(square) == 0
+    assert levels(square)["crest_db"] == 0
+
+
+def test_the_last_sample_of_the_last_channel_counts():
+    samples = silence(channels=3, seconds=0.1)
+    samples[-1, 2] = -0.5
+    figures = levels(samples)
+    assert figures["sample_peak_dbfs"] == pytest.approx(-6.0206, abs=1e-4)
+    assert figures["sample_peak_s"] == pytest.approx(4_799 / 48_000)
+    assert figures["silent_channels"] == (1, 2)
+
+
+def test_the_first_of_equal_peaks_is_named():
+    samples = join(click(at_s=0.5, channels=2), click(at_s=0.2, channels=2))
+    samples[30_000] = -samples[24_000]
+    assert levels(samples)["sample_peak_s"] == 0.5
+
+
+@pytest.mark.parametrize("offset", [0.01, -0.01])
+def test_offset_of_the_worst_channel(offset):
+    samples = sine(hz=100, channels=2) + np.array([0.002, offset])
+    assert levels(samples)["dc_offset_percent"] == pytest.approx(1.0, abs=1e-6)
+    assert dc_offset_percent(samples) == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("samples", [silence(channels=2), np.zeros((1, 1))])
+def test_silence(samples):
+    figures = levels(samples)
+    assert figures["is_silence"]
+    assert figures["sample_peak_dbfs"] == figures["rms_dbfs"] == -math.inf
+    assert figures["crest_db"] == figures["dc_offset_percent"] == figures["sample_peak_s"] == 0
+
+
+def test_no_frames_at_all():
+    nothing = np.zeros((0, 2))
+    assert sample_peak_dbfs(nothing) == rms_dbfs(nothing) == -math.inf
+    assert dc_offset_percent(nothing) == 0
+
+
+def test_plain_functions_agree_with_blocks():
+    samples = noise(channels=2)
+    figures = levels(samples)
+    assert figures["sample_peak_dbfs"] == pytest.approx(sample_peak_dbfs(samples), abs=1e-12)
+    assert figures["rms_dbfs"] == pytest.approx(rms_dbfs(samples), abs=1e-9)
+    assert figures["dc_offset_percent"] == pytest.approx(dc_offset_percent(samples), abs=1e-9)
+
+
+def flat_tops(samples, size=1_000, step=2.0**-23):
+    return measured(FlatTops(1_000, samples.shape[1], len(samples), step=step), samples, size)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5, 100])
+def test_runs_at_full_scale_are_found_whatever_the_blocks(size):
+    samples = np.zeros((100, 2))
+    samples[10:13, 0] = 1.0
+    samples[20:22, 0] = 1.0  # two are a crest
+    samples[30:40, 1] = -1.0
+    samples[40:43, 1] = 1.0  # the other rail is another run
+    samples[97:, 0] = -1.0
+    figures = flat_tops(samples, size)
+    assert figures["clipped_runs"] == 4
+    assert figures["clipped_spans"] == ((0.010, 0.013, 1), (0.030, 0.040, 2), (0.040, 0.043, 2), (0.097, 0.100, 1))
+
+
+@pytest.mark.parametrize(("step", "level", "runs"), [(2.0**-7, 127 / 128, 1), (2.0**-15, 127 / 128, 0), (0.0, 1.2, 1)])
+def test_full_scale_is_the_largest_sample_of_the_depth(step, level, runs):
+    assert flat_tops(np.full((10, 1), level), step=step)["clipped_runs"] == runs
+
+
+def test_a_normalised_sine_is_not_clipped():
+    assert flat_tops(sine(hz=997, dbfs=0))["clipped_runs"] == 0
+
+
+def test_a_driven_sine_is_clipped_twice_a_period():
+    assert flat_tops(np.clip(sine(hz=100, dbfs=6), -1, 1))["clipped_runs"] == 200
+
+
+def test_many_runs_are_counted_and_the_first_kept():
+    samples = np.tile(np.array([1.0, 1.0, 1.0, 0.0]), 3_000)[:, np.newaxis]
+    figures = flat_tops(samples)
+    assert figures["clipped_runs"] == 3_000
+    assert len(figures["clipped_spans"]) == 1_000
+
+
+def correlation(samples):
+    return measured(Phase(48_000, samples.shape[1], len(samples)), samples)["channel_correlation"]
+
+
+def test_correlation():
+    one, other = noise(channels=2).T
+    assert correlation(np.stack((one, one), axis=1)) == pytest.approx(1)
+    assert correlation(np.stack((one, -0.3 * one), axis=1)) == pytest.approx(-1)
+    assert correlation(np.stack((one, other), axis=1)) == pytest.approx(0, abs=0.02)
+    assert correlation(np.stack((one, one, -one), axis=1)) == pytest.approx(-1)
+    assert correlation(np.stack((one, 0 * one), axis=1)) is None
+    assert correlation(one[:, np.newaxis]) is None
+    assert correlation(silence(channels=2)) is None
+
+
+@pytest.mark.parametrize(
+    ("values", "container", "bits"),
+    [([0], 16, 0), ([1], 16, 16), ([-1], 16, 16), ([256, -512], 16, 8), ([0x7FFF00], 24, 16), ([-(2**31)], 32, 1)],
+)
+def test_effective_bits(values, container, bits):
+    used = 0
+    for value in values:
+        used |= value << (8 if container == 24 else 0)
+    assert effective_bits(used, container) == bits

@@ -1,0 +1,186 @@
+"""Loudness against BS.1770's tabulated filters, closed forms and the synthesised EBU cases."""
+
+import math
+
+import numpy as np
+import pytest
+
+from audio_checks.measure.loudness import KWeighting, Loudness, channel_weights, k_weighting
+from tests.support.waves import join, noise, silence, sine
+
+# ITU-R BS.1770-5, tables 1 and 2, for 48 kHz
+TABULATED = (
+    ([1.53512485958697, -2.69169618940638, 1.19839281085285], [1.0, -1.69065929318241, 0.73248077421585]),
+    ([1.0, -2.0, 1.0], [1.0, -1.99004745483398, 0.99007225036621]),
+)
+REAR = 10**0.15
+
+
+def loudness(samples, rate=48_000, block_frames=65_536, **kinds):
+    meter = Loudness(rate, samples.shape[1], len(samples), **kinds)
+    for start in range(0, len(samples), block_frames):
+        meter.add(samples[start : start + block_frames])
+    return meter.result()
+
+
+def response_db(hz, rate, filters=None):
+    """The K-weighting's gain at a frequency."""
+    z = np.exp(-2j * np.pi * hz / rate)
+    pairs = zip(*k_weighting(rate), strict=True) if filters is None else filters
+    gain = math.prod(abs(np.polyval(b[::-1], z) / np.polyval(a[::-1], z)) for b, a in pairs)
+    return 20 * math.log10(gain)
+
+
+def tone_lufs(dbfs, hz=1_000, rate=48_000, channels=2):
+    """The loudness of a steady tone, in closed form."""
+    return -0.691 + dbfs - 10 * math.log10(2) + 10 * math.log10(channels) + response_db(hz, rate)
+
+
+def tones(*parts, channels=2, rate=48_000):
+    """Tones of 1 kHz one after the other, each (level in dBFS, seconds); the phase runs on."""
+    level = np.concatenate([np.full(round(seconds * rate), 10 ** (dbfs / 20)) for dbfs, seconds in parts])
+    wave = level * np.sin(2 * np.pi * 1_000 * np.arange(len(level)) / rate)
+    return np.repeat(wave[:, np.newaxis], channels, axis=1)
+
+
+def test_at_48_khz_the_filters_are_the_tabulated_ones():
+    numerators, denominators = k_weighting(48_000)
+    for stage, (b, a) in enumerate(TABULATED):
+        assert numerators[stage] == pytest.approx(b, abs=1e-9)
+        assert denominators[stage] == pytest.approx(a, abs=1e-9)
+
+
+@pytest.mark.parametrize("rate", [22_050, 32_000, 44_100, 88_200, 96_000, 192_000])
+def test_at_other_rates_they_sound_the_same(rate):
+    for hz in (30, 100, 500, 997, 2_000):
+        assert response_db(hz, rate) == pytest.approx(response_db(hz, 48_000, TABULATED), abs=0.08)
+
+
+@pytest.mark.parametrize("rate", [8_000, 11_025, 22_050, 44_100, 48_000, 96_000, 192_000])
+@pytest.mark.parametrize("hz", [100, 997, 3_000])
+def test_a_tone_reads_its_closed_form(rate, hz):
+    figures = loudness(sine(hz=hz, dbfs=-20, seconds=4, rate=rate, channels=2), rate)
+    for name in ("integrated_lufs", "max_momentary_lufs", "max_short_term_lufs", "short_loudness_lufs"):
+        assert figures[name] == pytest.approx(tone_lufs(-20, hz, rate), abs=0.03)
+    assert figures["loudness_range_lu"] == pytest.approx(0, abs=0.01)
+
+
+def test_997_hz_at_full_scale_in_one_channel_reads_minus_3_01():
+    # ITU-R BS.1770-5, Annex 1: by this the constant -0.691 is chosen.
+    tone = join(sine(hz=997, dbfs=0, seconds=5))
+    assert loudness(tone)["integrated_lufs"] == pytest.approx(-3.01, abs=0.01)
+
+
+EBU_3341 = {
+    "case 1": (tones((-23, 20)), -23.0),
+    "case 2": (tones((-33, 20)), -33.0),
+    "case 3": (tones((-36, 10), (-23, 60), (-36, 10)), -23.0),
+    "case 4": (tones((-72, 10), (-36, 10), (-23, 60), (-36, 10), (-72, 10)), -23.0),
+    "case 5": (tones((-26, 20), (-20, 20.1), (-26, 20)), -23.0),
+    "case 6": (tones((0, 20), channels=5) * 10 ** (np.array([-28, -28, -24, -30, -30]) / 20), -23.0),
+}
+
+
+@pytest.mark.parametrize("case", EBU_3341)
+def test_integrated_loudness_of_ebu_tech_3341(case):
+    samples, lufs = EBU_3341[case]
+    assert loudness(samples)["integrated_lufs"] == pytest.approx(lufs, abs=0.03)
+
+
+def test_short_term_of_ebu_tech_3341_case_9():
+    samples = tones(*[(-20, 1.34), (-30, 1.66)] * 5)
+    assert loudness(samples)["max_short_term_lufs"] == pytest.approx(-23.0, abs=0.1)
+
+
+@pytest.mark.parametrize("start", range(0, 20, 3))
+def test_short_term_of_ebu_tech_3341_cases_10_and_11(start):
+    samples = join(silence(seconds=0.15 * start, channels=2), tones((-23, 3)), silence(seconds=1, channels=2))
+    assert loudness(samples)["max_short_term_lufs"] == pytest.approx(-23.0, abs=0.03)
+
+
+def test_momentary_of_ebu_tech_3341_case_12():
+    samples = tones(*[(-20, 0.18), (-30, 0.22)] * 25)
+    assert loudness(samples)["max_momentary_lufs"] == pytest.approx(-23.0, abs=0.1)
+
+
+@pytest.mark.parametrize("start", range(20))
+def test_momentary_of_ebu_tech_3341_cases_13_and_14(start):
+    samples = join(silence(seconds=0.02 * start, channels=2), tones((-23, 0.4)), silence(seconds=1, channels=2))
+    assert loudness(samples)["max_momentary_lufs"] == pytest.approx(-23.0, abs=0.03)
+
+
+EBU_3342 = {
+    "case 1": (tones((-20, 20), (-30, 20)), 10),
+    "case 2": (tones((-20, 20), (-15, 20)), 5),
+    "case 3": (tones((-40, 20), (-20, 20)), 20),
+    "case 4": (tones((-50, 20), (-35, 20), (-20, 20), (-35, 20), (-50, 20)), 15),
+}
+
+
+@pytest.mark.parametrize("case", EBU_3342)
+def test_loudness_range_of_ebu_tech_3342(case):
+    samples, lu = EBU_3342[case]
+    assert loudness(samples)["loudness_range_lu"] == pytest.approx(lu, abs=0.1)
+
+
+@pytest.mark.parametrize("seconds", [0.05, 0.1, 0.2, 0.39])
+def test_shorter_than_400_ms_the_rest_counts_as_silence(seconds):
+    figures = loudness(sine(hz=1_000, dbfs=-12, seconds=seconds))
+    wanted = tone_lufs(-12, channels=1) + 10 * math.log10(seconds / 0.4)
+    assert figures["short_loudness_lufs"] == pytest.approx(wanted, abs=0.1)
+    assert figures["max_momentary_lufs"] == figures["short_loudness_lufs"]
+    assert figures["integrated_lufs"] == -math.inf
+    assert figures["loudness_range_lu"] is None
+
+
+def test_silence_has_no_loudness():
+    figures = loudness(silence(seconds=4, channels=2))
+    assert {value for name, value in figures.items() if name != "loudness_range_lu"} == {-math.inf}
+    assert figures["loudness_range_lu"] is None
+    assert loudness(np.zeros((1, 1)))["short_loudness_lufs"] == -math.inf
+
+
+@pytest.mark.parametrize("rate", [44_100, 11_025, 22_050])
+@pytest.mark.parametrize("block_frames", [1, 100, 441, 5_000])
+def test_blocks_of_any_size_give_the_same(rate, block_frames):
+    samples = noise(seconds=0.5 if block_frames == 1 else 4, rate=rate, channels=2)[
+        : 3_000 if block_frames == 1 else None
+    ]
+    parts = loudness(samples, rate, block_frames)
+    whole = loudness(samples, rate, len(samples))
+    assert parts == pytest.approx(whole, abs=1e-6)
+
+
+def test_the_filter_is_the_recursion():
+    rng = np.random.default_rng(5)
+    samples = rng.standard_normal(30_000)
+    expected = samples
+    for b, a in zip(*k_weighting(48_000), strict=True):
+        out = np.zeros(len(expected))
+        x1 = x2 = y1 = y2 = 0.0
+        for frame, x in enumerate(expected):
+            y = b[0] * x + b[1] * x1 + b[2] * x2 - a[1] * y1 - a[2] * y2
+            x2, x1, y2, y1 = x1, x, y1, y
+            out[frame] = y
+        expected = out
+    weighting = KWeighting(48_000, 1)
+    blocks = [weighting.filter(samples[np.newaxis, start : start + 7_000])[0] for start in range(0, 30_000, 7_000)]
+    assert np.concatenate(blocks) == pytest.approx(expected, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("channels", "mask", "weights"),
+    [
+        (1, None, [1]),
+        (2, None, [1, 1]),
+        (4, None, [1, 1, REAR, REAR]),
+        (5, None, [1, 1, 1, REAR, REAR]),
+        (6, None, [1, 1, 1, 0, REAR, REAR]),
+        (6, 0x60F, [1, 1, 1, 0, REAR, REAR]),
+        (8, 0x63F, [1, 1, 1, 0, 1, 1, REAR, REAR]),
+        (2, 0x3, [1, 1]),
+        (3, 0x0, [1, 1, 1]),
+    ],
+)
+def test_channel_weights(channels, mask, weights):
+    assert channel_weights(channels, mask) == pytest.approx(weights)
