@@ -340,8 +340,7 @@ function FindingsLane({
           style={{ left: layout.moreAt.leftPx, top: layout.moreAt.lane * 26 }}
           onClick={() => setAll(true)}
         >
-          +{layout.hidden.length}
-          <span className="visually-hidden"> more findings</span>
+          +{layout.hidden.length} <span className="visually-hidden">more findings</span>
         </button>
       )}
     </div>

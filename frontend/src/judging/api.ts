@@ -28,7 +28,11 @@ export const keys = {
 /** What a verdict changes elsewhere: lists and dashboards of the project, whoever shows them. */
 const TOUCHED = ['today', 'overview', 'standing', 'take-history']
 
-export const meQuery = queryOptions({ queryKey: keys.me, queryFn: () => answered(api.GET('/v1/me')), staleTime: 60_000 })
+export const meQuery = queryOptions({
+  queryKey: keys.me,
+  queryFn: () => answered(api.GET('/v1/me')),
+  staleTime: 60_000,
+})
 
 /** What the person at the screen is in one project. */
 export function useMyProject(projectId: string): MyProject | undefined {

@@ -52,7 +52,21 @@ function withFinding(before: string, finding: ReviewFinding): Waits {
   return { before, odd, after }
 }
 
-const SMALL_NUMBERS = ['none', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve']
+const SMALL_NUMBERS = [
+  'none',
+  'one',
+  'two',
+  'three',
+  'four',
+  'five',
+  'six',
+  'seven',
+  'eight',
+  'nine',
+  'ten',
+  'eleven',
+  'twelve',
+]
 
 /** "three", "14": small numbers as words, as in a sentence. */
 export const spelled = (count: number): string => SMALL_NUMBERS[count] ?? figure(count)

@@ -4,8 +4,7 @@ import classes from './Count.module.css'
 export function Count({ of, what }: { of: number; what?: string }) {
   return (
     <span className={`${classes.count} count`}>
-      {of}
-      {what && <span className="visually-hidden"> {what}</span>}
+      {of} {what && <span className="visually-hidden">{what}</span>}
     </span>
   )
 }

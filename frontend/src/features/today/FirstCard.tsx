@@ -1,0 +1,244 @@
+import { useMediaQuery } from '@mantine/hooks'
+import { Link, useNavigate } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { HotkeyButton, useHotkeys } from '@/app/keys'
+import { type Player, type PlayerState, Waveform, WaveThumb } from '@/audio'
+import { type QueueItem, type ReviewTake, usePeaks } from '@/judging/api'
+import { ChangeForm } from '@/judging/ChangeForm'
+import { isWholeSet, pickedOfSet } from '@/judging/choice'
+import { matchGainDb, soundOf, sourceOf } from '@/judging/hearing'
+import { MASTER } from '@/judging/hearing'
+import { useHearing } from '@/judging/useHearing'
+import type { Judge } from '@/judging/useJudge'
+import { asked, asks, heardTakes, takeName } from '@/judging/words'
+import { Card } from '@/ui/Card'
+import { gain, length } from '@/ui/format'
+import { Key } from '@/ui/Key'
+import { NowDot } from '@/ui/NowDot'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './Today.module.css'
+
+interface FirstCardProps {
+  item: QueueItem
+  projectId: string
+  mayDecide: boolean
+  player: Player
+  playing: PlayerState
+  judge: Judge
+}
+
+/** The cue that has waited longest: heard and decided where it stands. */
+export function FirstCard({ item, projectId, mayDecide, player, playing, judge }: FirstCardProps) {
+  const navigate = useNavigate()
+  const narrow = useMediaQuery('(max-width: 760px)')
+  const { cue } = item
+  const takes = heardTakes(item)
+  const [handId, setHandId] = useState(takes[0]?.id)
+  const [changing, setChanging] = useState(false)
+  const hand = takes.find(({ id }) => id === handId) ?? takes[0]
+  const source = useHearing(player, cue.id, hand, MASTER, takes[0])
+  const peaks = usePeaks(hand?.peaks_url)
+  if (hand === undefined) return null
+
+  const sound = soundOf(hand, MASTER)
+  const name = takeName(hand, cue, takes)
+  const isSet = cue.variations > 1
+  const whole = isWholeSet(cue, takes, item.approved_variations)
+  const chosen = new Map([[hand.variation, hand.id]])
+  const next = takes[(takes.indexOf(hand) + 1) % takes.length]
+  const isPlaying = playing.status === 'playing'
+
+  const approve = () => {
+    player.pause()
+    if (whole) void judge.acceptSet(cue, takes, pickedOfSet(takes, chosen))
+    else void judge.approve(cue, [hand], name)
+  }
+  const openReview = () =>
+    void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
+  const asGame = () =>
+    void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, takes[0]) ?? []))
+
+  useHotkeys([
+    { keys: 'Space', label: 'Play, pause', group: 'Review', run: () => void player.toggle() },
+    { keys: 'Enter', label: 'Open in the review room', group: 'Today', run: openReview },
+    ...takes.slice(0, 9).map((take, index) => ({
+      keys: String(index + 1),
+      label: `Choose ${takeName(take, cue, takes)}`,
+      group: 'Review',
+      unlisted: index > 0,
+      run: () => setHandId(take.id),
+    })),
+    {
+      keys: 'h',
+      label: 'Hold to play a set as the game does',
+      group: 'Review',
+      run: asGame,
+      release: () => player.pause(),
+      disabled: !isSet,
+    },
+  ])
+
+  return (
+    <Card className={classes.first} aria-labelledby="first">
+      <div className="row between top">
+        <div>
+          <p className="row small mid">
+            <NowDot />
+            First, because it has waited longest
+          </p>
+          <h2 id="first" className={classes.asks}>
+            <Link
+              data-stop
+              to="/projects/$projectId/review/$cueId"
+              params={{ projectId, cueId: cue.id }}
+              className={classes.asksLink}
+            >
+              {asks(item)}
+            </Link>
+          </h2>
+          <p className="mid">
+            {[cue.description || cue.use, `${asked(cue)}.`].filter(Boolean).map(stopped).join(' ')}
+          </p>
+        </div>
+        <p className="dim small nowrap wide-only mono">{cue.label}</p>
+      </div>
+      <div className={classes.wave}>
+        <Waveform
+          label={`${cue.name}, ${name}`}
+          peaks={peaks}
+          durationS={sound.durationS}
+          clock={player}
+          onSeek={(s) => player.seek(s)}
+          heightPx={narrow ? 112 : 148}
+        />
+      </div>
+      {takes.length > 1 && (
+        <div className={classes.alts} role="group" aria-label={isSet ? 'Variations' : 'Alternates'}>
+          {takes.map((take) => (
+            <Alternate
+              key={take.id}
+              name={takeName(take, cue, takes)}
+              take={take}
+              reference={takes[0]}
+              inHand={take.id === hand.id}
+              onChoose={() => setHandId(take.id)}
+            />
+          ))}
+        </div>
+      )}
+      {(source === null || playing.error) && (
+        <p className="small mid">{playing.error ?? 'There is no preview of this sound yet.'}</p>
+      )}
+      <div className={classes.acts}>
+        <HotkeyButton
+          keys="Space"
+          keyLabel="Play, pause"
+          keyGroup="Review"
+          icon={isPlaying ? 'pause' : 'play'}
+          disabled={source === null}
+          onPress={() => void player.toggle()}
+        >
+          {isPlaying ? 'Pause' : 'Play'}
+        </HotkeyButton>
+        {takes.length > 1 && next && (
+          <HotkeyButton
+            keys="b"
+            keyLabel="Next alternate at the same position"
+            keyGroup="Review"
+            icon="ab"
+            onPress={() => setHandId(next.id)}
+          >
+            {isSet ? 'Next variation' : 'Next alternate'}
+          </HotkeyButton>
+        )}
+        {mayDecide ? (
+          <>
+            <HotkeyButton
+              keys="a"
+              keyLabel="Approve"
+              keyGroup="Review"
+              variant="primary"
+              icon="tick"
+              onPress={approve}
+            >
+              {whole ? `Accept the set of ${cue.variations}` : `Approve ${name}`}
+            </HotkeyButton>
+            <HotkeyButton
+              keys="r"
+              keyLabel="Request a change"
+              keyGroup="Review"
+              icon="pencil"
+              iconTone="change"
+              onPress={() => {
+                player.pause()
+                judge.change.reset()
+                setChanging(true)
+              }}
+            >
+              Request a change
+            </HotkeyButton>
+          </>
+        ) : (
+          <Link
+            to="/projects/$projectId/review/$cueId"
+            params={{ projectId, cueId: cue.id }}
+            className="link"
+          >
+            Open to comment <Key keys="Enter" />
+          </Link>
+        )}
+        <span className={`small dim wide-only end ${classes.says}`}>
+          {mayDecide ? levelsWords(takes) : 'The approver decides. You advise.'}
+        </span>
+      </div>
+      {judge.refusal && (
+        <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+      )}
+      {changing && (
+        <div className={classes.change}>
+          <ChangeForm
+            what={`${cue.name} ${name}`}
+            positionS={player.positionS()}
+            range={null}
+            saving={judge.change.isPending}
+            problem={judge.problem}
+            onClose={() => setChanging(false)}
+            onSave={(said) =>
+              judge.change.mutate({ takes: [hand], said }, { onSuccess: () => setChanging(false) })
+            }
+          />
+        </div>
+      )}
+    </Card>
+  )
+}
+
+const stopped = (text: string): string => (/[.!?]$/.test(text) ? text : `${text}.`)
+
+const levelsWords = (takes: readonly ReviewTake[]): string =>
+  takes.length > 1 && takes.every(({ loudness_lufs }) => loudness_lufs !== null)
+    ? 'Levels matched to the first, within 0.5 LU'
+    : ''
+
+interface AlternateProps {
+  name: string
+  take: ReviewTake
+  reference: ReviewTake | undefined
+  inHand: boolean
+  onChoose: () => void
+}
+
+function Alternate({ name, take, reference, inHand, onChoose }: AlternateProps) {
+  const said = `${length(soundOf(take, MASTER).durationS)}, ${gain(matchGainDb(take, reference))}`
+  return (
+    <button type="button" className={classes.alt} aria-pressed={inHand} onClick={onChoose}>
+      <b>{name}</b>
+      <span className={classes.altWave}>
+        <WaveThumb peaks={take.thumb} lit={inHand} heightPx={30} />
+      </span>
+      <span className={`${classes.altSays} small dim`}>{said}</span>
+    </button>
+  )
+}

@@ -1,0 +1,106 @@
+import { Link } from '@tanstack/react-router'
+
+import { Card, CardHead } from '@/ui/Card'
+import { age, plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import type { TodayAnswer } from './api'
+import classes from './Today.module.css'
+
+const SHOWN = 6
+
+/** What waits for somebody else. */
+export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'] }) {
+  const shown = waiting.slice(0, SHOWN)
+  return (
+    <Card aria-labelledby="others">
+      <CardHead
+        id="others"
+        title="With others"
+        count={waiting.length > SHOWN ? waiting.length : undefined}
+        end="nothing for you to do"
+      />
+      {waiting.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is back with a designer.</p>}
+      <Rows>
+        {shown.map((one) => (
+          <Row key={`${one.file_name} ${one.since}`} className={classes.other}>
+            <span className="grow cut-text">{one.cue?.name ?? one.file_name}</span>
+            <State kind={one.status}>{one.status === 'unmatched' ? 'File unmatched' : undefined}</State>
+            <span className={`small dim ${classes.who}`}>
+              <span className="cut-text">{one.who}</span>, {age(one.since)}
+            </span>
+          </Row>
+        ))}
+      </Rows>
+      {waiting.length > shown.length && (
+        <p className={`${classes.quiet} small dim`}>and {waiting.length - shown.length} more</p>
+      )}
+    </Card>
+  )
+}
+
+/** What the game's machine said of the last builds. */
+export function Builds({ builds }: { builds: TodayAnswer['builds'] }) {
+  if (builds.length === 0) return null
+  return (
+    <Card aria-labelledby="builds">
+      <CardHead id="builds" title="Builds" end="checked by the game's machine" />
+      <Rows>
+        {builds.map((build) => (
+          <Row key={build.id} className={classes.other}>
+            <span className="grow cut-text">{build.label}</span>
+            {build.rejected > 0 ? (
+              <State kind="refused">Refused, {plural(build.rejected, 'file')}</State>
+            ) : (
+              <State kind="passed">{`Passed, ${plural(build.files, 'file')}`}</State>
+            )}
+            <span className={`small dim ${classes.who}`}>
+              <span className="cut-text">{build.target}</span>, {age(build.created_at)}
+            </span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+interface PlaceholdersProps {
+  count: number
+  mails: number
+  projectId: string
+}
+
+/** What must be gone before the game ships, and what has not left the house. */
+export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
+  if (count === 0 && mails === 0) return null
+  return (
+    <Card aria-label="To keep in mind">
+      <Rows>
+        {count > 0 && (
+          <Row>
+            <span className={`tone-warn ${classes.sign}`}>
+              <Icon name="dashedSquare" />
+            </span>
+            <span className="grow">
+              {plural(count, 'cue plays', 'cues play')} a placeholder. None may ship.
+            </span>
+            <Link to={`/projects/${projectId}/sound-list` as '/'} className="link small">
+              Sound list
+            </Link>
+          </Row>
+        )}
+        {mails > 0 && (
+          <Row>
+            <Icon name="mail" />
+            <span className="grow">{plural(mails, 'mail waits', 'mails wait')} in the outbox.</span>
+            <Link to={'/studio' as '/'} className="link small">
+              Outbox
+            </Link>
+          </Row>
+        )}
+      </Rows>
+    </Card>
+  )
+}

@@ -1,0 +1,160 @@
+import { Link } from '@tanstack/react-router'
+import { useId, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { showToast } from '@/app/toast'
+import { WaveThumb } from '@/audio'
+import { isNoted } from '@/judging/afterVerdict'
+import type { QueueItem } from '@/judging/api'
+import { heardTakes, whatWaits } from '@/judging/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { age } from '@/ui/format'
+import { Key } from '@/ui/Key'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import { type AskedQuestion, useAnswer } from './api'
+import classes from './Today.module.css'
+
+interface ThenListProps {
+  items: readonly QueueItem[]
+  questions: readonly AskedQuestion[]
+  projectId: string
+  title: string
+}
+
+/** What waits after the first thing: cues to review and questions, the oldest first. */
+export function ThenList({ items, questions, projectId, title }: ThenListProps) {
+  const lines = [
+    ...items.map((item) => ({ at: item.waiting_since, item, question: undefined })),
+    ...questions.map((question) => ({ at: question.asked_at, item: undefined, question })),
+  ].sort((a, b) => a.at.localeCompare(b.at))
+  return (
+    <Card aria-labelledby="then">
+      <CardHead id="then" title={title} count={lines.length} end={<span className="wide-only">the oldest first</span>} />
+      <ul>
+        {lines.map(({ item, question }) =>
+          item ? (
+            <CueLine key={item.cue.id} item={item} projectId={projectId} />
+          ) : (
+            question && <QuestionLine key={question.id} question={question} projectId={projectId} />
+          ),
+        )}
+      </ul>
+    </Card>
+  )
+}
+
+function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
+  const { cue } = item
+  const waits = whatWaits(item)
+  return (
+    <li>
+      <Link
+        data-stop
+        className={classes.line}
+        to="/projects/$projectId/review/$cueId"
+        params={{ projectId, cueId: cue.id }}
+      >
+        <span className={`mono dim ${classes.number}`}>{cue.label}</span>
+        <span className="strong cut-text">{cue.name}</span>
+        <span className={`mid cut-text ${classes.why}`}>
+          {waits.before}
+          {waits.odd && <span className="tone-warn toned">{waits.odd}</span>}
+          {waits.after}
+          {item.kind === 'set' && !waits.odd && (
+            <span className="wide-only">
+              ; hold <Key keys="h" /> to hear it as the game does
+            </span>
+          )}
+        </span>
+        <span className={classes.lineWave}>
+          <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} heightPx={26} />
+        </span>
+        <span className={classes.state}>
+          {isNoted(item) ? <State kind="change_requested">Noted, not sent</State> : <State kind="to_review" />}
+        </span>
+        <span className="dim num small nowrap">{age(item.waiting_since)}</span>
+      </Link>
+    </li>
+  )
+}
+
+function QuestionLine({ question, projectId }: { question: AskedQuestion; projectId: string }) {
+  const [open, setOpen] = useState(false)
+  const { cue } = question
+  const placeId = useId()
+  return (
+    <li>
+      <button
+        type="button"
+        data-stop
+        className={classes.line}
+        aria-expanded={open}
+        aria-controls={placeId}
+        onClick={() => setOpen(!open)}
+      >
+        <span className={`mono dim ${classes.number}`}>{cue.label}</span>
+        <span className="strong cut-text">{cue.name}</span>
+        <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
+        <span className={classes.lineWave} />
+        <span className={classes.state}>
+          <State kind="question" />
+        </span>
+        <span className="dim num small nowrap">{age(question.asked_at)}</span>
+      </button>
+      <div id={placeId}>
+        {open && <Answer question={question} projectId={projectId} onClose={() => setOpen(false)} />}
+      </div>
+    </li>
+  )
+}
+
+interface AnswerProps {
+  question: AskedQuestion
+  projectId: string
+  onClose: () => void
+}
+
+function Answer({ question, projectId, onClose }: AnswerProps) {
+  const [text, setText] = useState('')
+  const answer = useAnswer(projectId, question.id)
+  const said = text.trim()
+  const send = () => {
+    if (said === '' || answer.isPending) return
+    answer.mutate(said, { onSuccess: () => showToast(`Answered; it joins what ${question.cue.name} says.`) })
+  }
+  return (
+    <form
+      className={classes.answer}
+      onSubmit={(event) => {
+        event.preventDefault()
+        send()
+      }}
+    >
+      <p className="small dim">
+        {question.asked_by.name} asks. The answer joins the description of {question.cue.name}.
+      </p>
+      <div className={classes.answerLine}>
+        <input
+          // The line was opened to be written in.
+          // eslint-disable-next-line jsx-a11y/no-autofocus
+          autoFocus
+          className={classes.answerText}
+          aria-label={`Answer for ${question.cue.name}`}
+          maxLength={4000}
+          value={text}
+          onChange={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Escape') onClose()
+          }}
+        />
+        <Button variant="primary" type="submit" keys="Enter" disabled={answer.isPending}>
+          Answer
+        </Button>
+      </div>
+      {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
+    </form>
+  )
+}

@@ -1,0 +1,162 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { getRouteApi, Link } from '@tanstack/react-router'
+import { useRef } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { usePlayer } from '@/audio'
+import { queueQuery, useMyProject } from '@/judging/api'
+import { firstOpen } from '@/judging/choice'
+import { isNoted } from '@/judging/afterVerdict'
+import { Drafts, useDraftCount } from '@/judging/Drafts'
+import { useReady } from '@/judging/useHearing'
+import { useJudge } from '@/judging/useJudge'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { day } from '@/ui/format'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { todayQuery } from './api'
+import { FirstCard } from './FirstCard'
+import { headline } from './headline'
+import { ThenList } from './ThenList'
+import { Builds, Placeholders, WithOthersCard } from './SideCards'
+import classes from './Today.module.css'
+
+const route = getRouteApi('/shell/projects/$projectId/today')
+
+/** What waits for the person at the screen, the first thing in the hand. */
+export function TodayPage() {
+  const { projectId } = route.useParams()
+  const now = new Date()
+  useTitle('Today')
+  const project = useMyProject(projectId)
+  const queue = useQuery(queueQuery(projectId))
+  const today = useQuery(todayQuery(projectId))
+  const drafts = useDraftCount(projectId)
+  const [player, playing] = usePlayer()
+  const judge = useJudge(projectId)
+  const page = useRef<HTMLDivElement>(null)
+  const client = useQueryClient()
+
+  const items = queue.data ?? []
+  const open = items.filter((item) => !isNoted(item))
+  const first = firstOpen(items)
+  const rest = items.filter((item) => item !== first)
+  const questions = today.data?.questions ?? []
+  const mayDecide = project?.is_decider ?? false
+  useReady(player, first?.takes ?? [], rest)
+
+  const step = (by: 1 | -1) => {
+    const stops = [...(page.current?.querySelectorAll<HTMLElement>('[data-stop]') ?? [])]
+    const at = stops.findIndex((stop) => stop === document.activeElement)
+    stops[at < 0 ? (by > 0 ? 0 : stops.length - 1) : Math.min(stops.length - 1, Math.max(0, at + by))]?.focus()
+  }
+  useHotkeys([
+    { keys: 'j', label: 'Next', group: 'Today', run: () => step(1), repeats: true },
+    { keys: 'k', label: 'Previous', group: 'Today', run: () => step(-1), repeats: true },
+  ])
+
+  const failed = [queue.error, today.error].find((error) => error instanceof ApiProblem)
+  const loaded = queue.isSuccess && today.isSuccess
+  const side = today.data
+
+  return (
+    <div className="page" ref={page}>
+      <header className={classes.top}>
+        <div>
+          <h1>{day(now)}</h1>
+          <p className="mid">
+            {loaded && headline({ cues: open.length, questions: questions.length, drafts, mayDecide })}
+          </p>
+        </div>
+        <div className="wide-only">
+          <KeysLine
+            keys={[
+              { keys: ['j', 'k'], label: 'next, previous' },
+              { keys: ['Enter'], label: 'open' },
+              { keys: ['?'], label: 'all keys' },
+            ]}
+          />
+        </div>
+      </header>
+      {failed && (
+        <ProblemNote
+          detail={failed.detail}
+          fix={failed.fix}
+          action={
+            <button type="button" className="link" onClick={() => void client.refetchQueries({ type: 'active' })}>
+              Ask again
+            </button>
+          }
+        />
+      )}
+      <div className={classes.today}>
+        <div className={classes.main}>
+          {first && (
+            <FirstCard
+              key={first.cue.id}
+              item={first}
+              projectId={projectId}
+              mayDecide={mayDecide}
+              player={player}
+              playing={playing}
+              judge={judge}
+            />
+          )}
+          {!first && judge.refusal && (
+            <ProblemNote
+              detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`}
+              fix={judge.refusal.problem.fix}
+            />
+          )}
+          {loaded && !first && questions.length === 0 && (
+            <EmptyState
+              head="Nothing waits for you."
+              action={
+                <Link to={`/projects/${projectId}/sound-list` as '/'} className="link">
+                  To the sound list
+                </Link>
+              }
+            >
+              {comesNext(today.data.counts)}
+            </EmptyState>
+          )}
+          {(rest.length > 0 || questions.length > 0) && (
+            <ThenList items={rest} questions={questions} projectId={projectId} title={first ? 'Then' : 'For you'} />
+          )}
+        </div>
+        {side && (
+          <aside className={classes.side} aria-label="Beside it">
+            {drafts > 0 && (
+              <Card aria-labelledby="drafts">
+                <CardHead id="drafts" title="Changes to send" count={drafts} end="sent together, one round a cue" />
+                <Drafts projectId={projectId} mayDecide={mayDecide} />
+              </Card>
+            )}
+            <WithOthersCard waiting={side.with_others} />
+            <Builds builds={side.builds} />
+            <Placeholders count={side.placeholders} mails={side.unsent_mails} projectId={projectId} />
+          </aside>
+        )}
+      </div>
+    </div>
+  )
+}
+
+/** What will come, when nothing waits now. */
+function comesNext(counts: Record<string, number | undefined>): string {
+  const of = (...statuses: string[]) => statuses.reduce((sum, status) => sum + (counts[status] ?? 0), 0)
+  const checking = of('checking')
+  const withDesigners = of('returned', 'change_requested', 'unjudged')
+  const toMake = of('to_make', 'placeholder', 'partly_accepted')
+  const parts = [
+    checking > 0 ? `${checking} being checked` : '',
+    withDesigners > 0 ? `${withDesigners} back with designers` : '',
+    toMake > 0 ? `${toMake} still to make` : '',
+  ].filter(Boolean)
+  if (parts.length > 0) return `Next come what designers deliver: ${parts.join(', ')}.`
+  return of('accepted') > 0 ? 'Every cue of the list is accepted.' : 'The sound list has no cues yet; they come first.'
+}

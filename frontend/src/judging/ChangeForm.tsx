@@ -1,0 +1,139 @@
+import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react'
+
+import type { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import type { TimeRange } from '@/audio'
+import { Button } from '@/ui/Button'
+import { FieldError } from '@/ui/FieldError'
+import { place, range as rangeWords } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
+
+import classes from './ChangeForm.module.css'
+import type { ChangeSaid } from './useJudge'
+
+/** What approvers say most, each on its digit. */
+export const REASONS = [
+  'Too loud',
+  'Too soft',
+  'Too long',
+  'Too short',
+  'Starts too late',
+  'Too bright',
+  'Too dull',
+  'Does not read',
+  'Off the palette',
+] as const
+
+type Where = 'whole' | 'point' | 'range'
+
+interface ChangeFormProps {
+  /** What is to change: "shield_hit A". */
+  what: string
+  /** Where the playhead stands; 0 is no place. */
+  positionS: number
+  range: TimeRange | null
+  saving: boolean
+  problem: ApiProblem | null
+  onSave: (said: ChangeSaid) => void
+  onClose: () => void
+}
+
+/** What to change: reasons on the digits, a line of text, where in the sound. Enter notes it as a draft. */
+export function ChangeForm({ what, positionS, range, saving, problem, onSave, onClose }: ChangeFormProps) {
+  const [reasons, setReasons] = useState<readonly string[]>([])
+  const [text, setText] = useState('')
+  const [where, setWhere] = useState<Where>(range ? 'range' : positionS > 0 ? 'point' : 'whole')
+  const [empty, setEmpty] = useState(false)
+  const field = useRef<HTMLInputElement>(null)
+  const errorId = useId()
+
+  useEffect(() => field.current?.focus(), [])
+  useHotkeys([{ keys: 'Escape', label: 'Close without noting a change', group: 'Review', run: onClose }])
+
+  const toggle = (reason: string) => {
+    setEmpty(false)
+    setReasons((now) => (now.includes(reason) ? now.filter((one) => one !== reason) : [...now, reason]))
+  }
+  const save = () => {
+    const note = [...reasons.map((reason) => `${reason}.`), text.trim()].filter(Boolean).join(' ')
+    if (note === '') {
+      setEmpty(true)
+      field.current?.focus()
+      return
+    }
+    if (where === 'range' && range) onSave({ note, startS: range.startS, endS: range.endS })
+    else onSave({ note, startS: where === 'point' ? positionS : undefined })
+  }
+  const onKeyDown = (event: KeyboardEvent) => {
+    const reason = /^[1-9]$/.test(event.key) ? REASONS[Number(event.key) - 1] : undefined
+    if (reason !== undefined && text === '' && reasons.length === 0) {
+      // The first digit is a reason; after it one types, and "3 dB less" begins with a digit too.
+      event.preventDefault()
+      toggle(reason)
+    } else if (event.key === 'Enter' && !event.nativeEvent.isComposing) {
+      event.preventDefault()
+      if (!saving) save()
+    }
+  }
+
+  const places: { value: Where; label: string }[] = [
+    { value: 'whole', label: 'Whole sound' },
+    ...(positionS > 0 ? [{ value: 'point' as const, label: `At ${place(positionS)}` }] : []),
+    ...(range ? [{ value: 'range' as const, label: rangeWords(range.startS, range.endS) }] : []),
+  ]
+
+  return (
+    <form
+      className={classes.form}
+      aria-label={`What to change in ${what}`}
+      onSubmit={(event) => {
+        event.preventDefault()
+        save()
+      }}
+    >
+      <div className={classes.reasons} role="group" aria-label="Reasons">
+        {REASONS.map((reason, index) => (
+          <Button
+            key={reason}
+            keys={String(index + 1)}
+            pressed={reasons.includes(reason)}
+            onClick={() => {
+              toggle(reason)
+              field.current?.focus()
+            }}
+          >
+            {reason}
+          </Button>
+        ))}
+      </div>
+      <div className={classes.line}>
+        <input
+          ref={field}
+          className={classes.text}
+          aria-label={`What to change in ${what}`}
+          aria-invalid={empty || undefined}
+          aria-describedby={empty ? errorId : undefined}
+          placeholder="What to change: as said to the designer"
+          maxLength={10_000}
+          value={text}
+          onChange={(event) => {
+            setText(event.currentTarget.value)
+            setEmpty(false)
+          }}
+          onKeyDown={onKeyDown}
+        />
+        {places.length > 1 && <Segmented label="Where" options={places} value={where} onChange={setWhere} />}
+        <Button onClick={onClose} keys="Escape">
+          Close
+        </Button>
+        <Button variant="primary" icon="pencil" type="submit" keys="Enter" disabled={saving}>
+          Note the change
+        </Button>
+      </div>
+      {empty && <FieldError id={errorId}>Choose a reason, or say what to change.</FieldError>}
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <p className="small dim">It stays a draft until you send all changes together.</p>
+    </form>
+  )
+}

@@ -1,0 +1,25 @@
+import type { QueueItem } from './api'
+
+/** The queue once takes were decided on: they leave, with the other alternates of their variation where one was picked. */
+export function withoutDecided(
+  items: readonly QueueItem[],
+  decided: { cueId: string; takeIds: readonly string[]; picked: boolean },
+): QueueItem[] {
+  return items.flatMap((item) => {
+    if (item.cue.id !== decided.cueId) return [item]
+    const left = item.takes.filter((take) => decided.takeIds.includes(take.id))
+    const variations = new Set(decided.picked ? left.map(({ variation }) => variation) : [])
+    const takes = item.takes.filter((take) => !left.includes(take) && !variations.has(take.variation))
+    return takes.length === 0 ? [] : [{ ...item, takes }]
+  })
+}
+
+/** Every take of the item is noted for a change: nothing more to decide before it is sent. */
+export const isNoted = (item: QueueItem): boolean => item.takes.every(({ draft_change }) => draft_change !== null)
+
+/** What is judged after this one: the next in the order of the queue, from its start again after its end. */
+export function nextAfter(items: readonly QueueItem[], cueId: string): QueueItem | undefined {
+  const open = items.filter((item) => !isNoted(item) && item.cue.id !== cueId)
+  const at = items.findIndex(({ cue }) => cue.id === cueId)
+  return open.find((item) => items.indexOf(item) > at) ?? open[0]
+}

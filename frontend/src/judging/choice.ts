@@ -1,0 +1,23 @@
+import type { QueueItem, ReviewCue, ReviewTake } from './api'
+import { inOrder } from './hearing'
+
+/** Every variation has a version that could be accepted, or is approved already. */
+export function isWholeSet(cue: ReviewCue, waiting: readonly ReviewTake[], approved: readonly number[]): boolean {
+  if (cue.variations < 2) return false
+  const here = new Set([...waiting.map(({ variation }) => variation), ...approved])
+  return here.size >= cue.variations
+}
+
+/** One take a variation: the one that was chosen, else the newest. */
+export function pickedOfSet(waiting: readonly ReviewTake[], chosen: ReadonlyMap<number, string>): ReviewTake[] {
+  const picked = new Map<number, ReviewTake>()
+  for (const take of inOrder(waiting)) {
+    const kept = picked.get(take.variation)
+    if (kept === undefined || kept.id !== chosen.get(take.variation)) picked.set(take.variation, take)
+  }
+  return [...picked.values()]
+}
+
+/** The first that is not noted for a change, in the order of the queue. */
+export const firstOpen = (items: readonly QueueItem[]): QueueItem | undefined =>
+  items.find((item) => item.takes.some(({ draft_change }) => draft_change === null))

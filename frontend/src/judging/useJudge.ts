@@ -1,0 +1,122 @@
+import { useMutation, useQueryClient } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { answered, api, ApiProblem, lineLost } from '@/api'
+import { dismissToast, showToast } from '@/app/toast'
+
+import { withoutDecided } from './afterVerdict'
+import { keys, type QueueItem, refresh, type ReviewCue, type ReviewTake } from './api'
+
+/** What was refused, and why: said where it happened. */
+export interface Refusal {
+  what: string
+  problem: ApiProblem
+}
+
+export interface ChangeSaid {
+  note: string
+  startS?: number
+  endS?: number
+}
+
+const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : lineLost())
+
+const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said: ChangeSaid) =>
+  answered(
+    api.POST('/v1/takes/{take_id}/verdict', {
+      params: { path: { take_id: take.id } },
+      body: { kind, note: said.note, start_s: said.startS, end_s: said.endS, seen_state: take.state },
+    }),
+  )
+
+const takeBack = (takeId: string) =>
+  answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
+
+interface Decided {
+  cue: ReviewCue
+  takes: readonly ReviewTake[]
+  /** What was done, for the toast: "shield_hit A approved." */
+  done: string
+  /** What was asked, for a refusal: "shield_hit A is not approved." */
+  refused: string
+}
+
+/** Give verdicts: at once on the screen, then on the server; what is refused comes back with its reason. */
+export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
+  const client = useQueryClient()
+  const [refusal, setRefusal] = useState<Refusal | null>(null)
+  const queueKey = keys.queue(projectId)
+
+  const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
+    setRefusal(null)
+    await client.cancelQueries({ queryKey: queueKey })
+    const before = client.getQueryData<QueueItem[]>(queueKey)
+    const takeIds = decided.takes.map(({ id }) => id)
+    client.setQueryData<QueueItem[]>(
+      queueKey,
+      (items) => items && withoutDecided(items, { cueId: decided.cue.id, takeIds, picked: true }),
+    )
+    const sent = send()
+    const undo = async () => {
+      try {
+        await sent
+        for (const id of undoOn) await takeBack(id)
+        onBack?.(decided.cue.id)
+      } catch (error) {
+        setRefusal({ what: `${decided.done} It stays so.`, problem: asProblem(error) })
+      }
+      await refresh(client, projectId)
+    }
+    showToast(decided.done, undo)
+    try {
+      await sent
+    } catch (error) {
+      dismissToast()
+      client.setQueryData(queueKey, before)
+      setRefusal({ what: decided.refused, problem: asProblem(error) })
+      onBack?.(decided.cue.id)
+    }
+    await refresh(client, projectId)
+  }
+
+  const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string) => {
+    const send = async () => {
+      for (const take of takes) await giveVerdict(take, 'approve', { note: '' })
+    }
+    return decide(
+      { cue, takes, done: `${cue.name} ${name} approved.`, refused: `${cue.name} ${name} is not approved.` },
+      send,
+      takes.map(({ id }) => id).reverse(),
+    )
+  }
+
+  /** Accept a set with the takes that were picked, one a variation. */
+  const acceptSet = (cue: ReviewCue, waiting: readonly ReviewTake[], picked: readonly ReviewTake[]) =>
+    decide(
+      {
+        cue,
+        takes: waiting,
+        done: `The set of ${cue.variations} for ${cue.name} accepted.`,
+        refused: `The set for ${cue.name} is not accepted.`,
+      },
+      () =>
+        answered(
+          api.POST('/v1/cues/{cue_id}/accept-set', {
+            params: { path: { cue_id: cue.id } },
+            body: { note: '', take_ids: picked.map(({ id }) => id) },
+          }),
+        ),
+      picked.slice(0, 1).map(({ id }) => id),
+    )
+
+  const change = useMutation({
+    mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
+      for (const take of takes) await giveVerdict(take, 'request_change', said)
+    },
+    onSettled: () => refresh(client, projectId),
+  })
+
+  return { approve, acceptSet, change, refusal, forgive: () => setRefusal(null) }
+}
+
+export type Judge = ReturnType<typeof useJudge>
