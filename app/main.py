@@ -9,6 +9,7 @@ from fastapi.responses import FileResponse, JSONResponse
 from starlette.staticfiles import StaticFiles
 
 from app import rooms
+from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
 from app.kit import events, health, http
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -39,7 +40,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     )
     app.state.runtime = runtime
     events.connect(runtime.queue, rooms.SUBSCRIBERS)
-    http.install(app)
+    http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE))
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)

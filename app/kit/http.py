@@ -1,7 +1,7 @@
 """What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
 
 import hashlib
-from collections.abc import Awaitable, Callable, Coroutine, Iterator, Sequence
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from datetime import datetime
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
@@ -14,7 +14,9 @@ from fastapi.routing import APIRoute
 from pydantic import BaseModel, ConfigDict
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Mapped, Session, mapped_column
+from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException as StarletteHTTPException
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.kit import clock
 from app.kit.db import Base, Database, new_id
@@ -113,32 +115,49 @@ DbSession = Annotated[Session, Depends(_session, scope="function")]
 class Route(APIRoute):
     """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
 
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Wrap the handler of writes."""
-        handle = super().get_route_handler()
+    async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
+        await _once(super().handle)(scope, receive, send)
 
-        async def handle_once(request: Request) -> Response:
-            given = request.headers.get("idempotency-key")
-            if given is None or request.method in SAFE_METHODS or request.headers.get("tus-resumable"):
-                return await handle(request)
-            body = await request.body()
-            caller = request.headers.get("authorization", "") + request.headers.get("cookie", "")
-            key = _digest(caller, request.method, str(request.url), given)
-            request_sha256 = hashlib.sha256(body).hexdigest()
-            database = database_of(request)
-            if (saved := _saved(database, key)) is not None:
-                return _replay(saved, request_sha256)
-            request.state.saved_answer = SavedAnswer(key=key, request_sha256=request_sha256)
-            try:
-                response = await handle(request)
-            except IntegrityError:
-                if (saved := _saved(database, key)) is not None:  # a twin of this request was faster
-                    return _replay(saved, request_sha256)
+
+def _once(route: ASGIApp) -> ASGIApp:
+    async def answer_once(scope: Scope, receive: Receive, send: Send) -> None:
+        request = Request(scope, receive)
+        given = request.headers.get("idempotency-key")
+        is_json = request.headers.get("content-type", "application/json").startswith("application/json")
+        if given is None or request.method in SAFE_METHODS or not is_json:
+            await route(scope, receive, send)
+            return
+        body = await request.body()
+        credentials = [request.cookies.get(name, "") for name in request.app.state.credential_cookies]
+        caller = "\0".join([request.headers.get("authorization", ""), *credentials])
+        key = _digest(caller, request.method, str(request.url), given)
+        request_sha256 = hashlib.sha256(body).hexdigest()
+        database = database_of(request)
+        if (saved := await run_in_threadpool(_saved, database, key)) is not None:
+            await _replay(saved, request_sha256)(scope, receive, send)
+            return
+        request.state.saved_answer = SavedAnswer(key=key, request_sha256=request_sha256)
+        heard: list[Message] = []
+
+        async def say_again() -> Message:
+            return {"type": "http.request", "body": body, "more_body": False}
+
+        async def hear(message: Message) -> None:
+            heard.append(message)
+
+        try:
+            await route(scope, say_again, hear)
+        except IntegrityError:
+            if (saved := await run_in_threadpool(_saved, database, key)) is None:
                 raise
-            _keep(database, key, response)
-            return response
+            await _replay(saved, request_sha256)(scope, receive, send)  # a twin of this request was faster
+            return
+        await run_in_threadpool(_keep, database, key, heard)
+        for message in heard:
+            await send(message)
 
-        return handle_once
+    return answer_once
 
 
 def _digest(*parts: str) -> str:
@@ -150,13 +169,15 @@ def _saved(database: Database, key: str) -> SavedAnswer | None:
         return session.get(SavedAnswer, key)
 
 
-def _keep(database: Database, key: str, response: Response) -> None:
+def _keep(database: Database, key: str, heard: Sequence[Message]) -> None:
     with database.writing() as session:
         saved = session.get(SavedAnswer, key)
-        if saved is not None:
-            saved.status = response.status_code
-            saved.media_type = response.media_type or "application/json"
-            saved.body = bytes(response.body).decode()
+        if saved is None:  # the request was refused, and may be tried again
+            return
+        headers = {bytes(name).lower(): bytes(value) for name, value in heard[0].get("headers", [])}
+        saved.status = heard[0]["status"]
+        saved.media_type = headers.get(b"content-type", b"application/json").decode()
+        saved.body = b"".join(message.get("body", b"") for message in heard[1:]).decode()
 
 
 def _replay(saved: SavedAnswer, request_sha256: str) -> Response:
@@ -210,8 +231,9 @@ def _problem(request: Request, status: int, code: str, detail: str, **more: Any)
     return JSONResponse(problem.model_dump(mode="json"), status, headers, media_type=PROBLEM_TYPE)
 
 
-def install(app: FastAPI) -> None:
-    """Give the application its error answers and request ids."""
+def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
+    """Give the application its error answers and request ids, and say which cookies tell callers apart."""
+    app.state.credential_cookies = credential_cookies
 
     @app.exception_handler(Refused)
     def _refused(request: Request, error: Refused) -> JSONResponse:
