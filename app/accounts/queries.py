@@ -16,9 +16,7 @@ TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
 
 def actor_for_person(session: Session, person_id: UUID) -> Actor:
     """Return a person with the roles held in each studio."""
-    rows = session.execute(
-        select(Membership.studio_id, Membership.roles).where(Membership.person_id == person_id)
-    ).tuples()
+    rows = session.execute(select(Membership.studio_id, Membership.roles).where(Membership.person_id == person_id))
     return Actor(person_id=person_id, roles={studio: frozenset(Role(role) for role in roles) for studio, roles in rows})
 
 

@@ -96,7 +96,7 @@ def deciders_of(session: Session, projects: Collection[Project]) -> dict[UUID, P
         .subquery()
     )
     newest = select(numbered.c.project_id, numbered.c.person_id).where(numbered.c.place == 1)
-    named = dict(session.execute(newest).tuples().all())
+    named = dict(session.execute(newest).all())
     ids = {project.id: named.get(project.id, project.created_by) for project in projects}
     people = {
         person.id: person for person in session.scalars(select(Person).where(Person.id.in_(set(ids.values())))).all()
@@ -146,7 +146,7 @@ def engagements_of(session: Session, project_ids: Collection[UUID]) -> Sequence[
 def spec_versions_of(session: Session, project_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return the newest spec version of each project."""
     newest = select(Spec.project_id, func.max(Spec.version)).where(Spec.project_id.in_(project_ids))
-    return dict(session.execute(newest.group_by(Spec.project_id)).tuples().all())
+    return dict(session.execute(newest.group_by(Spec.project_id)).all())
 
 
 def current_spec(session: Session, project_id: UUID) -> Spec:

@@ -1,0 +1,88 @@
+import pytest
+
+from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak
+from app.accounts.rules import Role, ensure_address, ensure_good_password, ensure_producer_remains
+
+PRODUCER, REVIEWER, NOBODY = frozenset({Role.PRODUCER}), frozenset({Role.REVIEWER}), frozenset[Role]()
+
+
+@pytest.mark.parametrize(
+    ("typed", "kept"),
+    [
+        ("name@studio.example", "name@studio.example"),
+        ("  Name.Surname+games@Studio.Example ", "name.surname+games@studio.example"),
+        ("o'neil@localhost", "o'neil@localhost"),
+    ],
+)
+def test_addresses_are_kept_in_one_form(typed: str, kept: str) -> None:
+    assert ensure_address(typed) == kept
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "",
+        "name",
+        "@studio.example",
+        "name@",
+        "a@b@c.example",
+        "name@studio..example",
+        "name@-studio.example",
+        "two words@studio.example",
+        "name@studio.example\nBcc: everybody@studio.example",
+        "Name <name@studio.example>",
+        "name@studio.example, other@studio.example",
+        "näme@studio.example",
+        "x" * 65 + "@studio.example",
+        "name@" + "s" * 250 + ".example",
+    ],
+)
+def test_what_is_no_address_is_refused_in_words(typed: str) -> None:
+    with pytest.raises(BadAddress) as refused:
+        ensure_address(typed)
+    assert refused.value.errors[0]["where"] == "email"
+
+
+@pytest.mark.parametrize(
+    ("password", "is_good"),
+    [
+        (None, False),
+        ("", False),
+        ("ninechars", False),
+        ("tencharact", True),
+        ("aaaaaaaaaaaa", False),
+        ("ababababcbab", False),
+        ("Name.Surname@studio.example", False),
+        ("name.surname", False),
+        ("correct horse battery staple", True),
+        ("x9" * 20, False),  # two different characters
+        ("abcd" * 50, True),
+        ("abcd" * 50 + "e", False),
+    ],
+)
+def test_passwords(password: str | None, is_good: bool) -> None:
+    if is_good:
+        assert ensure_good_password(password, "name.surname@studio.example") == password
+        return
+    with pytest.raises(PasswordTooWeak) as refused:
+        ensure_good_password(password, "name.surname@studio.example")
+    assert refused.value.errors[0]["where"] == "password"
+
+
+@pytest.mark.parametrize(
+    ("others", "wanted", "is_allowed"),
+    [
+        ([PRODUCER], NOBODY, True),
+        ([REVIEWER, PRODUCER], REVIEWER, True),
+        ([], PRODUCER, True),
+        ([], REVIEWER, False),
+        ([REVIEWER], NOBODY, False),
+        ([], NOBODY, False),
+    ],
+)
+def test_a_studio_keeps_a_producer(others: list[frozenset[Role]], wanted: frozenset[Role], is_allowed: bool) -> None:
+    if is_allowed:
+        ensure_producer_remains(others, wanted)
+        return
+    with pytest.raises(LastProducer):
+        ensure_producer_remains(others, wanted)
