@@ -8,13 +8,14 @@ import asyncio
 import base64
 import binascii
 import re
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator, Callable, Coroutine
 from email.utils import format_datetime
 from typing import Annotated, Any
 from uuid import UUID
 
 from fastapi import APIRouter, Header, Query, Request, Response
 from fastapi.routing import APIRoute
+from starlette.requests import ClientDisconnect
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Scope, Sight
@@ -129,7 +130,7 @@ async def begin_upload(
         _sha256(metadata.get("sha256")),
     )  # fmt: skip
     if has_body:
-        upload = await uploads.receive(upload, 0, request.stream(), announced=_announced(request), checksum=checksum)
+        upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
     return await asyncio.to_thread(_standing, uploads, upload, 201)
 
 
@@ -175,7 +176,7 @@ async def continue_upload(
     checksum = _checksum(upload_checksum)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_own, runtime, actor, upload_id)
-    upload = await uploads.receive(upload, offset, request.stream(), announced=_announced(request), checksum=checksum)
+    upload = await uploads.receive(upload, offset, _body(request), announced=_announced(request), checksum=checksum)
     return await asyncio.to_thread(_standing, uploads, upload, 204)
 
 
@@ -224,13 +225,22 @@ async def put_upload(
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected)
     try:
-        upload = await uploads.receive(upload, 0, request.stream(), announced=length)
+        upload = await uploads.receive(upload, 0, _body(request), announced=length)
         if upload.sha256 is None:
             raise UploadIncomplete(f"fewer than the announced {length} bytes came; send the file again")
     except BaseException:  # its sender does not know its id, so nobody could go on with it
         await asyncio.to_thread(uploads.give_up, upload)
         raise
     return UploadRead(upload_id=upload.id, offset=upload.length, length=upload.length, sha256=upload.sha256)
+
+
+async def _body(request: Request) -> AsyncIterator[bytes]:
+    """Yield the body as it comes; a dropped line is the sender's, and no fault of ours."""
+    try:
+        async for chunk in request.stream():
+            yield chunk
+    except ClientDisconnect:
+        raise UploadIncomplete("the line dropped before everything came") from None
 
 
 def _uploads(runtime: Runtime) -> Uploads:

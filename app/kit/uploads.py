@@ -244,14 +244,21 @@ class Uploads:
 
     def sweep(self) -> int:
         """Delete what expired unfinished and what dead processes left over; return how many files went."""
-        gone = 0
-        for staging in list(self._store.root.glob(f"*/{STAGING}/*")):  # listed before rows are read: rows come first
-            gone += self._swept(staging)
+        staged = list(self._store.root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
+        gone = sum(self._swept(staging) for staging in staged)
         for left_over in self._store.root.glob("*/.put-*"):
             if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
                 left_over.unlink(missing_ok=True)
                 gone += 1
+        self._forget_rows_without_file({staging.stem for staging in staged})
         return gone
+
+    def _forget_rows_without_file(self, staged: set[str]) -> None:
+        with self._database.writing() as session:
+            long_ago = clock.now() - KEPT_FOR
+            for row in session.scalars(select(Upload).where(Upload.sha256.is_(None), Upload.created_at < long_ago)):
+                if str(row.id) not in staged:
+                    session.delete(row)
 
     def _swept(self, staging: Path) -> bool:
         upload = self._found(UUID(staging.stem))
@@ -334,7 +341,7 @@ class Uploads:
             raise UploadBusy(
                 "another request is sending to this upload", fix="ask for its offset in a few seconds and go on there"
             ) from None
-        if not os.fstat(file).st_nlink or not staging.exists():  # given up or finished between opening and locking
+        if not staging.exists():  # given up or finished between opening and locking
             os.close(file)
             raise UploadNotFound(f"no upload {upload.id}: it was given up or is finished")
         return file

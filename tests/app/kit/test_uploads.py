@@ -1,0 +1,351 @@
+"""Nothing that was acknowledged is ever lost, wherever the process or the line breaks."""
+
+import asyncio
+import fcntl
+import hashlib
+import os
+import resource
+import time
+from collections.abc import AsyncIterator, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.kit import kill, uploads
+from app.kit.db import Base, Database, new_id
+from app.kit.errors import Conflict
+from app.kit.storage import Store
+from app.kit.uploads import (
+    Checksum,
+    ChecksumMismatch,
+    OffsetMismatch,
+    StoreFull,
+    Upload,
+    UploadBusy,
+    UploadNotFound,
+    Uploads,
+    UploadStalled,
+    UploadTooLong,
+    UploadUnfinished,
+    finished_upload,
+)
+
+STUDIO, OWNER = new_id(), new_id()
+CONTENT = bytes(range(256)) * 20_000  # 5 MB, so that it is written in several pieces
+SHA256 = hashlib.sha256(CONTENT).hexdigest()
+
+
+class Killed(BaseException):
+    """Stands for SIGKILL: nothing after it runs, but what `finally` does to open files, as the kernel would."""
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[Database]:
+    database = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")
+    Base.metadata.create_all(database.engine, tables=[Base.metadata.tables["kit_uploads"]])
+    yield database
+    database.dispose()
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    return Store(tmp_path / "blobs")
+
+
+@pytest.fixture
+def incoming(database: Database, store: Store) -> Uploads:
+    return Uploads(database, store)
+
+
+def begun(incoming: Uploads, length: int = len(CONTENT), **more: Any) -> Upload:
+    return incoming.create(
+        studio_id=STUDIO,
+        owner_id=OWNER,
+        scope="delivery",
+        file_name="laser.wav",
+        length=length,
+        max_length=1 << 40,
+        **more,
+    )
+
+
+async def stream(content: bytes, *, breaks_after: int | None = None) -> AsyncIterator[bytes]:
+    for start in range(0, len(content) if breaks_after is None else breaks_after, 65_536):
+        yield content[start : start + 65_536]
+    if breaks_after is not None:
+        raise ConnectionResetError("the line dropped")
+
+
+def send(incoming: Uploads, upload: Upload, offset: int, content: bytes, **more: Any) -> Upload:
+    return asyncio.run(incoming.receive(upload, offset, stream(content), **more))
+
+
+def staged(store: Store) -> list[Path]:
+    return list(store.root.glob(f"*/{uploads.STAGING}/*"))
+
+
+def find(incoming: Uploads, upload: Upload) -> Upload:
+    return incoming.find(upload.id, owner_id=OWNER)
+
+
+def grow_old(path: Path, seconds: float) -> None:
+    os.utime(path, (time.time() - seconds,) * 2)
+
+
+def test_pieces_become_the_file_that_was_sent(incoming: Uploads, store: Store) -> None:
+    upload = begun(incoming)
+    upload = send(incoming, upload, 0, CONTENT[:1_000_003])
+    assert (upload.sha256, incoming.offset(upload)) == (None, 1_000_003)
+    upload = send(incoming, upload, 1_000_003, CONTENT[1_000_003:])
+    assert upload.sha256 == SHA256
+    assert store.read(STUDIO, SHA256) == CONTENT
+    assert staged(store) == []
+    assert incoming.expires_at(upload) is None
+
+
+def test_a_file_of_no_bytes_is_finished_at_once(incoming: Uploads, store: Store) -> None:
+    upload = begun(incoming, 0)
+    assert upload.sha256 == hashlib.sha256(b"").hexdigest()
+    assert store.read(STUDIO, upload.sha256) == b""
+
+
+def test_the_same_file_twice_is_stored_once(incoming: Uploads, store: Store) -> None:
+    for _ in range(2):
+        assert send(incoming, begun(incoming), 0, CONTENT).sha256 == SHA256
+    assert store.read(STUDIO, SHA256) == CONTENT
+    assert staged(store) == []
+
+
+@pytest.mark.parametrize("offset", [0, 999, 1_001, len(CONTENT)])
+def test_bytes_that_do_not_continue_are_refused(incoming: Uploads, offset: int) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT[:1_000])
+    with pytest.raises(OffsetMismatch, match="1000 bytes are here"):
+        send(incoming, upload, offset, CONTENT[1_000:])
+    assert incoming.offset(upload) == 1_000
+
+
+def test_a_broken_line_keeps_what_came(incoming: Uploads, store: Store) -> None:
+    upload = begun(incoming)
+    with pytest.raises(ConnectionResetError):
+        asyncio.run(incoming.receive(upload, 0, stream(CONTENT, breaks_after=40 * 65_536)))
+    here = incoming.offset(upload)
+    assert here == 40 * 65_536
+    assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
+
+
+def test_a_silent_sender_frees_the_upload(incoming: Uploads, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(uploads, "SILENT_FOR_S", 0.05)
+
+    async def mumbling() -> AsyncIterator[bytes]:
+        yield CONTENT[:10]
+        await asyncio.sleep(5)
+
+    upload = begun(incoming)
+    with pytest.raises(UploadStalled):
+        asyncio.run(incoming.receive(upload, 0, mumbling()))
+    assert incoming.offset(upload) == 10
+    assert send(incoming, upload, 10, CONTENT[10:]).sha256 == SHA256
+
+
+def test_a_second_writer_is_told_to_wait(incoming: Uploads) -> None:
+    upload = begun(incoming)
+
+    async def both() -> None:
+        first_has_begun, second_is_done = asyncio.Event(), asyncio.Event()
+
+        async def slow() -> AsyncIterator[bytes]:
+            yield CONTENT[:100]
+            first_has_begun.set()
+            await second_is_done.wait()
+            yield CONTENT[100:]
+
+        first = asyncio.create_task(incoming.receive(upload, 0, slow()))
+        await first_has_begun.wait()
+        with pytest.raises(UploadBusy):
+            await incoming.receive(upload, 0, stream(b"x" * 100))
+        second_is_done.set()
+        assert (await first).sha256 == SHA256
+
+    asyncio.run(both())
+
+
+@pytest.mark.parametrize("announced", [None, 11])
+def test_more_than_announced_is_refused(incoming: Uploads, announced: int | None) -> None:
+    upload = begun(incoming, 10)
+    with pytest.raises(UploadTooLong):
+        send(incoming, upload, 0, b"12345678901", announced=announced)
+    assert incoming.offset(upload) == 0
+    assert send(incoming, upload, 0, b"1234567890").sha256 == hashlib.sha256(b"1234567890").hexdigest()
+
+
+def test_a_finished_upload_takes_nothing_more(incoming: Uploads, store: Store) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT)
+    assert send(incoming, upload, len(CONTENT), b"").sha256 == SHA256
+    with pytest.raises(UploadTooLong):
+        send(incoming, upload, len(CONTENT), b"x")
+    with pytest.raises(OffsetMismatch):
+        send(incoming, upload, 0, CONTENT)
+    assert store.read(STUDIO, SHA256) == CONTENT
+
+
+@pytest.mark.parametrize("algorithm", uploads.CHECKSUMS)
+def test_bytes_with_a_wrong_checksum_are_not_kept(incoming: Uploads, algorithm: str) -> None:
+    upload = begun(incoming)
+    right = Checksum(algorithm, hashlib.new(algorithm, CONTENT[:1_000]).digest())
+    with pytest.raises(ChecksumMismatch):
+        send(incoming, upload, 0, CONTENT[1:1_001], checksum=right)
+    assert incoming.offset(upload) == 0
+    assert incoming.offset(send(incoming, upload, 0, CONTENT[:1_000], checksum=right)) == 1_000
+
+
+def test_bytes_that_no_checksum_could_prove_are_not_kept(incoming: Uploads, store: Store) -> None:
+    upload = begun(incoming)
+    proof = Checksum("sha256", hashlib.sha256(CONTENT).digest())
+    with pytest.raises(ConnectionResetError):
+        asyncio.run(incoming.receive(upload, 0, stream(CONTENT, breaks_after=2_000_000), checksum=proof))
+    assert incoming.offset(upload) == 0
+    assert [path.name for path in staged(store)] == [str(upload.id)]
+
+
+def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: Store) -> None:
+    upload = begun(incoming, expected_sha256=SHA256)
+    with pytest.raises(ChecksumMismatch, match="announced was"):
+        send(incoming, upload, 0, CONTENT[::-1])
+    assert incoming.offset(upload) == 0
+    assert send(incoming, upload, 0, CONTENT).sha256 == SHA256
+    assert store.read(STUDIO, SHA256) == CONTENT
+
+
+@pytest.mark.parametrize(
+    "point", ["uploads.received", "uploads.before_store", "uploads.after_store", "uploads.finished"]
+)
+def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
+    incoming: Uploads, store: Store, database: Database, monkeypatch: pytest.MonkeyPatch, point: str
+) -> None:
+    hits = []
+
+    def die(name: str) -> None:
+        if name == point and not hits:
+            hits.append(name)
+            raise Killed
+
+    upload = begun(incoming)
+    with monkeypatch.context() as patched:
+        patched.setattr(kill, "point", die)
+        with pytest.raises(Killed):
+            send(incoming, upload, 0, CONTENT)
+    assert hits == [point]
+    found = find(Uploads(database, Store(store.root)), upload)
+    assert (found.sha256, incoming.offset(found)) == (SHA256, len(CONTENT))
+    assert store.read(STUDIO, SHA256) == CONTENT
+    incoming.sweep()
+    assert staged(store) == []
+
+
+def test_what_belongs_to_somebody_else_is_not_there(incoming: Uploads, database: Database) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT)
+    with pytest.raises(UploadNotFound):
+        incoming.find(upload.id, owner_id=new_id())
+    with database.writing() as session:
+        found = finished_upload(session, upload.id, owner_id=OWNER, scope="delivery")
+        assert (found.sha256, found.size_bytes, found.file_name) == (SHA256, len(CONTENT), "laser.wav")
+        for owner_id, scope in ((new_id(), "delivery"), (OWNER, "another delivery")):
+            with pytest.raises(UploadNotFound):
+                finished_upload(session, upload.id, owner_id=owner_id, scope=scope)
+
+
+def test_an_unfinished_upload_is_no_file_yet(incoming: Uploads, database: Database) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT[:-1])
+    with database.writing() as session, pytest.raises(UploadUnfinished):
+        finished_upload(session, upload.id, owner_id=OWNER, scope="delivery")
+
+
+def test_given_up_is_gone(incoming: Uploads, store: Store) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT[:100])
+    incoming.give_up(upload)
+    assert staged(store) == []
+    with pytest.raises(UploadNotFound):
+        find(incoming, upload)
+    with pytest.raises(UploadNotFound):
+        send(incoming, upload, 100, CONTENT[100:])
+
+
+def test_a_finished_file_cannot_be_given_up(incoming: Uploads, store: Store) -> None:
+    upload = send(incoming, begun(incoming), 0, CONTENT)
+    with pytest.raises(Conflict):
+        incoming.give_up(upload)
+    assert store.read(STUDIO, SHA256) == CONTENT
+
+
+def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store: Store) -> None:
+    week_s = uploads.KEPT_FOR.total_seconds()
+    expired, fresh, busy = (send(incoming, begun(incoming), 0, CONTENT[:9]) for _ in range(3))
+    finished = send(incoming, begun(incoming), 0, CONTENT)
+    paths = {path.name: path for path in staged(store)}
+    grow_old(paths[str(expired.id)], week_s + 60)
+    grow_old(paths[str(fresh.id)], week_s - 60)
+    grow_old(paths[str(busy.id)], week_s + 60)
+    crashed_put = store.root / str(STUDIO) / ".put-crashed"
+    crashed_put.write_bytes(b"half")
+    grow_old(crashed_put, uploads.LEFT_OVER_AFTER.total_seconds() + 60)
+    with paths[str(busy.id)].open("rb") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        assert incoming.sweep() == 2
+    assert {path.name for path in staged(store)} == {str(fresh.id), str(busy.id)}
+    assert not crashed_put.exists()
+    with pytest.raises(UploadNotFound):
+        find(incoming, expired)
+    assert find(incoming, finished).sha256 == SHA256
+    assert incoming.offset(find(incoming, fresh)) == 9
+
+
+def test_the_sweep_forgets_rows_whose_file_was_never_made(incoming: Uploads, store: Store, database: Database) -> None:
+    lost, fresh = begun(incoming), begun(incoming)
+    for path in staged(store):
+        path.unlink()
+    with database.writing() as session:
+        session.get_one(Upload, lost.id).created_at -= uploads.KEPT_FOR
+    incoming.sweep()
+    with database.reading() as session:
+        assert session.get(Upload, lost.id) is None
+        assert session.get(Upload, fresh.id) is not None
+
+
+def test_the_file_says_when_it_expires(incoming: Uploads) -> None:
+    expires_at = incoming.expires_at(begun(incoming))
+    assert expires_at is not None
+    assert expires_at.timestamp() == pytest.approx(time.time() + uploads.KEPT_FOR.total_seconds(), abs=5)
+
+
+def test_too_long_for_one_file(incoming: Uploads, store: Store) -> None:
+    with pytest.raises(UploadTooLong, match="1099511627777"):
+        begun(incoming, (1 << 40) + 1)
+    assert staged(store) == []
+
+
+def test_a_full_disk_is_said_before_and_while_bytes_come(
+    incoming: Uploads, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patched:
+        patched.setattr(uploads, "SPARE_BYTES", 1 << 60)
+        with pytest.raises(StoreFull):
+            begun(incoming)
+    upload = begun(incoming)
+    with largest_file(1_000_000), pytest.raises(StoreFull, match="could not write"):
+        send(incoming, upload, 0, CONTENT)
+    here = incoming.offset(upload)
+    assert here == 1_000_000
+    assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
+
+
+@contextmanager
+def largest_file(size_bytes: int) -> Iterator[None]:
+    """Let the kernel refuse to write beyond this size."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size_bytes, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
