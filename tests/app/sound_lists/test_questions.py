@@ -1,0 +1,80 @@
+"""A designer asks on a cue, and the answer becomes part of it."""
+
+from app.projects.models import Engagement
+from app.projects.rules import EngagementKind
+from tests.support.server import World
+
+
+def a_cue(world: World) -> str:
+    rows = {"cues": [{"name": "Coolant splash", "description": "Something falls in."}]}
+    cue_id: str = world.producer.post(f"/v1/projects/{world.project_id}/cues", json=rows).json()[0]["id"]
+    return cue_id
+
+
+def test_the_answer_joins_the_cue(world: World) -> None:
+    cue_id = a_cue(world)
+    asked = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "A drop, a tool, a person?"})
+    assert asked.status_code == 201, asked.text
+    listed = world.producer.get(f"/v1/projects/{world.project_id}/sound-list").json()
+    assert listed["cues"][0]["open_questions"] == 1
+    answer = world.decider.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A tool."})
+    assert answer.status_code == 200, answer.text
+    assert answer.json()["answered_by"]["name"] == "Audio director"
+    cue = world.designer.get(f"/v1/cues/{cue_id}").json()
+    assert cue["description"] == "Something falls in.\n\nA drop, a tool, a person? A tool."
+    assert (cue["open_questions"], cue["edition"]) == (0, 2)
+    assert cue["questions"][0]["answer"] == "A tool."
+    again = world.decider.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A drop."})
+    assert again.status_code == 409
+    assert again.json()["code"] == "question-answered"
+
+
+def test_an_answer_need_not_join(world: World) -> None:
+    cue_id = a_cue(world)
+    asked = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "When?"}).json()
+    world.producer.post(f"/v1/questions/{asked['id']}/answer", json={"text": "Friday.", "joins": False})
+    assert world.designer.get(f"/v1/cues/{cue_id}").json()["description"] == "Something falls in."
+
+
+def test_designers_do_not_learn_of_one_another(world: World) -> None:
+    cue_id = a_cue(world)
+    world.server.in_database(
+        lambda session: session.add(
+            Engagement(
+                studio_id=world.studio_id,
+                project_id=world.project_id,
+                designer_id=world.other_designer_id,
+                kind=EngagementKind.ADVISORY,
+            )
+        )
+    )
+    world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "How loud?"})
+    url = f"/v1/projects/{world.project_id}/questions"
+    assert world.other_designer.get(url).json()["items"][0]["asked_by"] is None
+    assert world.designer.get(url).json()["items"][0]["asked_by"]["name"] == "Sound designer"
+    assert world.producer.get(url).json()["items"][0]["asked_by"]["name"] == "Sound designer"
+
+
+def test_open_questions_alone(world: World) -> None:
+    cue_id = a_cue(world)
+    first = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "One?"}).json()
+    world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "Two?"})
+    world.producer.post(f"/v1/questions/{first['id']}/answer", json={"text": "Yes."})
+    url = f"/v1/projects/{world.project_id}/questions"
+    assert [one["text"] for one in world.producer.get(url, params={"only_open": True}).json()["items"]] == ["Two?"]
+    assert [one["text"] for one in world.producer.get(url).json()["items"]] == ["One?", "Two?"]
+
+
+def test_who_may_answer(world: World) -> None:
+    asked = world.designer.post(f"/v1/cues/{a_cue(world)}/questions", json={"text": "One?"}).json()
+    url = f"/v1/questions/{asked['id']}/answer"
+    assert world.designer.post(url, json={"text": "No."}).status_code == 403
+    assert world.reviewer.post(url, json={"text": "No."}).status_code == 403
+    assert world.stranger.post(url, json={"text": "No."}).status_code == 404
+    assert world.nobody.post(url, json={"text": "No."}).status_code == 401
+    assert world.designer.post(f"/v1/cues/{a_cue_again(world)}/questions", json={"text": "  "}).status_code == 422
+
+
+def a_cue_again(world: World) -> str:
+    cue_id: str = world.producer.get(f"/v1/projects/{world.project_id}/sound-list").json()["cues"][0]["id"]
+    return cue_id
