@@ -172,6 +172,8 @@ class SpecBrief(Schema):
 class SpecRead(SpecBrief):
     """One version of the spec: its text, the tables that the text says, and what they come to."""
 
+    model_config = ConfigDict(str_strip_whitespace=False)
+
     toml: str
     tables: dict[str, Any]
     resolved: ResolvedSpec
@@ -213,6 +215,8 @@ class SpecTry(Schema):
 
 class SpecTried(Schema):
     """The text, the tables it says and what they come to, with what is probably not meant."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
 
     toml: str
     sha256: str

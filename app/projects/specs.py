@@ -26,6 +26,9 @@ def read_spec(toml: str) -> audio_checks.DeliverySpec:
         raise BadSpec(
             f"{where}: {message}" if where else f"the spec {message}", errors=[{"where": where, "message": message}]
         ) from None
+    except (OverflowError, ValueError):  # tomllib and float() give up on numbers of hundreds of digits
+        message = "a number is too long to be read"
+        raise BadSpec(message, errors=[{"where": "", "message": message}]) from None
 
 
 def toml_of_form(tables: Mapping[str, Any]) -> str:

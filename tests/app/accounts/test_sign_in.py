@@ -6,7 +6,7 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from sqlalchemy import select
 
-from app.accounts import passwords
+from app.accounts import passwords, rate_limits
 from app.accounts.doors import CSRF_COOKIE, SESSION_COOKIE
 from app.accounts.models import PasswordReset, Person, SignIn, Token
 from app.kit import clock
@@ -158,7 +158,9 @@ def test_guessing_is_slowed_down_and_says_for_how_long(server: RunningServer, ac
 
 
 def test_being_right_clears_the_count(server: RunningServer, account: tuple[TestClient, str]) -> None:
-    for _ in range(11):
+    for _ in range(2):
+        for _ in range(9):
+            rate_limits.count_try(rate_limits.SIGN_INS_OF_ADDRESS, f"{account[1]} testclient")
         assert sign_in(server.browser(), account[1]).status_code == 200
 
 

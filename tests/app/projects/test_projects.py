@@ -1,0 +1,207 @@
+from collections.abc import Iterator
+from contextlib import contextmanager
+from uuid import uuid4
+
+import pytest
+import sqlalchemy as sa
+from httpx import Response
+
+from app.accounts.queries import actor_for_person
+from app.projects.service import open_project
+from tests.support.server import RunningServer, World
+
+
+def project_path(world: World, rest: str = "") -> str:
+    return f"/v1/projects/{world.project_id}{rest}"
+
+
+def add_project(world: World, **changes: object) -> Response:
+    body = {"studio_id": str(world.studio_id), "name": "Deep Station", "cue_prefix": "DS"} | changes
+    return world.producer.post("/v1/projects", json=body)
+
+
+@contextmanager
+def counted_selects(server: RunningServer) -> Iterator[list[str]]:
+    statements: list[str] = []
+
+    def count(_connection: object, _cursor: object, statement: str, *_more: object) -> None:
+        if statement.lstrip().upper().startswith("SELECT"):
+            statements.append(statement)
+
+    sa.event.listen(server.runtime.database.engine, "before_cursor_execute", count)
+    try:
+        yield statements
+    finally:
+        sa.event.remove(server.runtime.database.engine, "before_cursor_execute", count)
+
+
+def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> None:
+    project = add_project(world, description="A station under the ice.", preset="48k").json()
+    assert (project["name"], project["cue_prefix"], project["spec_version"]) == ("Deep Station", "DS", 1)
+    assert project["studio"] == {"id": str(world.studio_id), "name": "Test studio"}
+    assert project["decider"]["name"] == "Producer"  # whoever opened it, until somebody is named
+    assert project["mine"] == {
+        "is_team": True,
+        "is_producer": True,
+        "is_liaison": False,
+        "is_decider": True,
+        "engagement_kind": None,
+    }
+    spec = world.producer.get(f"/v1/projects/{project['id']}/spec").json()
+    assert spec["resolved"]["accept"]["sample_rates_hz"] == [48_000, 96_000]
+    assert list(spec["resolved"]["targets"]) == ["game"]
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("name", ""),
+        ("name", "Two\nlines"),
+        ("cue_prefix", "sw"),
+        ("cue_prefix", "TOOLONGPREFIX"),
+        ("cue_prefix", "1A"),
+        ("preset", "8k"),
+        ("studio_id", "no id"),
+        ("description", "x" * 5_001),
+    ],
+)
+def test_what_is_wrong_with_a_project_is_said_at_its_field(world: World, field: str, value: str) -> None:
+    problem = add_project(world, **{field: value}).json()
+    assert (problem["status"], problem["errors"][0]["where"]) == (422, field)
+
+
+def test_only_producers_of_the_studio_open_projects(world: World) -> None:
+    body = {"studio_id": str(world.studio_id), "name": "Deep Station", "cue_prefix": "DS"}
+    assert world.reviewer.post("/v1/projects", json=body).json()["code"] == "producer-needed"
+    assert world.stranger.post("/v1/projects", json=body).json()["code"] == "studio-not-found"
+    assert world.nobody.post("/v1/projects", json=body).status_code == 401
+
+
+def test_the_designer_sees_the_project_and_no_other_designer(world: World) -> None:
+    project = world.designer.get(project_path(world)).json()
+    assert project["mine"]["engagement_kind"] == "contract"
+    assert project["mine"]["is_team"] is False
+    assert [engagement["designer"]["name"] for engagement in project["engagements"]] == ["Sound designer"]
+    world.server.in_database(lambda session: engage(session, world, world.other_designer_id))
+    assert len(world.producer.get(project_path(world)).json()["engagements"]) == 2
+    assert len(world.designer.get(project_path(world)).json()["engagements"]) == 1
+
+
+def engage(session: sa.orm.Session, world: World, person_id: object) -> None:
+    from app.projects.models import Engagement
+    from app.projects.rules import EngagementKind
+
+    session.add(
+        Engagement(
+            studio_id=world.studio_id,
+            project_id=world.project_id,
+            designer_id=person_id,
+            kind=EngagementKind.ADVISORY,
+        )
+    )
+
+
+def test_who_has_no_sight_is_told_nothing(world: World) -> None:
+    for browser in (world.stranger, world.other_designer):
+        answer = browser.get(project_path(world))
+        missing = browser.get(f"/v1/projects/{uuid4()}")
+        assert answer.status_code == missing.status_code == 404
+        assert answer.json()["code"] == missing.json()["code"] == "project-not-found"
+        assert browser.get("/v1/projects").json() == {"items": [], "next": None}
+    assert world.nobody.get(project_path(world)).status_code == 401
+
+
+def test_the_list_is_paged_and_put_away_projects_are_apart(server: RunningServer, world: World) -> None:
+    with server.runtime.database.writing() as session:
+        actor = actor_for_person(session, world.producer_id)
+        for number in range(60):
+            open_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
+    first = world.producer.get("/v1/projects").json()
+    second = world.producer.get("/v1/projects", params={"cursor": first["next"]}).json()
+    names = [project["name"] for project in first["items"] + second["items"]]
+    assert names == [f"Project {number}" for number in reversed(range(60))] + ["Shield Wing"]
+    assert second["next"] is None
+    assert world.producer.get("/v1/projects", params={"cursor": "nonsense"}).json()["code"] == "bad-cursor"
+    assert world.producer.patch(project_path(world), json={"archived": True}).json()["archived_at"] is not None
+    assert (
+        world.producer.get("/v1/projects", params={"cursor": first["next"]}).json()["items"][-1]["name"] == "Project 0"
+    )
+    away = world.producer.get("/v1/projects", params={"archived": "true"}).json()["items"]
+    assert [project["name"] for project in away] == ["Shield Wing"]
+    assert world.producer.patch(project_path(world), json={"archived": False}).json()["archived_at"] is None
+
+
+def test_the_list_takes_as_many_selects_for_many_projects_as_for_one(server: RunningServer, world: World) -> None:
+    with counted_selects(server) as for_one:
+        world.producer.get("/v1/projects")
+    with server.runtime.database.writing() as session:
+        actor = actor_for_person(session, world.producer_id)
+        for number in range(5):
+            open_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
+    with counted_selects(server) as for_six:
+        assert len(world.producer.get("/v1/projects").json()["items"]) == 6
+    assert len(for_six) == len(for_one)
+
+
+def test_changing_a_project_is_the_producers(world: World) -> None:
+    changed = world.producer.patch(project_path(world), json={"name": "Shield Wing II", "cue_prefix": "SW2"}).json()
+    assert (changed["name"], changed["cue_prefix"], changed["description"]) == ("Shield Wing II", "SW2", "")
+    assert world.decider.patch(project_path(world), json={"name": "X"}).json()["code"] == "producer-needed"
+    assert world.designer.patch(project_path(world), json={"name": "X"}).status_code == 403
+    assert world.stranger.patch(project_path(world), json={"name": "X"}).status_code == 404
+    assert world.producer.patch(project_path(world), json={"studio_id": str(uuid4())}).status_code == 422
+
+
+def test_liaisons_come_from_the_studio(world: World) -> None:
+    path = project_path(world, f"/liaisons/{world.reviewer_id}")
+    for _ in range(2):  # naming twice is naming once
+        project = world.producer.put(path).json()
+        assert [person["name"] for person in project["liaisons"]] == ["Audio director", "Composer"]
+    outsider = project_path(world, f"/liaisons/{world.designer_id}")
+    assert world.producer.put(outsider).json()["code"] == "liaison-not-found"
+    assert world.decider.put(path).status_code == 403
+    assert [person["name"] for person in world.producer.delete(path).json()["liaisons"]] == ["Audio director"]
+    assert world.producer.delete(path).status_code == 404
+
+
+def test_the_last_word_goes_to_a_liaison_or_is_taken_over_by_a_producer(world: World) -> None:
+    path = project_path(world, "/decider")
+    reviewer = {"person_id": str(world.reviewer_id), "reason": "Knows the music."}
+    assert world.producer.put(path, json=reviewer).json()["code"] == "cannot-decide"
+    world.producer.put(project_path(world, f"/liaisons/{world.reviewer_id}"))
+    assert world.producer.put(path, json=reviewer).json()["decider"]["name"] == "Composer"
+    assert world.reviewer.get(project_path(world)).json()["mine"]["is_decider"] is True
+    assert world.decider.get(project_path(world)).json()["mine"]["is_decider"] is False
+    producer = {"person_id": str(world.producer_id), "reason": "The composer is away."}
+    assert world.producer.put(path, json=producer).json()["decider"]["name"] == "Producer"
+    history = world.reviewer.get(project_path(world, "/decider-history")).json()
+    assert [(change["person"]["name"], change["reason"], change["changer"]["name"]) for change in history] == [
+        ("Producer", "The composer is away.", "Producer"),
+        ("Composer", "Knows the music.", "Producer"),
+        ("Audio director", "named when the project opened", "Producer"),
+    ]
+
+
+def test_the_last_word_is_not_taken_without_right_or_reason(world: World) -> None:
+    path = project_path(world, "/decider")
+    body = {"person_id": str(world.decider_id), "reason": "Because."}
+    assert world.decider.put(path, json=body).json()["code"] == "producer-needed"
+    assert world.designer.put(path, json=body).status_code == 403
+    assert world.producer.put(path, json=body | {"reason": "  "}).json()["errors"][0]["where"] == "reason"
+    for outsider in (world.designer_id, world.stranger_id, uuid4()):
+        answer = world.producer.put(path, json=body | {"person_id": str(outsider)})
+        assert (answer.status_code, answer.json()["code"]) == (422, "cannot-decide")
+    assert world.designer.get(project_path(world, "/decider-history")).json()["code"] == "team-needed"
+
+
+def test_who_decides_stays_a_liaison(world: World) -> None:
+    path = project_path(world, f"/liaisons/{world.decider_id}")
+    assert world.producer.delete(path).json()["code"] == "liaison-decides"
+
+
+def test_who_left_the_studio_speaks_for_it_no_longer(world: World) -> None:
+    assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.decider_id}").status_code == 204
+    assert world.producer.get(project_path(world)).json()["liaisons"] == []
+    assert world.decider.get(project_path(world)).status_code == 404
+    body = {"person_id": str(world.producer_id), "reason": "The audio director left."}
+    assert world.producer.put(project_path(world, "/decider"), json=body).json()["decider"]["name"] == "Producer"
