@@ -10,26 +10,26 @@ from typing import Any
 from app.sound_lists.rules import CueState, Reverb
 
 HEADS: Mapping[str, str] = {
-    "number": "number no nr num id cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref nummer lfd nr",
-    "name": "name sound title cue name|sound name|sound effect|effect|effect name|asset|asset name|sfx|sfx name|titel "
-    "bezeichnung klang|sound title|nom|nombre",
-    "file_name": "filename file dateiname datei wav|file name|wav name|wav file|asset file|audio file|sound file|"
+    "number": "number|no|nr|num|id|cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref|nummer|lfd nr",
+    "name": "name|sound|title|cue name|sound name|sound title|sound effect|effect|effect name|asset|asset name|sfx|"
+    "sfx name|titel|bezeichnung|klang|nom|nombre",
+    "file_name": "filename|file|wav|file name|wav name|wav file|asset file|audio file|sound file|dateiname|datei|"
     "fichier|nom de fichier|archivo",
-    "category": "category type kategorie class group art gruppe categorie categoria|sound type|sound category",
-    "description": "description desc descr beschreibung details brief descripcion|sound description|what it is",
-    "use": "use usage context verwendung einsatz kontext|use in game|use in the game|used in|used for|in game use",
-    "trigger": "trigger event auslöser when|triggered by|trigger event|game event|event name",
-    "duration_s": "duration dauer length länge laenge len duree duracion|requested duration|requested length|"
-    "target length",
+    "category": "category|type|class|group|sound type|sound category|kategorie|gruppe|art|categorie|categoria",
+    "description": "description|desc|descr|details|brief|sound description|what it is|beschreibung|descripcion",
+    "use": "use|usage|context|use in game|use in the game|used in|used for|in game use|verwendung|einsatz|kontext",
+    "trigger": "trigger|event|when|triggered by|trigger event|game event|event name|auslöser",
+    "duration_s": "duration|length|len|requested duration|requested length|target length|dauer|länge|laenge|duree|"
+    "duracion",
     "length_locked": "locked|length locked|locked length|fixed length|exact length|duration locked|länge fest",
-    "frame_rate_fps": "fps bildrate|frame rate|framerate",
-    "loop": "loop looping looped loops schleife|is loop|loop one shot|loop oneshot|loop or one shot|one shot or loop",
-    "reverb": "reverb hall|reverb tail",
-    "variations": "variations variation variants variants varianten variationen vars count qty quantity anzahl|"
-    "number of variations|num variations|variation count|no of variations",
-    "state": "state status stage stand",
-    "playback_priority": "priority prio priorität|playback priority",
-    "placeholder": "placeholder platzhalter temp|is placeholder",
+    "frame_rate_fps": "fps|frame rate|framerate|bildrate",
+    "loop": "loop|looping|looped|loops|is loop|loop one shot|loop oneshot|loop or one shot|one shot or loop|schleife",
+    "reverb": "reverb|reverb tail|hall",
+    "variations": "variations|variation|variants|variant|vars|count|qty|quantity|number of variations|"
+    "num variations|variation count|no of variations|varianten|variationen|anzahl",
+    "state": "state|status|stage|stand",
+    "playback_priority": "priority|prio|playback priority|priorität",
+    "placeholder": "placeholder|temp|is placeholder|platzhalter",
     "palette": "palette|in palette",
 }
 UNITS: Mapping[str, float] = {
@@ -65,8 +65,7 @@ def _plain(head: str) -> str:
 def _known_heads() -> dict[str, str]:
     known: dict[str, str] = {}
     for field, heads in HEADS.items():
-        first, *phrases = heads.split("|")
-        for head in (field, *first.split(), *phrases):
+        for head in (field, *heads.split("|")):
             known.setdefault(_plain(head), field)
     return known
 

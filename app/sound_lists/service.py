@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import delete
+from sqlalchemy import delete, insert
 from sqlalchemy.orm import Session
 
 import audio_checks
@@ -262,7 +262,8 @@ def cut_cue(session: Session, actor: Actor, cue: Cue, reason: str) -> None:
     cue.edition += 1
     _free_stems(session, [cue])
     revision = _new_revision(session, project, actor.person, f"{label(project.cue_prefix, cue.number)} cut")
-    _record(session, revision, cue, before, {"state": CueState.CUT.value, "cut_reason": reason})
+    after = {"state": CueState.CUT.value, "cut_reason": reason}
+    session.execute(insert(CueChange), [_record(revision, cue, before, after)])
     _tell(session, revision, actor.person, added=0, changed=0, cut=1)
 
 
@@ -348,31 +349,27 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
     _free_stems(session, [edit.cue for edit in renaming if edit.cue])
     cues = _write_cues(session, project, edits)
     session.flush()
-    by_edit = {id(edit): cue for edit, cue in zip(edits, cues, strict=True)}
-    session.add_all(
-        Stem(
-            studio_id=project.studio_id, project_id=project.id, cue_id=by_edit[id(edit)].id, variation=place, stem=stem
-        )
+    ids = {edit.row: cue.id for edit, cue in zip(edits, cues, strict=True)}
+    owned = [
+        {"studio_id": project.studio_id, "project_id": project.id, "cue_id": ids[edit.row], "variation": place}
+        | {"stem": stem}
         for edit in renaming
         for place, stem in enumerate(edit.stems, start=1)
-    )
+    ]
+    if owned:
+        session.execute(insert(Stem), owned)
     added = sum(edit.cue is None for edit in edits)
     changed = len(edits) - added
     revision = _new_revision(session, project, person_id, _in_words(added, changed))
-    unlike = []
+    unlike, records = [], []
     for cue, old in zip(cues, before, strict=True):
         new = facts_of(cue)
         differing = [fact for fact in new if not old or old[fact] != new[fact]]
-        _record(
-            session,
-            revision,
-            cue,
-            {fact: old[fact] for fact in differing} if old else {},
-            {fact: new[fact] for fact in differing},
-        )
+        earlier = {fact: old[fact] for fact in differing} if old else {}
+        records.append(_record(revision, cue, earlier, {fact: new[fact] for fact in differing}))
         if old and CHECKED_FACTS.intersection(differing):
             unlike.append(str(cue.id))
-    session.flush()
+    session.execute(insert(CueChange), records)
     if unlike:
         publish(session, "cue.changed", project_id=project.id, cue_ids=unlike)
     _tell(session, revision, person_id, added=added, changed=changed, cut=0)
@@ -428,10 +425,14 @@ def _new_revision(session: Session, project: Project, person_id: UUID, summary: 
     return revision
 
 
-def _record(session: Session, revision: Revision, cue: Cue, before: Facts, after: Facts) -> None:
-    session.add(
-        CueChange(revision_id=revision.id, cue_id=cue.id, studio_id=revision.studio_id, before=before, after=after)
-    )
+def _record(revision: Revision, cue: Cue, before: Facts, after: Facts) -> dict[str, Any]:
+    return {
+        "revision_id": revision.id,
+        "cue_id": cue.id,
+        "studio_id": revision.studio_id,
+        "before": before,
+        "after": after,
+    }
 
 
 def _tell(session: Session, revision: Revision, actor_id: UUID, *, added: int, changed: int, cut: int) -> None:

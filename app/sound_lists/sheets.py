@@ -78,7 +78,7 @@ def _separator(text: str, *, pasted: bool) -> str:
     start = "\n".join(text.splitlines()[:60])
 
     def promise(separator: str) -> tuple[int, int]:
-        rows = [row for row in csv.reader(io.StringIO(start, newline=""), delimiter=separator) if any(row)][:30]
+        rows = [row for row in csv.reader(io.StringIO(start, newline=""), delimiter=separator) if row][:30]
         widths = sorted(len(row) for row in rows)
         heads = max((known_heads_in(row) for row in rows[:HEAD_WITHIN_ROWS]), default=0)
         return heads, widths[len(widths) // 2] if widths else 0

@@ -246,8 +246,13 @@ def test_without_sight_there_is_no_list(world: World, who: str, status: int) -> 
     (cue,) = add(world, {"name": "Door"})
     client: TestClient = getattr(world, who)
     project = f"/v1/projects/{world.project_id}"
-    for path in (f"{project}/sound-list", f"{project}/sound-list.csv", f"{project}/questions",
-                 f"{project}/sound-list/revisions", f"/v1/cues/{cue['id']}"):
+    for path in (
+        f"{project}/sound-list",
+        f"{project}/sound-list.csv",
+        f"{project}/questions",
+        f"{project}/sound-list/revisions",
+        f"/v1/cues/{cue['id']}",
+    ):
         assert client.get(path).status_code == status, path
     assert client.patch(f"/v1/cues/{cue['id']}", json={"edition": 1}).status_code == status
     assert client.post(f"{project}/cues", json={"cues": [{"name": "x"}]}).status_code == status
@@ -277,9 +282,7 @@ def test_a_cue_of_another_project_is_not_there(world: World) -> None:
 
 
 def test_a_file_finds_its_cue_by_its_name(world: World) -> None:
-    laser, odd = add(
-        world, {"name": "Laser fire", "variations": 4}, {"name": "Odd", "file_name": "boom_v02"}
-    )
+    laser, odd = add(world, {"name": "Laser fire", "variations": 4}, {"name": "Odd", "file_name": "boom_v02"})
 
     def slot(file_name: str) -> tuple[str, int] | None:
         with world.server.runtime.database.reading() as session:
