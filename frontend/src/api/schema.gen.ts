@@ -333,6 +333,370 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Projects
+         * @description Return the projects of the caller's studios and engagements, newest first.
+         */
+        get: operations["list_projects"];
+        put?: never;
+        /**
+         * Open Project
+         * @description Open a project with the field's default spec; whoever opens it decides until somebody is named.
+         */
+        post: operations["open_project"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Project
+         * @description Return a project as its page heads it.
+         */
+        get: operations["read_project"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Project
+         * @description Change what a project is called, or put it away.
+         */
+        patch: operations["change_project"];
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/liaisons/{person_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Add Liaison
+         * @description Let a member of the studio speak for the team in this project.
+         */
+        put: operations["add_liaison"];
+        post?: never;
+        /**
+         * Remove Liaison
+         * @description Let somebody speak for the team no longer.
+         */
+        delete: operations["remove_liaison"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/decider": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Name Decider
+         * @description Give the last word to a liaison, or take it over as a producer; the reason is kept.
+         */
+        put: operations["name_decider"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/decider-history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Decider Changes
+         * @description Return who had the last word, newest first.
+         */
+        get: operations["list_decider_changes"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Spec
+         * @description Return the delivery spec that holds now.
+         */
+        get: operations["read_spec"];
+        /**
+         * Save Spec
+         * @description Save the spec from its text; takes that it touches are judged anew.
+         */
+        put: operations["save_spec"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec.toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Spec
+         * @description Return the delivery spec as the file that audio-checks reads.
+         */
+        get: operations["download_spec"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Spec Versions
+         * @description Return the versions of the spec, newest first.
+         */
+        get: operations["list_spec_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec/versions/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Spec Version
+         * @description Return one version of the spec.
+         */
+        get: operations["read_spec_version"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec/form": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Save Spec Form
+         * @description Save the spec from the tables of a form; takes that it touches are judged anew.
+         */
+        post: operations["save_spec_form"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/spec/check-toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Try Spec
+         * @description Say what a text or a form's tables come to, and what is wrong with them; nothing is saved.
+         */
+        post: operations["try_spec"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/invitations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Invitations
+         * @description Return the project's invitations, but for those withdrawn.
+         */
+        get: operations["list_invitations"];
+        put?: never;
+        /**
+         * Invite Designer
+         * @description Mail a designer a link that shows the list; whether the address has an account is not said.
+         */
+        post: operations["invite_designer"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/invitations/{invitation_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Revoke Invitation
+         * @description Withdraw an invitation: its link shows nothing any more.
+         */
+        delete: operations["revoke_invitation"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/engagements/{engagement_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Engagement
+         * @description Change a designer's tie, end it or take it up again.
+         */
+        patch: operations["change_engagement"];
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/tokens": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tokens
+         * @description Return the keys of the project's builds, without their secrets.
+         */
+        get: operations["list_tokens"];
+        put?: never;
+        /**
+         * Create Token
+         * @description Make a key for the project's builds; its secret is shown this once.
+         */
+        post: operations["create_token"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/tokens/{token_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Revoke Token
+         * @description Make a token worthless at once.
+         */
+        delete: operations["revoke_token"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invitations/{secret}/accept": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Invitation
+         * @description Engage the invited designer with the address's account, made now if there is none, and sign in.
+         */
+        post: operations["accept_invitation"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/sound-list": {
         parameters: {
             query?: never;
@@ -591,6 +955,26 @@ export interface paths {
          * @description Answer a question; the answer joins the cue's description unless told not to.
          */
         post: operations["answer_question"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invitations/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Preview Invitation
+         * @description Show what a mailed link invites to: the project, its list, and how sounds must come.
+         */
+        get: operations["preview_invitation"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -1229,6 +1613,170 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/pack": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Pack
+         * @description Say what the approved pack of a target holds, and what it lacks.
+         */
+        get: operations["get_pack"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/pack.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Pack
+         * @description Stream the approved pack; an answer shorter than its Content-Length is a broken one.
+         */
+        get: operations["download_pack"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/documentation-key.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Documentation Key Csv
+         * @description Return what each file of the pack is and what it is for, as CSV.
+         */
+        get: operations["get_documentation_key_csv"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/documentation-key.xlsx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Documentation Key Xlsx
+         * @description Return what each file of the pack is and what it is for, as a workbook.
+         */
+        get: operations["get_documentation_key_xlsx"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/builds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Builds
+         * @description Return the project's builds, the newest first.
+         */
+        get: operations["list_builds"];
+        put?: never;
+        /**
+         * Post Build
+         * @description Keep what audio-checks said of one build of the game.
+         */
+        post: operations["post_build"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/builds/{build_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Build
+         * @description Return one build with its whole report.
+         */
+        get: operations["get_build"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/baseline.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Baseline
+         * @description Return what the decider let through, for `audio-checks check --baseline`.
+         */
+        get: operations["get_baseline"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/ci": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Ci Lines
+         * @description Return the shell lines by which the game's CI checks its audio and posts the report.
+         */
+        get: operations["get_ci_lines"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/sound-list/standing": {
         parameters: {
             query?: never;
@@ -1374,6 +1922,23 @@ export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /**
+         * AcceptRead
+         * @description What a delivered file may be; null accepts anything that can be read.
+         */
+        AcceptRead: {
+            /** Containers */
+            containers: string[] | null;
+            /** Encodings */
+            encodings: string[] | null;
+            /** Sample Rates Hz */
+            sample_rates_hz: number[] | null;
+            /** Bit Depths */
+            bit_depths: number[] | null;
+            /** Channels */
+            channels: number[] | null;
+            duration_s: components["schemas"]["RangeRead"];
+        };
+        /**
          * AnswerAdd
          * @description The answer, which joins the cue's description unless told not to.
          */
@@ -1480,10 +2045,43 @@ export interface components {
             answered_at: string | null;
         };
         /**
-         * BuildBrief
-         * @description One run of the game's CI.
+         * Baseline
+         * @description What `audio-checks check --baseline` reads.
          */
-        BuildBrief: {
+        Baseline: {
+            /**
+             * Format
+             * @default 1
+             * @constant
+             */
+            format: 1;
+            /** Waived */
+            waived: components["schemas"]["WaivedSound"][];
+        };
+        /**
+         * BuildAdd
+         * @description What a game's CI found in one build.
+         */
+        BuildAdd: {
+            /** Label */
+            label: string;
+            /**
+             * Commit
+             * @default
+             */
+            commit: string;
+            /**
+             * Target
+             * @default
+             */
+            target: string;
+            report: components["schemas"]["CheckReport"];
+        };
+        /**
+         * BuildRead
+         * @description One build with its whole report.
+         */
+        BuildRead: {
             /**
              * Id
              * Format: uuid
@@ -1497,7 +2095,10 @@ export interface components {
             target: string;
             /** Files */
             files: number;
-            /** Rejected */
+            /**
+             * Rejected
+             * @description Files that are refused: rejected without a waiver, unreadable or unjudged.
+             */
             rejected: number;
             /** Warnings */
             warnings: number;
@@ -1506,6 +2107,10 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+            /** Report */
+            report: {
+                [key: string]: unknown;
+            };
         };
         /**
          * CameBack
@@ -1649,6 +2254,35 @@ export interface components {
             /** Findings */
             findings: components["schemas"]["FindingRead"][];
             waiver: components["schemas"]["WaiverRead"] | null;
+        };
+        /**
+         * CheckReport
+         * @description A report of audio-checks, as its JSON format has it.
+         */
+        CheckReport: {
+            /**
+             * Schema Version
+             * @constant
+             */
+            schema_version: 1;
+            tool: components["schemas"]["ReportTool"];
+            spec: components["schemas"]["ReportSpec"] | null;
+            /** Files */
+            files: components["schemas"]["ReportFile"][];
+            /** Summary */
+            summary: {
+                [key: string]: number;
+            };
+        } & {
+            [key: string]: unknown;
+        };
+        /**
+         * CiLines
+         * @description Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN.
+         */
+        CiLines: {
+            /** Lines */
+            lines: string[];
         };
         /**
          * CommentAdd
@@ -2132,6 +2766,34 @@ export interface components {
             cues: components["schemas"]["CueAdd"][];
         };
         /**
+         * DeciderAdd
+         * @description Who has the last word from now on, and why.
+         */
+        DeciderAdd: {
+            /**
+             * Person Id
+             * Format: uuid
+             */
+            person_id: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * DeciderChangeRead
+         * @description Who got the last word, from whom, and why.
+         */
+        DeciderChangeRead: {
+            person: components["schemas"]["PersonBrief"];
+            /** Reason */
+            reason: string;
+            changer: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * DeliveryAdd
          * @description A new delivery.
          */
@@ -2249,11 +2911,48 @@ export interface components {
             questions: components["schemas"]["AskedQuestion"][];
         };
         /**
+         * EngagementChange
+         * @description What is to be different; what is left out stays.
+         */
+        EngagementChange: {
+            kind?: components["schemas"]["EngagementKind"] | null;
+            /** Ended */
+            ended?: boolean | null;
+        };
+        /**
          * EngagementKind
          * @description A designer's tie to a project.
          * @enum {string}
          */
         EngagementKind: "advisory" | "contract" | "in-house";
+        /**
+         * EngagementRead
+         * @description A designer's tie to the project.
+         */
+        EngagementRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            designer: components["schemas"]["PersonBrief"];
+            kind: components["schemas"]["EngagementKind"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Ended At */
+            ended_at: string | null;
+        };
+        /**
+         * EngineRead
+         * @description What the game adds, so files come without it.
+         */
+        EngineRead: {
+            /** Adds */
+            adds: string[];
+        };
         /**
          * FieldChange
          * @description One fact before and after.
@@ -2542,12 +3241,122 @@ export interface components {
             password?: string | null;
         };
         /**
+         * InvitationAccepted
+         * @description The tie that accepting made, and to what.
+         */
+        InvitationAccepted: {
+            person: components["schemas"]["PersonRead"];
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            engagement: components["schemas"]["EngagementRead"];
+        };
+        /**
+         * InvitationAdd
+         * @description Whom to invite, by what tie.
+         */
+        InvitationAdd: {
+            /** Email */
+            email: string;
+            /** @default contract */
+            kind: components["schemas"]["EngagementKind"];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * InvitationPreview
+         * @description What the mailed link shows at once: the project, its list, and how sounds must come.
+         */
+        InvitationPreview: {
+            project: components["schemas"]["PreviewProject"];
+            /** Studio Name */
+            studio_name: string;
+            kind: components["schemas"]["EngagementKind"];
+            /** Note */
+            note: string;
+            /** Email */
+            email: string;
+            /** Invited By Name */
+            invited_by_name: string;
+            /** Has Account */
+            has_account: boolean;
+            /**
+             * Expires At
+             * Format: date-time
+             */
+            expires_at: string;
+            /** Cues */
+            cues: components["schemas"]["PreviewCue"][];
+            /** Accepted */
+            accepted: boolean;
+            spec: components["schemas"]["ResolvedSpec"];
+        };
+        /**
+         * InvitationRead
+         * @description An invitation of a designer, and whether it was accepted.
+         */
+        InvitationRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Email */
+            email: string;
+            kind: components["schemas"]["EngagementKind"];
+            /** Note */
+            note: string;
+            inviter: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Expires At
+             * Format: date-time
+             */
+            expires_at: string;
+            /** Accepted At */
+            accepted_at: string | null;
+        };
+        /**
          * JoinedStudio
          * @description Who joined which studio.
          */
         JoinedStudio: {
             person: components["schemas"]["PersonRead"];
             studio: components["schemas"]["StudioBrief"];
+        };
+        /**
+         * LimitsRead
+         * @description The levels and edges a file keeps to; null does not limit.
+         */
+        LimitsRead: {
+            /** Sample Peak Dbfs */
+            sample_peak_dbfs: number | null;
+            /** True Peak Dbtp */
+            true_peak_dbtp: number | null;
+            /** Dc Offset Percent */
+            dc_offset_percent: number | null;
+            /** Silence Below Dbfs */
+            silence_below_dbfs: number | null;
+            /** Head Silence Ms */
+            head_silence_ms: number | null;
+            /** Tail Silence Ms */
+            tail_silence_ms: number | null;
+            /** Edge Silence Below Dbfs */
+            edge_silence_below_dbfs: number;
+            /** Tolerance Db */
+            tolerance_db: number;
+            loudness_lufs: components["schemas"]["RangeRead"];
+            /** Noise Floor Dbfs */
+            noise_floor_dbfs: number | null;
         };
         /**
          * ListComparison
@@ -2627,7 +3436,7 @@ export interface components {
              * State
              * @enum {string}
              */
-            state: "drawn" | "drawing";
+            state: "drawn" | "drawing" | "undrawable";
             /** Facts */
             facts: {
                 [key: string]: unknown;
@@ -2663,6 +3472,40 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * Mine
+         * @description What the caller is in the project.
+         */
+        Mine: {
+            /** Is Team */
+            is_team: boolean;
+            /** Is Producer */
+            is_producer: boolean;
+            /** Is Liaison */
+            is_liaison: boolean;
+            /** Is Decider */
+            is_decider: boolean;
+            engagement_kind: components["schemas"]["EngagementKind"] | null;
+        };
+        /**
+         * MissingFile
+         * @description An accepted sound that a target has no game file of, and why.
+         */
+        MissingFile: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
+            /** File Name */
+            file_name: string;
+            /** Reason */
+            reason: string;
         };
         /**
          * MyProject
@@ -2720,6 +3563,16 @@ export interface components {
         NameChange: {
             /** Name */
             name: string;
+        };
+        /**
+         * NamingRead
+         * @description How files are named.
+         */
+        NamingRead: {
+            /** Pattern */
+            pattern: string | null;
+            /** Extension */
+            extension: string | null;
         };
         /**
          * NewPassword
@@ -2783,13 +3636,45 @@ export interface components {
                 [key: string]: number;
             };
             /** Builds */
-            builds: components["schemas"]["BuildBrief"][];
+            builds: components["schemas"]["app__dashboards__schemas__BuildBrief"][];
             /** Palette */
             palette: components["schemas"]["PaletteSound"][];
             /** Lately */
             lately: components["schemas"]["Happening"][];
             /** Reviewers */
             reviewers: number;
+        };
+        /**
+         * PackRead
+         * @description What the approved pack of a target holds.
+         */
+        PackRead: {
+            /** Target */
+            target: string;
+            /** Targets */
+            targets: string[];
+            /** Files */
+            files: number;
+            /** Bytes */
+            bytes: number;
+            /** Masters Bytes */
+            masters_bytes: number;
+            /** Cues Accepted */
+            cues_accepted: number;
+            /**
+             * Cues Wanted
+             * @description Cues of the list that are not cut.
+             */
+            cues_wanted: number;
+            /** Missing */
+            missing: components["schemas"]["MissingFile"][];
+        };
+        /** Page[BuildBrief] */
+        Page_BuildBrief_: {
+            /** Items */
+            items: components["schemas"]["app__builds__schemas__BuildBrief"][];
+            /** Next */
+            next?: string | null;
         };
         /** Page[ChangeRequestRead] */
         Page_ChangeRequestRead_: {
@@ -2802,6 +3687,13 @@ export interface components {
         Page_DeliveryRead_: {
             /** Items */
             items: components["schemas"]["DeliveryRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[ProjectRead] */
+        Page_ProjectRead_: {
+            /** Items */
+            items: components["schemas"]["ProjectRead"][];
             /** Next */
             next?: string | null;
         };
@@ -2823,6 +3715,13 @@ export interface components {
         Page_RevisionRead_: {
             /** Items */
             items: components["schemas"]["RevisionRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[SpecBrief] */
+        Page_SpecBrief_: {
+            /** Items */
+            items: components["schemas"]["SpecBrief"][];
             /** Next */
             next?: string | null;
         };
@@ -2925,6 +3824,45 @@ export interface components {
             placeholder: boolean;
         };
         /**
+         * PreviewCue
+         * @description A cue as an invited designer sees it before having an account.
+         */
+        PreviewCue: {
+            /** Number */
+            number: number;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
+            /** File Name */
+            file_name: string;
+            /** Category */
+            category: string;
+            /** Description */
+            description: string;
+            /** Use */
+            use: string;
+            /** Duration S */
+            duration_s: number | null;
+            /** Loop */
+            loop: boolean;
+            /** Variations */
+            variations: number;
+            state: components["schemas"]["CueState"];
+        };
+        /**
+         * PreviewProject
+         * @description The project that an invitation is for.
+         */
+        PreviewProject: {
+            /** Name */
+            name: string;
+            /** Description */
+            description: string;
+            /** Cue Prefix */
+            cue_prefix: string;
+        };
+        /**
          * Problem
          * @description Problem details (RFC 9457); `code` never changes for one condition.
          */
@@ -2951,6 +3889,82 @@ export interface components {
             errors: components["schemas"]["FieldProblem"][];
             /** Request Id */
             request_id?: string | null;
+        };
+        /**
+         * ProjectAdd
+         * @description A new project.
+         */
+        ProjectAdd: {
+            /**
+             * Studio Id
+             * Format: uuid
+             */
+            studio_id: string;
+            /** Name */
+            name: string;
+            /**
+             * Description
+             * @default
+             */
+            description: string;
+            /**
+             * Cue Prefix
+             * @description One to eight capitals and digits: SW numbers the cues SW-001, SW-002 …
+             */
+            cue_prefix: string;
+            /**
+             * Preset
+             * @default 44k1
+             * @enum {string}
+             */
+            preset: "44k1" | "48k";
+        };
+        /**
+         * ProjectChange
+         * @description What is to be different; what is left out stays.
+         */
+        ProjectChange: {
+            /** Name */
+            name?: string | null;
+            /** Description */
+            description?: string | null;
+            /** Cue Prefix */
+            cue_prefix?: string | null;
+            /** Archived */
+            archived?: boolean | null;
+        };
+        /**
+         * ProjectRead
+         * @description A project as its page heads it; a designer is shown no engagement but their own.
+         */
+        ProjectRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Description */
+            description: string;
+            /** Cue Prefix */
+            cue_prefix: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Archived At */
+            archived_at: string | null;
+            studio: components["schemas"]["StudioBrief"];
+            decider: components["schemas"]["PersonBrief"];
+            /** Liaisons */
+            liaisons: components["schemas"]["PersonBrief"][];
+            /** Engagements */
+            engagements: components["schemas"]["EngagementRead"][];
+            mine: components["schemas"]["Mine"];
+            /** Spec Version */
+            spec_version: number;
         };
         /**
          * QuestionAdd
@@ -3012,7 +4026,7 @@ export interface components {
             approved_variations: number[];
             /** Findings Count */
             findings_count: number;
-            worst_finding: components["schemas"]["ReviewFinding"] | null;
+            worst_finding: components["schemas"]["FindingRead"] | null;
             /** Takes */
             takes: components["schemas"]["ReviewTake"][];
         };
@@ -3022,6 +4036,16 @@ export interface components {
          * @enum {string}
          */
         QueueKind: "single" | "alternates" | "set";
+        /**
+         * RangeRead
+         * @description A lower and an upper bound; null does not limit.
+         */
+        RangeRead: {
+            /** Min */
+            min: number | null;
+            /** Max */
+            max: number | null;
+        };
         /**
          * RenderSoundRead
          * @description One game file of a take at the current spec, or the reason why there is none.
@@ -3068,12 +4092,97 @@ export interface components {
          */
         RenderState: "made" | "refused";
         /**
+         * ReportFile
+         * @description What is said of one file.
+         */
+        ReportFile: {
+            /** Path */
+            path: string;
+            /**
+             * Verdict
+             * @enum {string}
+             */
+            verdict: "conforming" | "rejected" | "unreadable" | "unjudged";
+            /** Findings */
+            findings: components["schemas"]["ReportFinding"][];
+        } & {
+            [key: string]: unknown;
+        };
+        /**
+         * ReportFinding
+         * @description One rule that a file breaks.
+         */
+        ReportFinding: {
+            /** Code */
+            code: string;
+            /**
+             * Severity
+             * @enum {string}
+             */
+            severity: "error" | "warning";
+            /** Message */
+            message: string;
+            /**
+             * Waived
+             * @default false
+             */
+            waived: boolean;
+        } & {
+            [key: string]: unknown;
+        };
+        /**
+         * ReportSpec
+         * @description The spec that the files were judged by.
+         */
+        ReportSpec: {
+            /** Name */
+            name: string;
+            /** Sha256 */
+            sha256: string;
+        } & {
+            [key: string]: unknown;
+        };
+        /**
+         * ReportTool
+         * @description What wrote the report.
+         */
+        ReportTool: {
+            /** Name */
+            name: string;
+            /** Version */
+            version: string;
+        } & {
+            [key: string]: unknown;
+        };
+        /**
          * ResetAdd
          * @description Whose password was forgotten.
          */
         ResetAdd: {
             /** Email */
             email: string;
+        };
+        /**
+         * ResolvedSpec
+         * @description The spec with its defaults filled in, for sounds of no category.
+         */
+        ResolvedSpec: {
+            /** Name */
+            name: string;
+            accept: components["schemas"]["AcceptRead"];
+            limits: components["schemas"]["LimitsRead"];
+            naming: components["schemas"]["NamingRead"];
+            engine: components["schemas"]["EngineRead"];
+            /** Targets */
+            targets: {
+                [key: string]: components["schemas"]["TargetRead"];
+            };
+            /** Checks */
+            checks: {
+                [key: string]: string;
+            };
+            /** Categories */
+            categories: string[];
         };
         /**
          * Reverb
@@ -3121,40 +4230,6 @@ export interface components {
             placeholder: boolean;
             /** Palette */
             palette: boolean;
-        };
-        /**
-         * ReviewFinding
-         * @description What one check found in a take.
-         */
-        ReviewFinding: {
-            /** Check */
-            check: string;
-            /** Code */
-            code: string;
-            /**
-             * Severity
-             * @enum {string}
-             */
-            severity: "error" | "warning";
-            /** Message */
-            message: string;
-            /** Fix */
-            fix: string;
-            /** Measured */
-            measured?: number | null;
-            /** Limit */
-            limit?: number | null;
-            /** Unit */
-            unit?: string | null;
-            /** Start S */
-            start_s?: number | null;
-            /** End S */
-            end_s?: number | null;
-            /**
-             * Waived
-             * @default false
-             */
-            waived: boolean;
         };
         /**
          * ReviewRender
@@ -3248,7 +4323,7 @@ export interface components {
                 [key: string]: unknown;
             };
             /** Findings */
-            findings: components["schemas"]["ReviewFinding"][];
+            findings: components["schemas"]["FindingRead"][];
             /** Waived */
             waived: boolean;
             /** Waiver Reason */
@@ -3314,6 +4389,12 @@ export interface components {
              */
             created_at: string;
         };
+        /**
+         * Scope
+         * @description What a build's token may do.
+         * @enum {string}
+         */
+        Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write";
         /**
          * SendingAdd
          * @description A word that goes with all the drafts.
@@ -3434,6 +4515,112 @@ export interface components {
             revision: number;
             /** Cues */
             cues: components["schemas"]["CueRead"][];
+        };
+        /**
+         * SpecBrief
+         * @description One version of the spec, without its text.
+         */
+        SpecBrief: {
+            /** Version */
+            version: number;
+            /** Sha256 */
+            sha256: string;
+            /** Note */
+            note: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            author: components["schemas"]["PersonBrief"];
+        };
+        /**
+         * SpecChange
+         * @description The whole text of the spec to be.
+         */
+        SpecChange: {
+            /** Toml */
+            toml: string;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /** Based On Version */
+            based_on_version: number;
+        };
+        /**
+         * SpecFormChange
+         * @description The tables of the spec to be, keyed as in its TOML; null leaves a key out.
+         */
+        SpecFormChange: {
+            /** Tables */
+            tables: {
+                [key: string]: unknown;
+            };
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /** Based On Version */
+            based_on_version: number;
+        };
+        /**
+         * SpecRead
+         * @description One version of the spec: its text, the tables that the text says, and what they come to.
+         */
+        SpecRead: {
+            /** Version */
+            version: number;
+            /** Sha256 */
+            sha256: string;
+            /** Note */
+            note: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            author: components["schemas"]["PersonBrief"];
+            /** Toml */
+            toml: string;
+            /** Tables */
+            tables: {
+                [key: string]: unknown;
+            };
+            resolved: components["schemas"]["ResolvedSpec"];
+            /** Warnings */
+            warnings: string[];
+        };
+        /**
+         * SpecTried
+         * @description The text, the tables it says and what they come to, with what is probably not meant.
+         */
+        SpecTried: {
+            /** Toml */
+            toml: string;
+            /** Sha256 */
+            sha256: string;
+            /** Tables */
+            tables: {
+                [key: string]: unknown;
+            };
+            resolved: components["schemas"]["ResolvedSpec"];
+            /** Warnings */
+            warnings: string[];
+        };
+        /**
+         * SpecTry
+         * @description A spec to look at before it is saved: its text, or its tables.
+         */
+        SpecTry: {
+            /** Toml */
+            toml?: string | null;
+            /** Tables */
+            tables?: {
+                [key: string]: unknown;
+            } | null;
         };
         /**
          * Standing
@@ -3704,6 +4891,29 @@ export interface components {
          */
         TakeState: "received" | "conforming" | "returned" | "unjudged" | "approved" | "change_requested" | "set_aside";
         /**
+         * TargetRead
+         * @description What renders are made to.
+         */
+        TargetRead: {
+            /** Name */
+            name: string;
+            /** Sample Rate Hz */
+            sample_rate_hz: number;
+            /** Bit Depth */
+            bit_depth: number;
+            /** Encoding */
+            encoding: string;
+            /**
+             * Channels
+             * @enum {unknown}
+             */
+            channels: "master" | 1 | 2;
+            /** Dither */
+            dither: string;
+            /** Over Peak */
+            over_peak: string;
+        };
+        /**
          * ThumbRead
          * @description The shape of a sound in a row of a list: integers, ±127 is full scale.
          */
@@ -3749,7 +4959,7 @@ export interface components {
             /** With Others */
             with_others: components["schemas"]["WithOthers"][];
             /** Builds */
-            builds: components["schemas"]["BuildBrief"][];
+            builds: components["schemas"]["app__dashboards__schemas__BuildBrief"][];
             /** Counts */
             counts: {
                 [key: string]: number;
@@ -3760,6 +4970,68 @@ export interface components {
             placeholders: number;
             /** Unsent Mails */
             unsent_mails: number;
+        };
+        /**
+         * TokenAdd
+         * @description What a build's key is for, and what it may do.
+         */
+        TokenAdd: {
+            /** Name */
+            name: string;
+            /** Scopes */
+            scopes: components["schemas"]["Scope"][];
+        };
+        /**
+         * TokenMade
+         * @description A new key with its secret, which is shown this once.
+         */
+        TokenMade: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Scopes */
+            scopes: components["schemas"]["Scope"][];
+            creator: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Last Used At */
+            last_used_at: string | null;
+            /** Revoked At */
+            revoked_at: string | null;
+            /** Secret */
+            secret: string;
+        };
+        /**
+         * TokenRead
+         * @description A build's key, without its secret.
+         */
+        TokenRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Scopes */
+            scopes: components["schemas"]["Scope"][];
+            creator: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Last Used At */
+            last_used_at: string | null;
+            /** Revoked At */
+            revoked_at: string | null;
         };
         /**
          * UploadRead
@@ -3907,6 +5179,22 @@ export interface components {
             draft_dropped: boolean;
         };
         /**
+         * WaivedSound
+         * @description Codes that the decider let through for one sound, found by the hash of its samples.
+         */
+        WaivedSound: {
+            /** Pcm Sha256 */
+            pcm_sha256: string;
+            /** Codes */
+            codes: string[];
+            /** Reason */
+            reason: string;
+            /** Cue */
+            cue: string | null;
+            /** File Name */
+            file_name: string;
+        };
+        /**
          * WaiverAdd
          * @description Why a returned take is let through.
          */
@@ -3955,6 +5243,65 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * BuildBrief
+         * @description One build, without its report.
+         */
+        app__builds__schemas__BuildBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /** Files */
+            files: number;
+            /**
+             * Rejected
+             * @description Files that are refused: rejected without a waiver, unreadable or unjudged.
+             */
+            rejected: number;
+            /** Warnings */
+            warnings: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * BuildBrief
+         * @description One run of the game's CI.
+         */
+        app__dashboards__schemas__BuildBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /** Files */
+            files: number;
+            /** Rejected */
+            rejected: number;
+            /** Warnings */
+            warnings: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
         };
         /**
          * CueBrief
@@ -4838,6 +6185,1168 @@ export interface operations {
             };
         };
     };
+    list_projects: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+                /** @description Those put away instead of the running ones. */
+                archived?: boolean;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_ProjectRead_"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    open_project: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProjectAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_project: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_project: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProjectChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_liaison: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                person_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `liaison-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    remove_liaison: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                person_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `liaison-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `liaison-decides` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    name_decider: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DeciderAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cannot-decide` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_decider_changes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeciderChangeRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_spec: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_spec: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SpecChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `spec-moved-on` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-spec` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_spec: {
+        parameters: {
+            query?: never;
+            header?: {
+                "if-none-match"?: string | null;
+            };
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description the copy that was named in If-None-Match is good */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_spec_versions: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_SpecBrief_"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_spec_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                version: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecRead"];
+                };
+            };
+            /** @description `project-not-found`, `spec-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_spec_form: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SpecFormChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `spec-moved-on` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-spec` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    try_spec: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SpecTry"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecTried"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-spec` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_invitations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvitationRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    invite_designer: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvitationAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvitationRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-engaged` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-tries` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    revoke_invitation: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                invitation_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `invitation-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_engagement: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                engagement_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["EngagementChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EngagementRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `engagement-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_tokens: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenRead"][];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    create_token: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TokenAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenMade"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    revoke_token: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                token_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `token-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    accept_invitation: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvitationAccept"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvitationAccepted"];
+                };
+            };
+            /** @description `sign-in-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invitation-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `name-needed`, `password-too-weak` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-tries` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_sound_list: {
         parameters: {
             query?: never;
@@ -5517,6 +8026,46 @@ export interface operations {
             };
             /** @description `question-answered` */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    preview_invitation: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvitationPreview"];
+                };
+            };
+            /** @description `invitation-not-found` */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -7657,6 +10206,480 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_pack: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PackRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_pack: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+                masters?: boolean;
+                /** @description Leave out accepted sounds that have no game file; the key says why. */
+                allow_missing?: boolean;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-accepted`, `pack-incomplete` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `blob-damaged` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_documentation_key_csv: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_documentation_key_xlsx: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet": string;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_builds: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_BuildBrief_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    post_build: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BuildAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["app__builds__schemas__BuildBrief"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `report-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_build: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                build_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BuildRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `build-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_baseline: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Baseline"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_ci_lines: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CiLines"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

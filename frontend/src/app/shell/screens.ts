@@ -22,7 +22,8 @@ export function screensOf({ person, side, project, counts }: ShellData): Screen[
     ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p', exact: true }
     : { label: 'Projects', path: '/projects', icon: 'sliders', letter: 'p' }
   if (side === 'designer') {
-    return [{ label: 'Desk', path: '/desk', icon: 'tray', letter: 'd', count: counts.desk }, ...inProject, projectTab]
+    const path = project ? `/projects/${project.id}/desk` : '/desk'
+    return [{ label: 'Desk', path, icon: 'tray', letter: 'd', count: counts.desk }, ...inProject, projectTab]
   }
   const review: Screen[] = project
     ? [
@@ -36,7 +37,13 @@ export function screensOf({ person, side, project, counts }: ShellData): Screen[
       ]
     : []
   return [
-    { label: 'Today', path: '/today', icon: 'sun', letter: 't', count: counts.today },
+    {
+      label: 'Today',
+      path: project ? `/projects/${project.id}/today` : '/today',
+      icon: 'sun',
+      letter: 't',
+      count: counts.today,
+    },
     ...inProject,
     ...review,
     projectTab,

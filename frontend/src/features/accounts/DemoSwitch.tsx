@@ -1,0 +1,66 @@
+import { Menu } from '@mantine/core'
+import { useQueryClient } from '@tanstack/react-query'
+import { useRouter } from '@tanstack/react-router'
+
+import { answered, api } from '@/api'
+import { showToast } from '@/app/toast'
+import { Icon } from '@/ui/Icon'
+
+import { meQuery, sessionQuery } from './api'
+import { type DemoPart, demoPartOf } from './parts'
+
+const PARTS: { part: DemoPart; label: string }[] = [
+  { part: 'producer', label: 'Producer' },
+  { part: 'decider', label: 'Approver' },
+  { part: 'designer', label: 'Sound designer' },
+]
+
+/** Change whom the visitor of the demo plays. */
+export function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
+  const client = useQueryClient()
+  const router = useRouter()
+  return async (part, href = '/') => {
+    try {
+      await answered(api.PUT('/v1/demo/part/{part}', { params: { path: { part } } }))
+    } catch {
+      showToast('The part was not changed: the server did not answer.')
+      return
+    }
+    const kept = [sessionQuery.queryKey[0], meQuery.queryKey[0]] as unknown[]
+    client.removeQueries({ predicate: ({ queryKey }) => !kept.includes(queryKey[0]) })
+    await client.fetchQuery({ ...meQuery, staleTime: 0 })
+    await router.navigate({ href })
+  }
+}
+
+/** The demo's menu rows: its three people, and the game's build. */
+export function DemoSwitch({ projectId }: { projectId: string | undefined }) {
+  const client = useQueryClient()
+  const play = usePlayPart()
+  const router = useRouter()
+  const me = client.getQueryData(meQuery.queryKey)
+  const now = me && demoPartOf(me)
+  const toBuild = async () => {
+    const href = `/projects/${projectId}/build`
+    if (now === 'designer') await play('producer', href)
+    else await router.navigate({ href })
+  }
+  return (
+    <>
+      <Menu.Label id="demo-label">Play the demo as</Menu.Label>
+      {PARTS.map(({ part, label }) => (
+        <Menu.Item
+          key={part}
+          role="menuitemradio"
+          aria-checked={part === now}
+          rightSection={part === now ? <Icon name="tick" /> : undefined}
+          onClick={() => void play(part)}
+        >
+          {label}
+        </Menu.Item>
+      ))}
+      {projectId && <Menu.Item onClick={() => void toBuild()}>Build: what the game’s CI runs</Menu.Item>}
+      <Menu.Divider />
+    </>
+  )
+}

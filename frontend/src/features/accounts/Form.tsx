@@ -1,0 +1,101 @@
+import { PasswordInput, TextInput } from '@mantine/core'
+import { createContext, type FormEvent, type ReactNode, useContext } from 'react'
+
+import { ApiProblem } from '@/api'
+import { Button } from '@/ui/Button'
+import { Card } from '@/ui/Card'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './Form.module.css'
+
+const Refused = createContext<ApiProblem | null>(null)
+
+/** What stands against the fields of a form; anything else that broke is no refusal of what was typed. */
+export const refusalOf = (error: unknown): ApiProblem | null => (error instanceof ApiProblem ? error : null)
+
+/** Sentences of the server begin small where they follow a name. */
+export const sentence = (text: string): string => {
+  const begun = text.charAt(0).toUpperCase() + text.slice(1)
+  return /[.?!]$/.test(begun) ? begun : `${begun}.`
+}
+
+interface FieldProps {
+  name: string
+  label: string
+  type?: 'text' | 'email' | 'password'
+  autoComplete?: string
+  hint?: string
+  defaultValue?: string
+  readOnly?: boolean
+}
+
+/** One line to fill in, with what the server says of it below. */
+export function Field({ name, label, type = 'text', hint, ...rest }: FieldProps) {
+  const message = useContext(Refused)?.of(name)?.message
+  const given = {
+    ...rest,
+    name,
+    label,
+    description: hint,
+    required: true,
+    withAsterisk: false,
+    error: message && sentence(message),
+  }
+  if (type === 'password') {
+    return <PasswordInput {...given} visibilityToggleButtonProps={{ 'aria-label': 'Show the password' }} />
+  }
+  return <TextInput {...given} type={type} inputMode={type === 'email' ? 'email' : undefined} spellCheck={false} />
+}
+
+interface FormProps {
+  /** A verb: "Sign in". */
+  action: string
+  busy: boolean
+  error: unknown
+  onSubmit: (values: (name: string) => string) => void
+  children: ReactNode
+  /** Beside the button: another way. */
+  other?: ReactNode
+}
+
+/** Fields and one button. Nothing typed is lost when it is refused. */
+export function Form({ action, busy, error, onSubmit, children, other }: FormProps) {
+  const refusal = refusalOf(error)
+  const send = (event: FormEvent<HTMLFormElement>) => {
+    event.preventDefault()
+    if (busy) return
+    const data = new FormData(event.currentTarget)
+    onSubmit((name) => {
+      const value = data.get(name)
+      return typeof value === 'string' ? value : ''
+    })
+  }
+  return (
+    <Refused value={refusal}>
+      <form className={classes.form} onSubmit={send} noValidate>
+        {children}
+        {error !== null && error !== undefined && (refusal === null || refusal.errors.length === 0) && (
+          <ProblemNote
+            detail={sentence(refusal?.detail ?? 'The page itself broke while sending.')}
+            fix={refusal?.fix ? sentence(refusal.fix) : undefined}
+          />
+        )}
+        <div className={classes.foot}>
+          <Button type="submit" variant="primary" className={classes.go} aria-busy={busy}>
+            {action}
+          </Button>
+          {other}
+        </div>
+      </form>
+    </Refused>
+  )
+}
+
+/** The one card of a page before an account. */
+export function Sheet({ children, wide = false }: { children: ReactNode; wide?: boolean }) {
+  return (
+    <div className="page">
+      <Card className={wide ? `${classes.sheet} ${classes.wide}` : classes.sheet}>{children}</Card>
+    </div>
+  )
+}

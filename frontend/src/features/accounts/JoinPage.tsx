@@ -1,0 +1,77 @@
+import { useQuery } from '@tanstack/react-query'
+import { useParams, useRouter } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { useTitle } from '@/app/title'
+import { day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { meQuery, sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
+import { Field, Form, sentence, Sheet } from './Form'
+import { ROLE_MEANINGS, ROLE_WORDS } from './parts'
+
+/** The page of a mailed link into a studio. */
+export function JoinPage() {
+  useTitle('Invitation')
+  const { secret } = useParams({ from: '/guest/join/$secret' })
+  const router = useRouter()
+  const { data: invitation, error } = useQuery(studioInvitationQuery(secret))
+  const { data: session } = useQuery(sessionQuery)
+  const { data: me } = useQuery({ ...meQuery, enabled: session?.signed_in === true })
+  const joining = useJoinStudio(secret)
+
+  if (error) {
+    const problem = error instanceof ApiProblem ? error : null
+    return (
+      <Sheet>
+        <h1>Invitation</h1>
+        <ProblemNote
+          detail={sentence(problem?.detail ?? 'The invitation could not be read.')}
+          fix={sentence(problem?.fix || 'Ask whoever invited you for a new link.')}
+        />
+      </Sheet>
+    )
+  }
+  if (invitation === undefined || session === undefined) return <Sheet>{null}</Sheet>
+  const isThem = me?.email === invitation.email
+  return (
+    <Sheet>
+      <h1>Join {invitation.studio_name}</h1>
+      <p className="mid">
+        {invitation.invited_by_name} invites {invitation.email}, until {day(invitation.expires_at)}.
+      </p>
+      <ul style={{ marginTop: 'var(--sl-3)' }}>
+        {invitation.roles.map((role) => (
+          <li key={role}>
+            <span className="strong">{ROLE_WORDS[role]}</span> <span className="mid">{ROLE_MEANINGS[role]}</span>
+          </li>
+        ))}
+      </ul>
+      <Form
+        action={`Join ${invitation.studio_name}`}
+        busy={joining.isPending}
+        error={joining.error}
+        onSubmit={(value) =>
+          joining.mutate(
+            {
+              name: invitation.has_account ? null : value('name'),
+              password: isThem ? null : value('password'),
+            },
+            { onSuccess: () => router.navigate({ href: '/' }) },
+          )
+        }
+      >
+        {!invitation.has_account && <Field name="name" label="Your name" autoComplete="name" />}
+        {!isThem && (
+          <Field
+            name="password"
+            label="Password"
+            type="password"
+            autoComplete={invitation.has_account ? 'current-password' : 'new-password'}
+            hint={invitation.has_account ? `Of the account of ${invitation.email}.` : '10 characters or more.'}
+          />
+        )}
+      </Form>
+    </Sheet>
+  )
+}

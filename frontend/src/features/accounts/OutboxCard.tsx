@@ -1,0 +1,81 @@
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { age } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import { type Mail, useOutbox, useSendMail } from './api'
+import { CardProblem } from './PeopleCards'
+import classes from './Studio.module.css'
+
+/** The studio's mails: those that wait first, each with its link to copy. */
+export function OutboxCard({ studioId }: { studioId: string }) {
+  const { data: outbox, error } = useOutbox(studioId, true)
+  const send = useSendMail(studioId)
+  const waiting = outbox?.mails.filter(({ sent_at }) => sent_at === null).length ?? 0
+  return (
+    <Card aria-labelledby="outbox">
+      <CardHead
+        id="outbox"
+        title="Outbox"
+        count={waiting > 0 ? waiting : undefined}
+        note={outbox && !outbox.can_send ? 'no mail server is set: copy the links and send them yourself' : undefined}
+      />
+      <CardProblem error={error ?? send.error} />
+      {outbox?.mails.length === 0 && (
+        <div className={classes.empty}>
+          <EmptyState head="No mail yet." level={3}>
+            Invitations, verdicts and answers are written here first.
+          </EmptyState>
+        </div>
+      )}
+      <Rows aria-label="Mails" className={classes.mails}>
+        {outbox?.mails.map((mail) => (
+          <MailRow
+            key={mail.id}
+            mail={mail}
+            canSend={outbox.can_send}
+            onSend={() => send.mutate(mail.id, { onSuccess: () => showToast('The mail is tried again.') })}
+          />
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSend: () => void }) {
+  const { recipient, subject, text, link, created_at, sent_at, failure } = mail
+  const copy = async (copied: string) => {
+    await navigator.clipboard.writeText(copied)
+    showToast('The link is copied.')
+  }
+  return (
+    <Row className={classes.mailRow}>
+      <details className="grow">
+        <summary>
+          <span className="strong">{subject}</span>{' '}
+          <span className={`small mid ${classes.mail}`}>
+            to {recipient}, {sent_at ? `sent, ${age(sent_at)}` : `written, ${age(created_at)}`}
+          </span>
+        </summary>
+        <pre className={classes.text}>{text}</pre>
+      </details>
+      {failure !== null && sent_at === null && <State kind="not_sent" reason={failure} />}
+      {sent_at !== null && <State kind="passed">Sent</State>}
+      {sent_at === null && failure === null && <State kind="waiting" />}
+      {link !== null && sent_at === null && (
+        <Button
+          variant="quiet"
+          icon="copy"
+          aria-label={`Copy the link of “${subject}” to ${recipient}`}
+          onClick={() => void copy(link)}
+        >
+          Copy link
+        </Button>
+      )}
+      {failure !== null && canSend && sent_at === null && <Button onClick={onSend}>Try again</Button>}
+    </Row>
+  )
+}

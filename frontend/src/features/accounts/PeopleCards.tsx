@@ -1,0 +1,224 @@
+import { Checkbox, Menu } from '@mantine/core'
+import { useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Face } from '@/ui/Face'
+import { age, day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import {
+  type Member,
+  type Role,
+  useInvitations,
+  useInvite,
+  usePeople,
+  useRemoveMember,
+  useSetRoles,
+  useWithdraw,
+} from './api'
+import { Field, Form, refusalOf, sentence } from './Form'
+import { ROLE_MEANINGS, ROLE_WORDS, ROLES } from './parts'
+import classes from './Studio.module.css'
+
+const rolesInWords = (roles: readonly Role[]) =>
+  ROLES.filter((role) => roles.includes(role))
+    .map((role) => ROLE_WORDS[role])
+    .join(', ')
+
+/** A refusal of something that was pressed in a card, said in the card. */
+export function CardProblem({ error }: { error: unknown }) {
+  if (error === null || error === undefined) return null
+  const refusal = refusalOf(error)
+  return (
+    <div className={classes.problem}>
+      <ProblemNote
+        detail={sentence(refusal?.detail ?? 'The server did not answer.')}
+        fix={refusal?.fix ? sentence(refusal.fix) : undefined}
+      />
+    </div>
+  )
+}
+
+interface PeopleCardProps {
+  studioId: string
+  meId: string
+  isProducer: boolean
+}
+
+export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
+  const { data: people, error } = usePeople(studioId)
+  const setRoles = useSetRoles(studioId)
+  const remove = useRemoveMember(studioId)
+
+  const change = (member: Member, roles: Role[]) => {
+    if (roles.length === 0) return
+    remove.reset()
+    setRoles.mutate(
+      { personId: member.person.id, roles },
+      {
+        onSuccess: () =>
+          showToast(`${member.person.name}: ${rolesInWords(roles)}.`, () =>
+            setRoles.mutate({ personId: member.person.id, roles: member.roles }),
+          ),
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="people">
+      <CardHead id="people" title="People" count={people?.length} note="designers belong to projects, not here" />
+      <CardProblem error={error ?? setRoles.error ?? remove.error} />
+      <Rows aria-labelledby="people">
+        {people?.map((member) => (
+          <Row key={member.person.id} className={classes.person}>
+            <Face name={member.person.name} />
+            <span className="grow">
+              <span className="strong">{member.person.name}</span>
+              {member.person.id === meId && <span className="small dim"> you</span>}
+              <br />
+              <span className={`small mid ${classes.mail}`}>{member.email}</span>
+            </span>
+            {isProducer ? (
+              <RolesMenu
+                member={member}
+                onChange={(roles) => change(member, roles)}
+                onRemove={() => {
+                  setRoles.reset()
+                  remove.mutate(member.person.id, {
+                    onSuccess: () =>
+                      showToast(`${member.person.name} left the studio. A new invitation brings them back.`),
+                  })
+                }}
+              />
+            ) : (
+              <span className="small mid">{rolesInWords(member.roles)}</span>
+            )}
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+interface RolesMenuProps {
+  member: Member
+  onChange: (roles: Role[]) => void
+  onRemove: () => void
+}
+
+function RolesMenu({ member, onChange, onRemove }: RolesMenuProps) {
+  const [asking, setAsking] = useState(false)
+  return (
+    <Menu
+      position="bottom-end"
+      width={300}
+      closeOnItemClick={false}
+      transitionProps={{ duration: 0 }}
+      onClose={() => setAsking(false)}
+    >
+      <Menu.Target>
+        <Button variant="quiet" aria-label={`Roles of ${member.person.name}: ${rolesInWords(member.roles)}`}>
+          {rolesInWords(member.roles)}
+        </Button>
+      </Menu.Target>
+      <Menu.Dropdown>
+        {ROLES.map((role) => {
+          const has = member.roles.includes(role)
+          return (
+            <Menu.Item
+              key={role}
+              role="menuitemcheckbox"
+              aria-checked={has}
+              disabled={has && member.roles.length === 1}
+              rightSection={has ? '✓' : undefined}
+              onClick={() => onChange(has ? member.roles.filter((other) => other !== role) : [...member.roles, role])}
+            >
+              <span className="strong">{ROLE_WORDS[role]}</span>
+              <br />
+              <span className="small mid">{ROLE_MEANINGS[role]}</span>
+            </Menu.Item>
+          )
+        })}
+        <Menu.Divider />
+        {asking ? (
+          <Menu.Item onClick={onRemove}>Take {member.person.name} out of the studio now</Menu.Item>
+        ) : (
+          <Menu.Item onClick={() => setAsking(true)}>Take out of the studio …</Menu.Item>
+        )}
+      </Menu.Dropdown>
+    </Menu>
+  )
+}
+
+export function InvitationsCard({ studioId }: { studioId: string }) {
+  const { data: invitations = [], error } = useInvitations(studioId, true)
+  const invite = useInvite(studioId)
+  const withdraw = useWithdraw(studioId)
+  const [roles, setRoles] = useState<Role[]>(['reviewer'])
+  const [round, setRound] = useState(0)
+  return (
+    <Card aria-labelledby="invite">
+      <CardHead id="invite" title="Invite to the studio" />
+      <div className={classes.inside}>
+        <p className="small mid" style={{ paddingTop: 'var(--sl-3)' }}>
+          For the game team. A sound designer is invited to a project, on its page.
+        </p>
+        <Form
+          key={round}
+          action="Invite"
+          busy={invite.isPending}
+          error={invite.error}
+          onSubmit={(value) =>
+            invite.mutate(
+              { email: value('email'), roles },
+              {
+                onSuccess: ({ email }) => {
+                  setRound(round + 1)
+                  showToast(`${email} is invited.`)
+                },
+              },
+            )
+          }
+        >
+          <Field name="email" label="Mail address" type="email" autoComplete="off" />
+          <Checkbox.Group
+            label="Roles"
+            value={roles}
+            onChange={(chosen) => chosen.length > 0 && setRoles(chosen as Role[])}
+          >
+            <div className={classes.roles}>
+              {ROLES.map((role) => (
+                <Checkbox key={role} value={role} label={ROLE_WORDS[role]} description={ROLE_MEANINGS[role]} />
+              ))}
+            </div>
+          </Checkbox.Group>
+        </Form>
+      </div>
+      <CardProblem error={error ?? withdraw.error} />
+      {invitations.length > 0 && (
+        <Rows aria-label="Invitations that wait">
+          {invitations.map(({ id, email, roles: asked, created_at, expires_at }) => (
+            <Row key={id}>
+              <span className="grow">
+                <span className={classes.mail}>{email}</span>
+                <br />
+                <span className="small mid">
+                  {rolesInWords(asked)}, waits {age(created_at)}, until {day(expires_at)}
+                </span>
+              </span>
+              <Button
+                variant="quiet"
+                aria-label={`Withdraw the invitation of ${email}`}
+                onClick={() => withdraw.mutate(id, { onSuccess: () => showToast(`${email} is no longer invited.`) })}
+              >
+                Withdraw
+              </Button>
+            </Row>
+          ))}
+        </Rows>
+      )}
+    </Card>
+  )
+}

@@ -1,0 +1,59 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useRouter, useSearch } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+
+import { sessionQuery, useSignIn } from './api'
+import { Field, Form, Sheet } from './Form'
+
+/** An address of this site, whatever was written after `next=`. */
+export const ownPath = (next: string | undefined): string =>
+  next !== undefined && /^\/(?![/\\])/.test(next) ? next : '/'
+
+export function SignInPage() {
+  useTitle('Sign in')
+  const { next } = useSearch({ from: '/guest/sign-in' })
+  const router = useRouter()
+  const signIn = useSignIn()
+  const { data: session } = useQuery(sessionQuery)
+  return (
+    <Sheet>
+      <h1>Sign in</h1>
+      {session?.demo && (
+        <p className="mid">
+          This is the demo, which needs no account:{' '}
+          <Link className="link" to="/" reloadDocument>
+            go on as {session.person?.name}
+          </Link>
+          .
+        </p>
+      )}
+      <Form
+        action="Sign in"
+        busy={signIn.isPending}
+        error={signIn.error}
+        onSubmit={(value) =>
+          signIn.mutate(
+            { email: value('email'), password: value('password') },
+            { onSuccess: () => router.navigate({ href: ownPath(next) }) },
+          )
+        }
+        other={
+          <Link className="link small mid" to="/forgotten-password">
+            Forgotten password
+          </Link>
+        }
+      >
+        <Field name="email" label="Mail address" type="email" autoComplete="username" />
+        <Field name="password" label="Password" type="password" autoComplete="current-password" />
+      </Form>
+      <p className="small mid" style={{ marginTop: 'var(--sl-5)' }}>
+        A game team without an account?{' '}
+        <Link className="link" to="/sign-up">
+          Open a studio
+        </Link>
+        . Sound designers come by the link that a studio mails them.
+      </p>
+    </Sheet>
+  )
+}

@@ -1,0 +1,59 @@
+import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { EmptyState } from '@/ui/EmptyState'
+import { Segmented } from '@/ui/Segmented'
+
+import { meQuery } from './api'
+import { OutboxCard } from './OutboxCard'
+import { InvitationsCard, PeopleCard } from './PeopleCards'
+import classes from './Studio.module.css'
+
+/** Who belongs to the studio, who is invited, and the mails that wait. */
+export function StudioPage() {
+  useTitle('Studio')
+  const { data: me } = useQuery(meQuery)
+  const [chosen, setChosen] = useState<string | null>(null)
+  if (me === undefined) return null
+  const studio = me.studios.find(({ id }) => id === chosen) ?? me.studios[0]
+  if (studio === undefined) {
+    return (
+      <div className="page">
+        <EmptyState level={1} head="You belong to no studio.">
+          A studio’s producer invites you by mail. Your own one is opened on the account page.
+        </EmptyState>
+      </div>
+    )
+  }
+  const isProducer = studio.roles.includes('producer')
+  return (
+    <div className="page">
+      <div className={classes.head}>
+        <div>
+          <h1>{studio.name}</h1>
+          <p className="mid">
+            {isProducer
+              ? 'Its people, who is invited, and the mails it sends.'
+              : 'Its people. A producer invites and changes them.'}
+          </p>
+        </div>
+        {me.studios.length > 1 && (
+          <Segmented
+            label="Studio"
+            options={me.studios.map(({ id, name }) => ({ value: id, label: name }))}
+            value={studio.id}
+            onChange={setChosen}
+          />
+        )}
+      </div>
+      <div className={isProducer ? 'columns' : undefined}>
+        <div className="stack">
+          <PeopleCard key={studio.id} studioId={studio.id} meId={me.person.id} isProducer={isProducer} />
+          {isProducer && <OutboxCard key={`outbox ${studio.id}`} studioId={studio.id} />}
+        </div>
+        {isProducer && <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />}
+      </div>
+    </div>
+  )
+}

@@ -1,0 +1,178 @@
+import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { type Me, meQuery, type MyProject } from '@/judging/api'
+
+export { type Me, meQuery, type MyProject }
+
+type Schemas = components['schemas']
+export type MyStudio = Schemas['MyStudio']
+export type Member = Schemas['MemberRead']
+export type Role = Schemas['Role']
+export type StudioInvitation = Schemas['StudioInvitationRead']
+export type Mail = Schemas['MailRead']
+
+const MINUTE_MS = 60_000
+
+/** Whether somebody is signed in; asking also gives this page the token that its writes must carry. */
+export const sessionQuery = queryOptions({
+  queryKey: ['session'],
+  queryFn: () => answered(api.GET('/v1/session')),
+  staleTime: MINUTE_MS,
+})
+
+/** Whoever signs in makes a new session, whose token the next write must carry. */
+function useEntrance<Body, Answer>(enter: (body: Body) => Promise<Answer>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: async (body: Body) => {
+      // The first write of a page needs its token too.
+      await client.ensureQueryData(sessionQuery)
+      const answer = await enter(body)
+      client.clear()
+      return answer
+    },
+  })
+}
+
+export const useSignIn = () => useEntrance((body: Schemas['SignInAdd']) => answered(api.POST('/v1/sign-in', { body })))
+
+export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => answered(api.POST('/v1/sign-up', { body })))
+
+export const useNewPassword = (secret: string) =>
+  useEntrance((password: string) =>
+    answered(api.POST('/v1/password-resets/{secret}', { params: { path: { secret } }, body: { password } })),
+  )
+
+export const useJoinStudio = (secret: string) =>
+  useEntrance((body: Schemas['InvitationAccept']) =>
+    answered(api.POST('/v1/studio-invitations/{secret}/accept', { params: { path: { secret } }, body })),
+  )
+
+export const useAskReset = () =>
+  useMutation({
+    mutationFn: (email: string) => answered(api.POST('/v1/password-resets', { body: { email } })),
+  })
+
+export const studioInvitationQuery = (secret: string) =>
+  queryOptions({
+    queryKey: ['studio-invitation', secret],
+    queryFn: () => answered(api.GET('/v1/studio-invitations/{secret}', { params: { path: { secret } } })),
+  })
+
+export function useRename() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (name: string) => answered(api.PUT('/v1/me', { body: { name } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+  })
+}
+
+export const useChangePassword = () =>
+  useMutation({
+    mutationFn: (body: Schemas['PasswordChange']) => answered(api.PUT('/v1/me/password', { body })),
+  })
+
+export function useOpenStudio() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (name: string) => answered(api.POST('/v1/studios', { body: { name } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+  })
+}
+
+const peopleKey = (studioId: string) => ['studio-people', studioId]
+const invitationsKey = (studioId: string) => ['studio-invitations', studioId]
+const outboxKey = (studioId: string) => ['outbox', studioId]
+
+const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
+
+export const usePeople = (studioId: string) =>
+  useQuery({
+    queryKey: peopleKey(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', inStudio(studioId))),
+  })
+
+export const useInvitations = (studioId: string, enabled: boolean) =>
+  useQuery({
+    queryKey: invitationsKey(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/invitations', inStudio(studioId))),
+    enabled,
+  })
+
+export const useOutbox = (studioId: string, enabled: boolean) =>
+  useQuery({
+    queryKey: outboxKey(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', inStudio(studioId))),
+    enabled,
+    refetchInterval: ({ state: { data } }) =>
+      data?.can_send && data.mails.some(({ sent_at }) => sent_at === null) ? 5_000 : false,
+  })
+
+export function useSetRoles(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ personId, roles }: { personId: string; roles: Role[] }) =>
+      answered(
+        api.PUT('/v1/studios/{studio_id}/people/{person_id}', {
+          params: { path: { studio_id: studioId, person_id: personId } },
+          body: { roles },
+        }),
+      ),
+    onSettled: () => client.invalidateQueries({ queryKey: peopleKey(studioId) }),
+  })
+}
+
+export function useRemoveMember(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (personId: string) =>
+      answered(
+        api.DELETE('/v1/studios/{studio_id}/people/{person_id}', {
+          params: { path: { studio_id: studioId, person_id: personId } },
+        }),
+      ),
+    onSettled: () => client.invalidateQueries({ queryKey: peopleKey(studioId) }),
+  })
+}
+
+export function useInvite(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['StudioInvitationAdd']) =>
+      answered(api.POST('/v1/studios/{studio_id}/invitations', { ...inStudio(studioId), body })),
+    onSuccess: () =>
+      Promise.all(
+        [invitationsKey(studioId), outboxKey(studioId)].map((queryKey) => client.invalidateQueries({ queryKey })),
+      ),
+  })
+}
+
+export function useWithdraw(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (invitationId: string) =>
+      answered(
+        api.DELETE('/v1/studios/{studio_id}/invitations/{studio_invitation_id}', {
+          params: { path: { studio_id: studioId, studio_invitation_id: invitationId } },
+        }),
+      ),
+    onSettled: () => client.invalidateQueries({ queryKey: invitationsKey(studioId) }),
+  })
+}
+
+export function useSendMail(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (mailId: string) =>
+      answered(api.POST('/v1/mails/{mail_id}/send', { params: { path: { mail_id: mailId } } })),
+    onSettled: () => client.invalidateQueries({ queryKey: outboxKey(studioId) }),
+  })
+}
+
+export const ciLinesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['ci', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', { params: { path: { project_id: projectId } } })),
+  })

@@ -1,0 +1,51 @@
+import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
+
+import { guestRoute, shellRoute } from '@/app/roots'
+
+export const accountGuestRoutes = [
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/sign-in',
+    validateSearch: ({ next }: Record<string, unknown>): { next?: string } =>
+      typeof next === 'string' ? { next } : {},
+    component: lazyRouteComponent(() => import('./SignInPage'), 'SignInPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/sign-up',
+    component: lazyRouteComponent(() => import('./SignUpPage'), 'SignUpPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/forgotten-password',
+    component: lazyRouteComponent(() => import('./PasswordPages'), 'ForgottenPasswordPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/new-password/$secret',
+    component: lazyRouteComponent(() => import('./PasswordPages'), 'NewPasswordPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/join/$secret',
+    component: lazyRouteComponent(() => import('./JoinPage'), 'JoinPage'),
+  }),
+]
+
+export const accountRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/account',
+    component: lazyRouteComponent(() => import('./AccountPage'), 'AccountPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/studio',
+    component: lazyRouteComponent(() => import('./StudioPage'), 'StudioPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/build',
+    component: lazyRouteComponent(() => import('./BuildPage'), 'BuildPage'),
+  }),
+]

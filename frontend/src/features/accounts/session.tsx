@@ -1,0 +1,90 @@
+import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-query'
+import { redirect, useParams, useRouter } from '@tanstack/react-router'
+import { useEffect } from 'react'
+
+import { answered, api, ApiProblem } from '@/api'
+import { deskQuery } from '@/app/desk'
+import { keepLastProject, lastProject } from '@/app/lastProject'
+import { showToast } from '@/app/toast'
+import { NOBODY, type Session, type ShellData } from '@/app/session'
+import { queueQuery } from '@/judging/api'
+
+import { meQuery, sessionQuery } from './api'
+import { DemoSwitch } from './DemoSwitch'
+import { partWord } from './parts'
+
+const isSignedOut = (error: unknown): boolean => error instanceof ApiProblem && error.status === 401
+
+/** Where one comes back to after signing in; the start needs no telling. */
+export const backTo = (href: string): { next?: string } => (href === '/' ? {} : { next: href })
+
+async function signOut(client: QueryClient, leave: () => Promise<void>): Promise<void> {
+  try {
+    await answered(api.POST('/v1/sign-out'))
+  } catch (error) {
+    if (!isSignedOut(error)) {
+      showToast('You are still signed in: the server did not answer.')
+      return
+    }
+  }
+  await leave()
+  client.clear()
+}
+
+function useShell(): ShellData {
+  const client = useQueryClient()
+  const router = useRouter()
+  const { data: session } = useQuery(sessionQuery)
+  const { data: me, error } = useQuery(meQuery)
+  const { projectId } = useParams({ strict: false })
+  const wanted = projectId ?? lastProject()
+  const project = me?.projects.find(({ id }) => id === wanted) ?? (projectId ? undefined : me?.projects[0])
+  const isTeam = project?.part === 'team'
+  const { data: queue } = useQuery({ ...queueQuery(project?.id ?? ''), enabled: isTeam })
+  const { data: desk } = useQuery({ ...deskQuery(project?.id ?? ''), enabled: project?.part === 'designer' })
+
+  useEffect(() => {
+    if (project && project.id === projectId) keepLastProject(project.id)
+  }, [project, projectId])
+
+  const signedOut = isSignedOut(error)
+  useEffect(() => {
+    if (!signedOut) return
+    const href = router.state.location.href
+    client.clear()
+    void router.navigate({ to: '/sign-in', search: backTo(href) })
+  }, [signedOut, client, router])
+
+  if (me === undefined) return NOBODY
+  const isDemo = session?.demo === true
+  return {
+    person: { name: me.person.name, role: isDemo ? me.person.name : partWord(me, project) },
+    side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
+    project: project ? { id: project.id, name: project.name } : null,
+    projects: me.projects.map(({ id, name }) => ({ id, name })),
+    counts: { review: queue?.length, desk: desk && desk.came_back.length + desk.unmatched },
+    signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
+    switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,
+  }
+}
+
+/** Who is at the screen: asked of the server once a minute at most, and before every page of the shell. */
+export function createSession(client: QueryClient): Session {
+  return {
+    useShell,
+    ensureSignedIn: async (href) => {
+      const session = await client.ensureQueryData(sessionQuery)
+      if (!session.signed_in) {
+        client.removeQueries({ queryKey: sessionQuery.queryKey })
+        throw redirect({ to: '/sign-in', search: backTo(href) })
+      }
+      try {
+        await client.ensureQueryData(meQuery)
+      } catch (error) {
+        if (!isSignedOut(error)) throw error
+        client.clear()
+        throw redirect({ to: '/sign-in', search: backTo(href) })
+      }
+    },
+  }
+}
