@@ -44,7 +44,7 @@ class RunningServer:
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
         deadline = time.monotonic() + seconds
-        unfinished = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING', 'DELAYED')")
+        unfinished = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING')")
         while time.monotonic() < deadline:
             with self.runtime.database.reading() as session:
                 if session.scalar(unfinished) == 0:

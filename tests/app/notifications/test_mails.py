@@ -1,0 +1,155 @@
+"""Mails: told once, gathered by topic, kept until a real SMTP server has them."""
+
+import socket
+from collections.abc import Iterator
+from dataclasses import replace
+from uuid import UUID, uuid4
+
+import pytest
+from aiosmtpd.controller import Controller
+from aiosmtpd.smtp import SMTP, Envelope
+from aiosmtpd.smtp import Session as SmtpSession
+
+from app.kit.runtime import Runtime
+from app.notifications import jobs
+from app.notifications.models import Mail
+from tests.support.deliver import add_cues, deliver
+from tests.support.server import World
+from tests.support.waves import sine, wav_bytes
+
+
+class Mailbox:
+    """What an SMTP server received; it may refuse."""
+
+    def __init__(self) -> None:
+        self.received: list[Envelope] = []
+        self.refuses = False
+
+    async def handle_DATA(self, _server: SMTP, _session: SmtpSession, envelope: Envelope) -> str:  # noqa: N802
+        if self.refuses:
+            return "451 try again later"
+        self.received.append(envelope)
+        return "250 taken"
+
+    def texts_for(self, address: str) -> list[str]:
+        return [(envelope.content or b"").decode() for envelope in self.received if address in envelope.rcpt_tos]
+
+
+@pytest.fixture
+def mailbox() -> Mailbox:
+    return Mailbox()
+
+
+@pytest.fixture
+def smtp_url(mailbox: Mailbox) -> Iterator[str]:
+    with socket.create_server(("127.0.0.1", 0)) as probe:
+        port = probe.getsockname()[1]
+    controller = Controller(mailbox, hostname="127.0.0.1", port=port)
+    controller.start()
+    yield f"smtp://127.0.0.1:{port}"
+    controller.stop()
+
+
+def with_smtp(runtime: Runtime, url: str) -> Runtime:
+    settings = runtime.settings.model_copy(update={"smtp_url": url, "digest_delay_s": 0.0})
+    return replace(runtime, settings=settings)
+
+
+def outbox(world: World) -> list[dict[str, object]]:
+    world.server.wait_for_jobs()
+    answer = world.producer.get(f"/v1/studios/{world.studio_id}/outbox")
+    assert answer.status_code == 200
+    return list(answer.json()["mails"])
+
+
+def invite(world: World, address: str) -> None:
+    body = {"email": address, "kind": "contract", "note": "Six palette sounds first."}
+    assert world.producer.post(f"/v1/projects/{world.project_id}/invitations", json=body).is_success
+
+
+def test_without_a_server_the_invitation_waits_with_its_link(world: World):
+    invite(world, "maker@example.test")
+    (mail,) = outbox(world)
+    assert mail["recipient"] == "maker@example.test"
+    assert "/invitation/" in str(mail["link"])
+    assert "Six palette sounds first." in str(mail["text"])
+    assert mail["sent_at"] is None
+
+
+def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: Mailbox, smtp_url: str):
+    address = f"{uuid4()}@example.test"
+    invite(world, address)
+    link = str(outbox(world)[0]["link"])
+    runtime = with_smtp(world.server.runtime, smtp_url)
+    jobs.send_waiting(runtime)
+    jobs.send_waiting(runtime)
+    (text,) = mailbox.texts_for(address)
+    assert link in text.replace("=\r\n", "").replace("=3D", "=")
+    assert outbox(world)[0]["sent_at"] is not None
+
+
+def test_a_server_that_refuses_loses_nothing(world: World, mailbox: Mailbox, smtp_url: str):
+    address = f"{uuid4()}@example.test"
+    invite(world, address)
+    outbox(world)
+    runtime = with_smtp(world.server.runtime, smtp_url)
+    mailbox.refuses = True
+    jobs.send_waiting(runtime)
+    (mail,) = [each for each in outbox(world) if each["recipient"] == address]
+    assert (mail["sent_at"], "451" in str(mail["failure"])) == (None, True)
+    mailbox.refuses = False
+    jobs.send_waiting(runtime)
+    assert len(mailbox.texts_for(address)) == 1
+
+
+def test_files_that_came_back_are_gathered_in_one_mail(world: World):
+    add_cues(world, {"name": "laser_fire", "variations": 2})
+    too_loud = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.2))
+    for name in ("laser_fire_01.wav", "laser_fire_02.wav"):
+        deliver(world, name, too_loud)
+    (mail,) = [each for each in outbox(world) if each["recipient"] == f"{world.designer_id}@example.test"
+               and "came back" in str(each["subject"])]  # fmt: skip
+    assert "laser_fire_01.wav" in str(mail["text"])
+    assert "laser_fire_02.wav" in str(mail["text"])
+    assert "0.00 dBFS" in str(mail["text"])
+
+
+def test_an_event_told_twice_stands_in_the_mail_once(world: World):
+    event_id = str(uuid4())
+    payload = {
+        "event": "designer.invited", "event_id": event_id, "studio_id": str(world.studio_id),
+        "recipient": "twice@example.test", "link": "http://x/invitation/1", "subject_name": "Shield Wing",
+        "from_name": "Producer", "note": "",
+    }  # fmt: skip
+    jobs.mail_link(world.server.runtime, payload)
+    jobs.mail_link(world.server.runtime, payload)
+    assert [mail["recipient"] for mail in outbox(world)].count("twice@example.test") == 1
+
+
+def test_a_question_reaches_those_who_answer_and_the_answer_who_asked(world: World):
+    (cue,) = add_cues(world, {"name": "coolant_splash"})
+    asked = world.designer.post(f"/v1/cues/{cue['id']}/questions", json={"text": "A drop, a tool, a person?"})
+    assert asked.is_success, asked.text
+    answer = world.decider.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A tool."})
+    assert answer.is_success, answer.text
+    told = {(mail["recipient"], mail["subject"]) for mail in outbox(world)}
+    assert (f"{world.decider_id}@example.test", "Shield Wing: a question on the sound list") in told
+    assert (f"{world.designer_id}@example.test", "Shield Wing: your question is answered") in told
+
+
+def test_only_the_studios_producer_sees_the_outbox(world: World):
+    path = f"/v1/studios/{world.studio_id}/outbox"
+    assert world.reviewer.get(path).status_code == 403
+    assert world.stranger.get(path).status_code == 404
+    assert world.designer.get(path).status_code == 404
+    assert world.nobody.get(path).status_code == 401
+
+
+def test_mail_about_an_account_is_nobodys_but_its_owners(world: World):
+    address = f"{world.decider_id}@example.test"
+    assert world.nobody.post("/v1/password-resets", json={"email": address}).is_success
+    assert not [mail for mail in outbox(world) if "password" in str(mail["subject"])]
+    with world.server.runtime.database.reading() as session:
+        reset = session.query(Mail).filter_by(recipient=address, studio_id=None).one()
+    assert world.producer.post(f"/v1/mails/{reset.id}/send").status_code == 404
+    assert isinstance(reset.id, UUID)
