@@ -1,5 +1,5 @@
 import type { QueryClient } from '@tanstack/react-query'
-import { createRootRouteWithContext, createRoute } from '@tanstack/react-router'
+import { createRootRouteWithContext, createRoute, type ErrorComponentProps } from '@tanstack/react-router'
 
 import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
@@ -15,22 +15,42 @@ export interface RouterContext {
 
 export const rootRoute = createRootRouteWithContext<RouterContext>()({
   component: Root,
-  notFoundComponent: NotFoundPage,
+  notFoundComponent: () => (
+    <GuestFrame>
+      <NotFoundPage />
+    </GuestFrame>
+  ),
+  errorComponent: BrokenFrame,
 })
+
+function BrokenFrame(props: ErrorComponentProps) {
+  return (
+    <GuestFrame>
+      <ErrorPage {...props} />
+    </GuestFrame>
+  )
+}
 
 /** Parent of every page for people who are signed in: top bar, tabs, palette. */
 export const shellRoute = createRoute({
   getParentRoute: () => rootRoute,
   id: 'shell',
   beforeLoad: ({ context, location }) => context.session.ensureSignedIn(location.href),
-  component: Shell,
-  errorComponent: ErrorPage,
+  component: SignedInShell,
+  errorComponent: BrokenFrame,
 })
+
+function SignedInShell() {
+  return <Shell session={shellRoute.useRouteContext().session} />
+}
+
+/** An address that no feature knows, within the frame, so that every way on stays. */
+export const nowhereRoute = createRoute({ getParentRoute: () => shellRoute, path: '$', component: NotFoundPage })
 
 /** Parent of the pages before an account: sign-in, sign-up, an invitation. */
 export const guestRoute = createRoute({
   getParentRoute: () => rootRoute,
   id: 'guest',
-  component: GuestFrame,
-  errorComponent: ErrorPage,
+  component: () => <GuestFrame />,
+  errorComponent: BrokenFrame,
 })

@@ -32,7 +32,7 @@ function open(search: SearchProvider['search'] = () => Promise.resolve([])) {
   return { close, ask }
 }
 
-const opened = vi.fn()
+const opened = vi.fn<(name: string) => void>()
 const searchSounds: SearchProvider['search'] = (query) =>
   Promise.resolve(
     SOUNDS.filter((name) => name.includes(query)).map((name) => ({

@@ -1,5 +1,5 @@
 import { Outlet } from '@tanstack/react-router'
-import { useState } from 'react'
+import { type ReactNode, useState } from 'react'
 
 import { useHotkeys } from '../keys'
 import { NOBODY } from '../session'
@@ -9,8 +9,8 @@ import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
 import { WhoMenu } from './WhoMenu'
 
-/** The frame of the pages before an account. */
-export function GuestFrame() {
+/** The frame of the pages before an account, and of what went wrong before anyone was known. */
+export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) {
   const [showingKeys, setShowingKeys] = useState(false)
   useHotkeys([{ keys: '?', label: 'All keys', group: 'Everywhere', run: () => setShowingKeys(true) }])
   return (
@@ -25,7 +25,7 @@ export function GuestFrame() {
         </span>
       </header>
       <main id="main" tabIndex={-1} className={classes.main}>
-        <Outlet />
+        {children}
       </main>
       <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
     </>

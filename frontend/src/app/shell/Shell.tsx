@@ -1,10 +1,11 @@
-import { Outlet, useRouteContext, useRouter } from '@tanstack/react-router'
+import { Outlet, useRouter } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { isMac } from '@/ui/keyNames'
 
 import { useHotkeys } from '../keys'
 import { CommandPalette, useCommands } from '../palette'
+import type { Session } from '../session'
 import { ProjectName } from '../title'
 import { KeysSheet } from './KeysSheet'
 import { useScheme } from './scheme'
@@ -13,8 +14,7 @@ import classes from './Shell.module.css'
 import { TopBar } from './TopBar'
 
 /** The frame of every page for people who are signed in. */
-export function Shell() {
-  const { session } = useRouteContext({ from: '__root__' })
+export function Shell({ session }: { session: Session }) {
   const data = session.useShell()
   const router = useRouter()
   const [finding, setFinding] = useState(false)

@@ -36,13 +36,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
           ))}
         </nav>
       )}
-      <button
-        type="button"
-        className={classes.find}
-        aria-label="Find or do"
-        aria-keyshortcuts="Control+K Meta+K"
-        onClick={onFind}
-      >
+      <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
         <Icon name="search" />
         <span className={classes.findWords}>Find or do</span>
         <kbd className={classes.findKeys} aria-hidden="true">

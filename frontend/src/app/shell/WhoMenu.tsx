@@ -1,4 +1,4 @@
-import { Menu } from '@mantine/core'
+import { type MantineColorScheme, Menu } from '@mantine/core'
 import { useRouter } from '@tanstack/react-router'
 
 import { Face } from '@/ui/Face'
@@ -41,18 +41,14 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
           <Menu.Label>{person.name === person.role ? person.role : `${person.name}, ${person.role}`}</Menu.Label>
         )}
         {switcher}
-        <Menu.Label id="scheme-label">Colours</Menu.Label>
-        {SCHEMES.map(({ value, label }) => (
-          <Menu.Item
-            key={value}
-            role="menuitemradio"
-            aria-checked={scheme.chosen === value}
-            rightSection={scheme.chosen === value ? <Icon name="tick" /> : undefined}
-            onClick={() => scheme.set(value)}
-          >
-            {label}
-          </Menu.Item>
-        ))}
+        <Menu.Label>Colours</Menu.Label>
+        <Menu.RadioGroup value={scheme.chosen} onChange={(value) => scheme.set(value as MantineColorScheme)}>
+          {SCHEMES.map(({ value, label }) => (
+            <Menu.RadioItem key={value} value={value}>
+              {label}
+            </Menu.RadioItem>
+          ))}
+        </Menu.RadioGroup>
         <Menu.Divider />
         <Menu.Item rightSection={<Key keys="?" />} onClick={onKeys}>
           All keys

@@ -7,16 +7,23 @@ import { dismissToast, showToast, ToastRegion } from './index'
 
 beforeEach(() => vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] }))
 afterEach(() => {
-  act(() => dismissToast())
+  act(() => {
+    dismissToast()
+  })
   vi.useRealTimers()
 })
 
-const pass = (ms: number) => act(() => vi.advanceTimersByTime(ms))
+const pass = (ms: number) =>
+  act(() => {
+    vi.advanceTimersByTime(ms)
+  })
 
 test('what was done can be taken back by its key for ten seconds', () => {
   const undo = vi.fn()
   draw(<ToastRegion />)
-  act(() => showToast('shield_hit A approved.', undo))
+  act(() => {
+    showToast('shield_hit A approved.', undo)
+  })
   expect(screen.getByRole('status')).toHaveTextContent('shield_hit A approved.')
   pass(9_999)
   fireEvent.keyDown(window, { key: 'u' })
@@ -29,7 +36,9 @@ test('what was done can be taken back by its key for ten seconds', () => {
 test('after ten seconds it leaves', () => {
   const undo = vi.fn()
   draw(<ToastRegion />)
-  act(() => showToast('shield_hit A approved.', undo))
+  act(() => {
+    showToast('shield_hit A approved.', undo)
+  })
   pass(10_000)
   expect(screen.getByRole('status')).toBeEmptyDOMElement()
   fireEvent.keyDown(window, { key: 'u' })
@@ -38,7 +47,9 @@ test('after ten seconds it leaves', () => {
 
 test('its clock stops while one points at it', () => {
   draw(<ToastRegion />)
-  act(() => showToast('Cut.', vi.fn()))
+  act(() => {
+    showToast('Cut.', vi.fn())
+  })
   pass(6_000)
   fireEvent.mouseEnter(screen.getByText('Cut.'))
   pass(60_000)
@@ -52,9 +63,13 @@ test('its clock stops while one points at it', () => {
 
 test('there is one at a time, and the newer one has its own ten seconds', () => {
   draw(<ToastRegion />)
-  act(() => showToast('First.'))
+  act(() => {
+    showToast('First.')
+  })
   pass(9_000)
-  act(() => showToast('Second.'))
+  act(() => {
+    showToast('Second.')
+  })
   pass(9_000)
   expect(screen.queryByText('First.')).not.toBeInTheDocument()
   expect(screen.getByText('Second.')).toBeInTheDocument()

@@ -1,0 +1,60 @@
+import type { ReactNode } from 'react'
+
+import { Icon } from '@/ui/Icon'
+import { Key } from '@/ui/Key'
+
+import type { Peaks } from './peaks'
+import classes from './TakeCard.module.css'
+import { WaveThumb } from './WaveThumb'
+
+interface TakeCardProps {
+  /** A, B, C. */
+  letter: string
+  /** The key that takes it in the hand. */
+  keys?: string
+  peaks: Peaks | null
+  inHand: boolean
+  /** Another alternate was picked; it can still be heard. */
+  setAside?: boolean
+  /** Shuffled letters: wave, gain and adviser stay hidden until the pick. */
+  blind?: boolean
+  /** "0.84 s", "−2.1 dB", "composer's choice": the first one stays on narrow screens. */
+  facts?: readonly ReactNode[]
+  /** One line high, as on Today. */
+  flat?: boolean
+  onPick: () => void
+}
+
+/** One of several alternates. A press takes it in the hand, and what plays goes on with it. */
+export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts = [], flat, onPick }: TakeCardProps) {
+  return (
+    <button
+      type="button"
+      className={flat ? `${classes.card} ${classes.flat}` : classes.card}
+      aria-pressed={inHand}
+      aria-keyshortcuts={keys}
+      onClick={onPick}
+    >
+      <span className={inHand ? `${classes.letter} on-ink` : classes.letter}>
+        {letter}
+        {keys && <Key keys={keys} />}
+      </span>
+      <span className={classes.inside}>
+        {blind ? (
+          <span className={classes.hidden} />
+        ) : (
+          <WaveThumb peaks={peaks} lit={inHand} faded={setAside} heightPx={30} />
+        )}
+        <span className={classes.facts}>
+          {setAside ? (
+            <span className="dim">
+              <Icon name="turn" size={14} /> set aside
+            </span>
+          ) : (
+            !blind && facts.map((fact, index) => <span key={index}>{fact}</span>)
+          )}
+        </span>
+      </span>
+    </button>
+  )
+}
