@@ -42,11 +42,15 @@ def _newest_spec_id() -> Any:
 
 def _waits() -> ColumnElement[bool]:
     """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
-    rendered = exists().where(
-        RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
+    rendered = (
+        exists()
+        .where(RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id())
+        .correlate(Take)
     )
-    drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
-    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
+    drawn = (
+        exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256).correlate(Take)
+    )
+    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT).correlate(Take)
     return and_(Take.state == TakeState.CONFORMING, wanted, rendered, drawn)
 
 
