@@ -7,25 +7,10 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 
 import audio_checks
-from app.accounts.rules import Actor, Role
 from app.kit import events
 from app.sound_lists import service
-from app.sound_lists.models import Cue
+from tests.app.sound_lists.lists import add, cut, the_list
 from tests.support.server import World
-
-
-def add(world: World, *rows: dict[str, object], by: TestClient | None = None) -> list[dict[str, object]]:
-    answer = (by or world.producer).post(f"/v1/projects/{world.project_id}/cues", json={"cues": list(rows)})
-    assert answer.status_code == 201, answer.text
-    cues: list[dict[str, object]] = answer.json()
-    return cues
-
-
-def the_list(world: World) -> dict[str, object]:
-    answer = world.producer.get(f"/v1/projects/{world.project_id}/sound-list")
-    assert answer.status_code == 200
-    found: dict[str, object] = answer.json()
-    return found
 
 
 def test_cues_are_numbered_and_own_their_names(world: World) -> None:
@@ -40,7 +25,7 @@ def test_cues_are_numbered_and_own_their_names(world: World) -> None:
     assert laser["category"] == "weapon"
     listed = the_list(world)
     assert listed["revision"] == 1
-    assert [cue["label"] for cue in listed["cues"]] == ["SW-001", "SW-002"]  # type: ignore[attr-defined]
+    assert [cue["label"] for cue in listed["cues"]] == ["SW-001", "SW-002"]
 
 
 def test_a_cue_without_a_name_is_called_after_its_file(world: World) -> None:
@@ -177,7 +162,7 @@ def test_order(world: World) -> None:
     a, b, c, d = (cue["id"] for cue in cues)
     url = f"/v1/projects/{world.project_id}/cues/order"
     assert world.producer.post(url, json={"cue_ids": [d, b]}).status_code == 204
-    assert [cue["id"] for cue in the_list(world)["cues"]] == [a, d, c, b]  # type: ignore[attr-defined]
+    assert [cue["id"] for cue in the_list(world)["cues"]] == [a, d, c, b]
     assert world.producer.post(url, json={"cue_ids": [a, a]}).status_code == 422
     assert world.producer.post(url, json={"cue_ids": [str(uuid4())]}).status_code == 422
 
@@ -186,16 +171,6 @@ def test_flags(world: World) -> None:
     (cue,) = add(world, {"name": "Alarm"})
     assert world.producer.put(f"/v1/cues/{cue['id']}/placeholder", json={"placeholder": True}).json()["placeholder"]
     assert world.producer.put(f"/v1/cues/{cue['id']}/palette", json={"palette": True}).json()["palette"]
-
-
-def cut(world: World, cue_id: object, reason: str) -> None:
-    actor = Actor(person_id=world.decider_id, roles={world.studio_id: frozenset({Role.LIAISON})})
-
-    def do(session: sa.orm.Session) -> None:
-        cue = session.get_one(Cue, UUID(str(cue_id)))
-        service.cut_cue(session, actor, cue, reason)
-
-    world.server.in_database(do)
 
 
 def test_a_cut_cue_keeps_its_reason_and_frees_its_name(world: World) -> None:

@@ -14,7 +14,7 @@ import xlsxwriter
 from fastapi.testclient import TestClient
 
 import audio_checks
-from tests.app.sound_lists.test_cues import add, cut, the_list
+from tests.app.sound_lists.lists import add, cut, the_list
 from tests.support.server import World
 
 HEAD = "number,name,file_name,category,description,use,trigger,duration_s,length_locked,frame_rate_fps,loop,reverb,"
@@ -45,7 +45,7 @@ def refused(world: World, content: bytes | str, **more: object) -> dict[str, Any
 
 
 def cues(world: World) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = the_list(world)["cues"]  # type: ignore[assignment]
+    found: list[dict[str, Any]] = the_list(world)["cues"]
     return found
 
 
@@ -326,6 +326,7 @@ def test_no_cell_of_the_export_is_a_formula(world: World) -> None:
     assert not [cell for cell in cells if cell.startswith(("=", "+", "-", "@", "\t", "\r"))]
 
 
+@pytest.mark.slow
 def test_ten_thousand_rows(world: World) -> None:
     rows = "".join(
         f"Sound {number},{number % 50 / 10 + 0.1:.1f},ui,Words about sound {number}\n" for number in range(10_000)
@@ -334,11 +335,11 @@ def test_ten_thousand_rows(world: World) -> None:
     told = send(world, "name,duration,category,description\n" + rows)
     assert told["imported"], told["errors"][:3]
     assert told["added"] == 10_000
-    assert time.monotonic() - started < 30
+    assert time.monotonic() - started < 60
     started = time.monotonic()
     assert send(world, "name,duration,category,description\n" + rows, match="name")["same"] == 10_000
     assert len(cues(world)) == 10_000
-    assert time.monotonic() - started < 30
+    assert time.monotonic() - started < 60
     assert "rows" in refused(world, "name\n" + "".join(f"x{number}\n" for number in range(10_001)))["detail"]
 
 

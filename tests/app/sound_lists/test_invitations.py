@@ -1,0 +1,31 @@
+"""The mailed link shows the list at once, to whoever holds it."""
+
+from tests.app.sound_lists.lists import add, cut
+from tests.support.links import secret_for
+from tests.support.server import World
+
+
+def test_the_link_shows_project_list_and_spec_without_an_account(world: World) -> None:
+    _, gone = add(world, {"name": "Laser fire", "variations": 4, "category": "weapon"}, {"name": "Mine arm"})
+    cut(world, gone["id"], "mines are gone")
+    address = f"guest-{world.project_id}@example.test"
+    invited = world.producer.post(
+        f"/v1/projects/{world.project_id}/invitations",
+        json={"email": address, "kind": "contract", "note": "Twelve weapons by May."},
+    )
+    assert invited.status_code == 201, invited.text
+    shown = world.nobody.get(f"/v1/invitations/{secret_for(world.server, address)}")
+    assert shown.status_code == 200, shown.text
+    told = shown.json()
+    assert told["project"]["name"] == "Shield Wing"
+    assert (told["studio_name"], told["invited_by_name"], told["kind"]) == ("Test studio", "Producer", "contract")
+    assert (told["email"], told["has_account"], told["accepted"]) == (address, False, False)
+    assert [(cue["label"], cue["variations"]) for cue in told["cues"]] == [("SW-001", 4)]
+    assert told["spec"]["accept"]["sample_rates_hz"] == [44100, 48000, 96000]
+    assert told["spec"]["targets"]["game"]["sample_rate_hz"] == 44100
+
+
+def test_a_link_that_we_never_mailed_shows_nothing(world: World) -> None:
+    answer = world.nobody.get("/v1/invitations/not-a-secret-of-ours")
+    assert answer.status_code == 404
+    assert answer.json()["code"] == "invitation-not-found"
