@@ -44,6 +44,7 @@ NAME_BYTES = 256  # of a module's name on its way to the server
 LENGTH = struct.Struct("<cQ")
 RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
 DETAIL_CHARACTERS = 8_000
+START_S = 60.0  # for the server to import what calls need, on a busy machine
 GRACE_S = 5.0  # for the server to tell how a child ended
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
@@ -131,11 +132,10 @@ class Sandbox:
             When the function raised it.
         """
         request = pickle.dumps((self._limits, function, args, kwargs), protocol=5)
-        deadline = time.monotonic() + self.timeout_s
         if CAN_FORK:
-            answer = self._forked(getattr(function, "__module__", None) or "", request, deadline)
+            answer = self._forked(getattr(function, "__module__", None) or "", request)
         else:
-            answer = _in_new_process(request, deadline)
+            answer = _in_new_process(request, time.monotonic() + self.timeout_s)
         return _resolved(answer)  # type: ignore[no-any-return]
 
     def close(self) -> None:
@@ -145,21 +145,21 @@ class Sandbox:
                 self._server.close()
                 self._server = None
 
-    def _forked(self, module: str, request: bytes, deadline: float) -> tuple[bytes, bytes]:
+    def _forked(self, module: str, request: bytes) -> tuple[bytes, bytes]:
         for attempt in (1, 2):
             with self._lock:
-                if self._server is None or not self._server.alive():
-                    if self._server is not None:
-                        self._server.close()
-                    self._server = _Server(self._preload)
                 try:
+                    if self._server is None or not self._server.alive():
+                        if self._server is not None:
+                            self._server.close()
+                        self._server = _Server(self._preload)
                     work, status = self._server.fork(module)
                     break
                 except OSError:
                     if attempt == 2:
                         raise SandboxCrashed("the sandbox's server cannot be reached") from None
         with work, status:
-            return _exchange(work, status, request, deadline, self._limits)
+            return _exchange(work, status, request, time.monotonic() + self.timeout_s, self._limits)
 
 
 class _Server:
@@ -178,6 +178,10 @@ class _Server:
                 env=_environment(),
             )
         self.close = weakref.finalize(self, _end_server, self._control, self._process)
+        self._control.settimeout(START_S)
+        if not self._control.recv(1):
+            raise ConnectionError("the server did not start")
+        self._control.settimeout(None)
 
     def alive(self) -> bool:
         return self._process.poll() is None
@@ -367,6 +371,7 @@ def serve(control_descriptor: int, preload: Sequence[str]) -> None:
     selector.register(control, selectors.EVENT_READ)
     selector.register(wake_reader, selectors.EVENT_READ)
     running: dict[int, socket.socket] = {}
+    control.sendall(b"!")
     try:
         while True:
             for key, _ in selector.select():

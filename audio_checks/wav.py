@@ -476,7 +476,8 @@ class _Reading:
             block = self.file.read(min(remaining, len(ZEROS)))
             if not block or block != ZEROS[: len(block)]:
                 raise Unreadable(
-                    f"{left} bytes at position {position} are no chunk: a name of four letters was wanted there",
+                    f"what stands at position {position} (bytes to the end: {left}) is no chunk:"
+                    " a name of four letters was wanted there",
                     "R1",
                     "structure:no-chunk",
                     EXPORT_AGAIN,

@@ -8,6 +8,7 @@ stand for (De Man, "Evaluation of implementations of the EBU R128 loudness measu
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -79,9 +80,8 @@ class KWeighting:
     """
 
     def __init__(self, sample_rate_hz: int, channels: int) -> None:
-        self._numerators, self._denominators = k_weighting(sample_rate_hz)
+        self._rate = sample_rate_hz
         self._before = np.zeros((channels, math.ceil(SETTLED_S * sample_rate_hz)))
-        self._responses: dict[int, NDArray[np.complex128]] = {}
 
     def filter(self, planar: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the next samples filtered, shape (channels, n) as they came."""
@@ -89,18 +89,21 @@ class KWeighting:
         both = np.concatenate((self._before, planar), axis=1)
         self._before = both[:, both.shape[1] - reach :].copy()
         length = _fast_length(both.shape[1])
-        if length not in self._responses:
-            self._responses = {length: self._response(length)}
         bins = np.fft.rfft(both, length, axis=1)
-        bins *= self._responses[length]
+        bins *= _response(self._rate, length)
         filtered: NDArray[np.float64] = np.fft.irfft(bins, length, axis=1)[:, reach : both.shape[1]]
         return filtered
 
-    def _response(self, length: int) -> NDArray[np.complex128]:
-        delay = np.exp(-2j * np.pi * np.arange(length // 2 + 1) / length)
-        powers = np.stack((np.ones_like(delay), delay, delay * delay))
-        response: NDArray[np.complex128] = ((self._numerators @ powers) / (self._denominators @ powers)).prod(axis=0)
-        return response
+
+@lru_cache(maxsize=4)
+def _response(sample_rate_hz: int, length: int) -> NDArray[np.complex128]:
+    """Return the K-weighting's response at the bins of an FFT."""
+    numerators, denominators = k_weighting(sample_rate_hz)
+    delay = np.exp(-2j * np.pi * np.arange(length // 2 + 1) / length)
+    response: NDArray[np.complex128] = np.ones_like(delay)
+    for b, a in zip(numerators, denominators, strict=True):
+        response *= (b[0] + delay * (b[1] + delay * b[2])) / (a[0] + delay * (a[1] + delay * a[2]))
+    return response
 
 
 def _fast_length(least: int) -> int:
