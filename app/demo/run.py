@@ -63,9 +63,9 @@ def run_demo(port: int) -> int:
             if not tree.wait_until(lambda: _answers(address)):
                 typer.echo(f"the server did not start; is port {port} taken? Try: make run PORT=8001", err=True)
                 return 1
-            token = make_demo_project(runtime, tell=typer.echo, keep_going=tree.is_whole)
+            project, token = make_demo_project(runtime, tell=typer.echo, keep_going=tree.is_whole)
             if tree.is_whole():
-                _welcome(address, token)
+                _welcome(address, project, token)
             return tree.watch()
         finally:
             tree.stop()
@@ -98,12 +98,12 @@ def _answers(address: str) -> bool:
         return False
 
 
-def _welcome(address: str, token: str) -> None:
+def _welcome(address: str, project: str, token: str) -> None:
     typer.echo(
         f"\n  Soundlist is at {address}\n"
         "  It needs no sign-in: the menu at the top right switches between producer, approver and designer.\n\n"
         "  The game's CI would say:\n"
-        f"    curl -fsS -H 'Authorization: Bearer {token}' {address}/v1/ci/spec.toml -o spec.toml"
+        f"    curl -fsS -H 'Authorization: Bearer {token}' {address}/v1/projects/{project}/spec.toml -o spec.toml"
         " && .venv/bin/audio-checks check --spec spec.toml --target game assets/\n\n"
         "  Ctrl C stops it; what you did is kept.\n"
     )
