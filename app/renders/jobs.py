@@ -4,21 +4,17 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 from uuid import UUID
 
 import structlog
-from sqlalchemy.orm import Session
 
-from app.deliveries.models import Take
 from app.deliveries.queries import take_by_id
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
-from app.projects.models import Spec
-from app.projects.queries import current_spec
 from app.renders import drawing, queries, service
 from app.renders.models import Picture, Render
-from app.renders.rules import RENDERED_STATES, Recipe, RenderState
+from app.renders.rules import Recipe, RenderState
 from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable
 
 log = structlog.get_logger(__name__)
@@ -40,18 +36,19 @@ def draw_take(runtime: Runtime, payload: Payload) -> None:
         take = take_by_id(session, UUID(payload["take_id"]))
         if take is None or queries.picture_of(session, take.studio_id, take.master_sha256) is not None:
             return
+        studio_id, sha256 = take.studio_id, take.master_sha256
         loop = take.cue is not None and take.cue.loop
     with (
-        runtime.store.local_copy(take.studio_id, take.master_sha256) as master,
+        runtime.store.local_copy(studio_id, sha256) as master,
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
     ):
         try:
             drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), folder, loop=loop))
         except (Unreadable, RenderRefused, SandboxFailed) as error:
-            log.info("a master could not be drawn", take_id=str(take.id), error=str(error))
-            picture = Picture(studio_id=take.studio_id, sound_sha256=take.master_sha256)
+            log.info("a master could not be drawn", take_id=payload["take_id"], error=str(error))
+            picture = Picture(studio_id=studio_id, sound_sha256=sha256)
         else:
-            picture = _stored_picture(runtime, take.studio_id, take.master_sha256, Path(folder), drawn)
+            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn)
     with runtime.database.writing() as session:
         service.keep_picture(session, picture)
 
@@ -89,46 +86,30 @@ def _stored_picture(
 def make_renders(runtime: Runtime, payload: Payload) -> None:
     """Make the game files of an admitted take for every target of the current spec, or record why not."""
     with runtime.database.reading() as session:
-        work = _work_on(session, UUID(payload["take_id"]))
-    if work is None:
+        order = service.order_renders(session, UUID(payload["take_id"]))
+    if order is None:
         return
-    for target, recipe in work.missing.items():
-        render, picture = _rendered(runtime, work.take, target, recipe)
+    for target, recipe in order.missing.items():
+        render, picture = _rendered(runtime, order, target, recipe)
         with runtime.database.writing() as session:
             service.keep_render(session, render, picture)
     with runtime.database.writing() as session:
-        service.complete(session, work.take, work.spec)
+        service.complete(session, order)
 
 
-class _Work(NamedTuple):
-    """What is to be made of a take."""
-
-    take: Take
-    spec: Spec
-    missing: dict[str, Recipe]  # by target
-
-
-def _work_on(session: Session, take_id: UUID) -> _Work | None:
-    take = take_by_id(session, take_id)
-    if take is None or take.cue is None or take.state not in RENDERED_STATES:
-        return None
-    spec = current_spec(session, take.project_id)
-    made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id]
-    recipes = queries.wanted_recipes(spec, take)
-    return _Work(take, spec, {target: recipe for target, recipe in recipes.items() if made[target] is None})
-
-
-def _rendered(runtime: Runtime, take: Take, target: str, recipe: Recipe) -> tuple[Render, Picture | None]:
+def _rendered(
+    runtime: Runtime, order: service.RenderOrder, target: str, recipe: Recipe
+) -> tuple[Render, Picture | None]:
     render = Render(
-        studio_id=take.studio_id,
-        project_id=take.project_id,
-        take_id=take.id,
+        studio_id=order.studio_id,
+        project_id=order.project_id,
+        take_id=order.take_id,
         target=target,
-        key=recipe.key(take.master_sha256),
+        key=recipe.key(order.master_sha256),
         state=RenderState.REFUSED,
     )
     with (
-        runtime.store.local_copy(take.studio_id, take.master_sha256) as master,
+        runtime.store.local_copy(order.studio_id, order.master_sha256) as master,
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
     ):
         try:
@@ -137,11 +118,11 @@ def _rendered(runtime: Runtime, take: Take, target: str, recipe: Recipe) -> tupl
             render.refusal = f"{error}; {error.fix}"
             return render, None
         except SandboxFailed as error:
-            log.error("a render failed", take_id=str(take.id), target=target, error=str(error))
+            log.error("a render failed", take_id=str(order.take_id), target=target, error=str(error))
             render.refusal = OUR_FAULT
             return render, None
-        blob = runtime.store.put_file(take.studio_id, Path(folder, drawing.GAME_FILE))
-        picture = _stored_picture(runtime, take.studio_id, blob.sha256, Path(folder), made["drawing"])
+        blob = runtime.store.put_file(order.studio_id, Path(folder, drawing.GAME_FILE))
+        picture = _stored_picture(runtime, order.studio_id, blob.sha256, Path(folder), made["drawing"])
     rendered = made["rendered"]
     render.state, render.sha256, render.file_bytes = RenderState.MADE, blob.sha256, blob.size_bytes
     render.pcm_sha256 = rendered["pcm_sha256"]
@@ -153,11 +134,10 @@ def _rendered(runtime: Runtime, take: Take, target: str, recipe: Recipe) -> tupl
 
 @job("renders.renew_renders")
 def renew_renders(runtime: Runtime, payload: Payload) -> None:
-    """Ask for the game files that a new spec, or a changed cue, wants of takes admitted before; old ones stay."""
+    """Ask for the game files that a new spec or changed cues want of takes admitted before; old ones stay."""
+    cue_ids = [UUID(cue_id) for cue_id in payload["cue_ids"]] if "cue_ids" in payload else None
     with runtime.database.writing() as session:
-        for take_id in queries.admitted_take_ids(
-            session, project_id=_id_in(payload, "project_id"), cue_id=_id_in(payload, "cue_id")
-        ):
+        for take_id in queries.admitted_take_ids(session, UUID(payload["project_id"]), cue_ids):
             runtime.queue.enqueue(
                 session,
                 "renders.make_renders",
@@ -165,7 +145,3 @@ def renew_renders(runtime: Runtime, payload: Payload) -> None:
                 key=f"{payload['event_id']}:renders.make_renders:{take_id}",
                 priority=BULK,
             )
-
-
-def _id_in(payload: Payload, name: str) -> UUID | None:
-    return UUID(payload[name]) if payload.get(name) else None

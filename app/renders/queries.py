@@ -1,6 +1,6 @@
 """Renders and pictures within the caller's reach."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 from uuid import UUID
 
@@ -16,7 +16,8 @@ from app.renders.rules import RENDERED_STATES, Recipe, recipes
 
 
 @lru_cache(maxsize=64)
-def _parsed(toml: str) -> audio_checks.DeliverySpec:
+def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
+    """Return what a stored spec says."""
     return audio_checks.parse_spec(toml)
 
 
@@ -24,7 +25,8 @@ def wanted_recipes(spec: Spec, take: Take) -> dict[str, Recipe]:
     """Return what a spec wants made of a take (its cue loaded), by target; nothing while it is unmatched."""
     if take.cue is None:
         return {}
-    return recipes(_parsed(spec.toml), category=take.cue.category, loop=take.cue.loop)
+    whole = parsed_spec(spec.toml)
+    return recipes(whole, category=take.cue.category or whole.category_of(take.file_name), loop=take.cue.loop)
 
 
 def _renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:
@@ -80,7 +82,7 @@ def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Ren
         .where(Render.id == render_id, _in_reach(actor))
         .options(joinedload(Take.cue))
     ).one_or_none()
-    return row.tuple() if row else None
+    return (row[0], row[1]) if row else None
 
 
 def current_renders(
@@ -101,11 +103,14 @@ def current_renders(
     }
 
 
-def admitted_take_ids(session: Session, *, project_id: UUID | None, cue_id: UUID | None) -> Sequence[UUID]:
-    """Return the matched takes of a project or of a cue that may still ship."""
-    query = select(Take.id).where(Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None)).order_by(Take.id)
-    query = query.where(Take.cue_id == cue_id) if cue_id else query.where(Take.project_id == project_id)
-    return session.scalars(query).all()
+def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UUID] | None) -> Sequence[UUID]:
+    """Return the matched takes of a project that may still ship; those of some cues where they are given."""
+    query = select(Take.id).where(
+        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None)
+    )
+    if cue_ids is not None:
+        query = query.where(Take.cue_id.in_(cue_ids))
+    return session.scalars(query.order_by(Take.id)).all()
 
 
 def render_of(session: Session, take_id: UUID, target: str, key: str) -> Render | None:

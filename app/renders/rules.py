@@ -54,9 +54,9 @@ def render_key(master_sha256: str, recipe: Recipe) -> str:
     return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()
 
 
-def recipes(spec: DeliverySpec, *, category: str, loop: bool) -> dict[str, Recipe]:
+def recipes(spec: DeliverySpec, *, category: str | None, loop: bool) -> dict[str, Recipe]:
     """Return what a spec wants made of a master of a category, by target."""
-    view = spec.for_category(category or None)
+    view = spec.for_category(category)
     limits = view.limits
     return {
         name: Recipe(target, loop, limits.sample_peak_dbfs, limits.true_peak_dbtp, limits.tolerance_db)

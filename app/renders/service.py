@@ -1,5 +1,6 @@
 """Renders and pictures: what a caller sees of them, and how they are put on record."""
 
+from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
@@ -7,13 +8,13 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.deliveries.models import Take
-from app.deliveries.queries import stem_of
+from app.deliveries.queries import stem_of, take_by_id
 from app.deliveries.service import take_for
-from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
 from app.renders.models import Picture, Render, RenderSet
+from app.renders.rules import RENDERED_STATES, Recipe
 from app.renders.schemas import MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 
 
@@ -104,6 +105,38 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
     return render, render.sha256, f"{stem}.wav"
 
 
+@dataclass(frozen=True)
+class RenderOrder:
+    """What is to be made of a take, as of one moment."""
+
+    take_id: UUID
+    edition: int
+    studio_id: UUID
+    project_id: UUID
+    master_sha256: str
+    spec_id: UUID
+    missing: dict[str, Recipe]  # by target
+
+
+def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
+    """Return what is to be made of a take; None where it may not ship, or is for no cue yet."""
+    take = take_by_id(session, take_id)
+    if take is None or take.cue is None or take.state not in RENDERED_STATES:
+        return None
+    spec = current_spec(session, take.project_id)
+    made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id]
+    recipes = queries.wanted_recipes(spec, take)
+    return RenderOrder(
+        take_id=take.id,
+        edition=take.edition,
+        studio_id=take.studio_id,
+        project_id=take.project_id,
+        master_sha256=take.master_sha256,
+        spec_id=spec.id,
+        missing={target: recipe for target, recipe in recipes.items() if made[target] is None},
+    )
+
+
 def keep_picture(session: Session, picture: Picture) -> None:
     """Put a picture on record unless the same sound is drawn already."""
     if queries.picture_of(session, picture.studio_id, picture.sound_sha256) is None:
@@ -119,9 +152,9 @@ def keep_render(session: Session, render: Render, picture: Picture | None) -> No
         keep_picture(session, picture)
 
 
-def complete(session: Session, take: Take, spec: Spec) -> None:
+def complete(session: Session, order: RenderOrder) -> None:
     """Say that every render of a take is made or refused, unless take or spec moved on meanwhile."""
-    now = session.get(Take, take.id)
-    if now is None or now.edition != take.edition or current_spec(session, take.project_id).id != spec.id:
+    take = session.get(Take, order.take_id)
+    if take is None or take.edition != order.edition or current_spec(session, take.project_id).id != order.spec_id:
         return
-    session.merge(RenderSet(take_id=take.id, studio_id=take.studio_id, spec_id=spec.id, edition=take.edition))
+    session.merge(RenderSet(take_id=take.id, studio_id=take.studio_id, spec_id=order.spec_id, edition=order.edition))

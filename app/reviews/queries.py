@@ -68,7 +68,7 @@ def waiting_cues(
     )
     if after is not None:
         query = query.having(tuple_(since, Take.cue_id) > tuple_(*after))
-    return [(cue_id, at) for cue_id, at in session.execute(query).tuples() if cue_id is not None]
+    return [(cue_id, at) for cue_id, at in session.execute(query) if cue_id is not None]
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
 
 
 def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]) -> list[TakeOnReview]:
-    rows = session.execute(query).tuples().all()
+    rows = session.execute(query).all()
     takes = [take for take, _, _ in rows]
     ids = [take.id for take in takes]
     specs = newest_specs(session, {take.project_id for take in takes})
@@ -124,9 +124,7 @@ def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]
             select(Comment.take_id, func.count())
             .where(Comment.take_id.in_(ids), Comment.resolved_at.is_(None))
             .group_by(Comment.take_id)
-        )
-        .tuples()
-        .all()
+        ).all()
     )
     return [
         TakeOnReview(
@@ -160,13 +158,13 @@ def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, 
 def cue_prefixes(session: Session, project_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the letters that cue numbers of projects start with."""
     query = select(Project.id, Project.cue_prefix).where(Project.id.in_(list(project_ids)))
-    return dict(session.execute(query).tuples().all())
+    return dict(session.execute(query).all())
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many rounds count for cues."""
     query = select(Round.cue_id, func.count(Round.number)).where(Round.cue_id.in_(list(cue_ids))).group_by(Round.cue_id)
-    return dict(session.execute(query).tuples().all())
+    return dict(session.execute(query).all())
 
 
 def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
@@ -182,7 +180,7 @@ def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUI
         .where(Take.cue_id.in_(list(cue_ids)), Take.state == TakeState.APPROVED)
         .order_by(Take.variation)
     )
-    for cue_id, variation in session.execute(query).tuples():
+    for cue_id, variation in session.execute(query):
         if cue_id is not None:
             found[cue_id].append(variation)
     return found
@@ -326,7 +324,7 @@ def waivers_of(session: Session, take_id: UUID) -> Sequence[tuple[Waiver, Person
     query = (
         select(Waiver, Person).join(Person, Person.id == Waiver.waived_by).where(Waiver.take_id == take_id)
     ).order_by(Waiver.id)
-    return session.execute(query).tuples().all()
+    return session.execute(query).all()
 
 
 def duration_of(session: Session, take: Take) -> float | None:

@@ -11,6 +11,8 @@ from sqlalchemy.orm import Session
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
+from app.conformance.rules import with_waived
+from app.conformance.schemas import FindingRead
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
@@ -30,7 +32,6 @@ from app.reviews.schemas import (
     HistoryEntry,
     QueueItem,
     ReviewCue,
-    ReviewFinding,
     ReviewRender,
     ReviewTake,
     RoundRead,
@@ -157,17 +158,10 @@ def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
     )
 
 
-def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[ReviewFinding]:
+def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:
     waiver = one.waiver
-    codes = set(waiver.codes) if waiver and waiver.master_sha256 == one.take.master_sha256 else set()
-    known = ReviewFinding.model_fields.keys()
-    return [
-        ReviewFinding(
-            **{name: value for name, value in finding.items() if name in known and name != "waived"},
-            waived=finding["code"] in codes,
-        )
-        for finding in report.get("findings") or []
-    ]
+    codes = waiver.codes if waiver and waiver.master_sha256 == one.take.master_sha256 else []
+    return [FindingRead.model_validate(finding) for finding in with_waived(report.get("findings") or [], codes)]
 
 
 def _first(*figures: float | None) -> float | None:

@@ -7,6 +7,7 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
+from app.conformance.schemas import FindingRead
 from app.deliveries.rules import TakeState
 from app.kit.http import Schema
 from app.renders.rules import RenderState
@@ -14,8 +15,9 @@ from app.renders.schemas import SoundBrief
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
-Note = Annotated[str, Field(max_length=10_000)]
-Said = Annotated[str, Field(min_length=1, max_length=10_000)]
+NO_NUL = "^[^\\x00]*$"  # PostgreSQL takes none in text
+Note = Annotated[str, Field(max_length=10_000, pattern=NO_NUL)]
+Said = Annotated[str, Field(min_length=1, max_length=10_000, pattern=NO_NUL)]
 Seconds = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 
 
@@ -36,22 +38,6 @@ class ReviewCue(Schema):
     reverb: Reverb | None
     placeholder: bool
     palette: bool
-
-
-class ReviewFinding(Schema):
-    """What one check found in a take."""
-
-    check: str
-    code: str
-    severity: Literal["error", "warning"]
-    message: str
-    fix: str
-    measured: float | None = None
-    limit: float | None = None
-    unit: str | None = None
-    start_s: float | None = None
-    end_s: float | None = None
-    waived: bool = False
 
 
 class ReviewRender(SoundBrief):
@@ -104,7 +90,7 @@ class ReviewTake(SoundBrief):
     sample_peak_dbfs: float | None
     true_peak_dbtp: float | None
     measurements: dict[str, Any]
-    findings: list[ReviewFinding]
+    findings: list[FindingRead]
     waived: bool
     waiver_reason: str | None
     renders: list[ReviewRender]
@@ -121,7 +107,7 @@ class QueueItem(Schema):
     rounds_so_far: int
     approved_variations: list[int]
     findings_count: int
-    worst_finding: ReviewFinding | None
+    worst_finding: FindingRead | None
     takes: list[ReviewTake]
 
 

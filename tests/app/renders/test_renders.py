@@ -1,0 +1,294 @@
+"""Pictures and game files of real takes, made by the real worker."""
+
+import hashlib
+import io
+import wave
+from typing import Any
+from uuid import UUID
+
+import numpy as np
+import pytest
+from sqlalchemy import func, select, update
+
+import audio_checks
+from app.deliveries.models import Take
+from app.kit.db import new_id
+from app.projects.models import Spec
+from app.renders import jobs, service
+from app.renders.models import Picture, Render, RenderSet
+from tests.app.renders.making import add_cue, deliver, deliver_sound
+from tests.support.server import RunningServer, World
+from tests.support.waves import join, silence, sine, wav_bytes
+
+
+def sounds(world: World, take_id: str) -> dict[str, Any]:
+    answer = world.designer.get(f"/v1/takes/{take_id}/sounds")
+    assert answer.status_code == 200, answer.text
+    body: dict[str, Any] = answer.json()
+    return body
+
+
+def count(server: RunningServer, *where: Any) -> int:
+    found: int = server.in_database(lambda session: session.scalar(select(func.count()).where(*where)))
+    return found
+
+
+def test_a_conforming_take_gets_a_game_file_for_each_target(world: World) -> None:
+    add_cue(world, "laser")
+    take_id = deliver_sound(world, "laser.wav", sine(hz=997, dbfs=-6, rate=96_000, channels=2, seconds=0.5))
+    heard = sounds(world, take_id)
+    assert heard["master"]["state"] == "drawn"
+    assert heard["master"]["facts"]["sample_rate_hz"] == 96_000
+    game, handheld = heard["renders"]
+    assert [(one["target"], one["state"], one["refusal"]) for one in (game, handheld)] == [
+        ("game", "made", None),
+        ("handheld", "made", None),
+    ]
+    for one, rate, channels in ((game, 44_100, 2), (handheld, 22_050, 1)):
+        file = world.decider.get(one["file_url"])
+        assert file.status_code == 200
+        assert 'filename="laser.wav"' in file.headers["content-disposition"]
+        assert len(file.content) == one["file_bytes"]
+        with wave.open(io.BytesIO(file.content)) as sound:
+            assert (sound.getframerate(), sound.getnchannels(), sound.getsampwidth()) == (rate, channels, 2)
+            assert sound.getnframes() == rate // 2
+        # A tone that both sides share keeps its level, and 0 dB of it is taken away.
+        assert one["measurements"]["sample_peak_dbfs"] == pytest.approx(-6.0, abs=0.05)
+        assert one["attenuation_db"] == 0
+
+
+def test_thumb_peaks_and_spectrum_show_the_sound(world: World) -> None:
+    add_cue(world, "beep")
+    half = sine(hz=1_000, dbfs=-6.02, rate=96_000, seconds=0.5)
+    take_id = deliver_sound(world, "beep.wav", join(half, silence(rate=96_000, seconds=0.05)))
+    master = sounds(world, take_id)["master"]
+    thumb = master["thumb"]
+    assert thumb["points"] == len(thumb["min"]) == len(thumb["max"]) == len(thumb["rms"]) == 160
+    # Half of full scale is 63.5 of 127, its RMS 44.9; the last eleventh is silence.
+    assert max(thumb["max"]) in (63, 64)
+    assert thumb["rms"][40] in (44, 45)
+    assert thumb["max"][150:] == [0] * 10
+    peaks = world.designer.get(master["peaks_url"])
+    assert peaks.headers["cache-control"] == "private, max-age=31536000, immutable"
+    shape = peaks.json()
+    assert shape["points"] == len(shape["rms"]) == 4096
+    assert max(shape["max"]) == pytest.approx(0.5, abs=0.001)
+    assert shape["duration_s"] == pytest.approx(0.55)
+    spectrum = world.designer.get(master["spectrum_url"])
+    assert spectrum.headers["content-type"] == "image/png"
+    assert spectrum.content.startswith(b"\x89PNG")
+    assert int.from_bytes(spectrum.content[16:20]) <= 1_000
+    assert int.from_bytes(spectrum.content[20:24]) == 128
+
+
+def test_the_preview_plays_in_parts(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=0.5))
+    address = sounds(world, take_id)["master"]["preview_url"]
+    whole = world.reviewer.get(address)
+    assert whole.headers["content-type"] == "audio/wav"
+    with wave.open(io.BytesIO(whole.content)) as sound:
+        assert (sound.getframerate(), sound.getsampwidth(), sound.getnframes()) == (48_000, 2, 24_000)
+    part = world.reviewer.get(address, headers={"Range": "bytes=100-199"})
+    assert part.status_code == 206
+    assert part.headers["content-range"] == f"bytes 100-199/{len(whole.content)}"
+    assert part.content == whole.content[100:200]
+
+
+def test_what_plays_already_is_its_own_preview(world: World) -> None:
+    add_cue(world, "beep")
+    content = wav_bytes(sine(hz=1_000, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100, bits=16)
+    (take,) = deliver(world, ("beep.wav", content))
+    world.server.wait_for_jobs()
+    assert world.designer.get(sounds(world, take["id"])["master"]["preview_url"]).content == content
+
+
+def test_a_target_above_the_master_is_refused_in_words(world: World) -> None:
+    add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=44_100, seconds=0.2), rate=44_100, bits=16)
+    by_target = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    assert by_target["game"]["state"] == "made"
+    trailer = by_target["trailer"]
+    assert trailer["state"] == "refused"
+    assert "48000 Hz" in trailer["refusal"]
+    assert "44100 Hz" in trailer["refusal"]
+    assert trailer["preview_url"] is None
+    assert trailer["file_url"] is None
+    answer = world.designer.get(f"/v1/renders/{trailer['id']}/file")
+    assert (answer.status_code, answer.json()["code"]) == (409, "nothing-rendered")
+
+
+def test_a_returned_take_is_drawn_and_not_rendered(world: World) -> None:
+    add_cue(world, "hit")
+    take_id = deliver_sound(world, "hit.wav", sine(hz=997, dbfs=0, rate=96_000, seconds=0.2))
+    heard = sounds(world, take_id)
+    assert heard["master"]["state"] == "drawn"
+    assert {one["state"] for one in heard["renders"]} == {"waiting"}
+
+
+def test_what_cannot_be_read_is_said_to_be_undrawable(world: World) -> None:
+    add_cue(world, "hit")
+    (take,) = deliver(world, ("hit.wav", b"ID3\x04 this is no WAV file"))
+    world.server.wait_for_jobs()
+    master = sounds(world, take["id"])["master"]
+    assert (master["state"], master["preview_url"], master["thumb"]) == ("undrawable", None, None)
+
+
+def add_spec(world: World, toml_end: str) -> None:
+    """Save a new version of the spec, as the producer does, and let the jobs that it asks for run."""
+    now = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
+    saved = world.producer.put(
+        f"/v1/projects/{world.project_id}/spec",
+        json={"toml": now["toml"] + toml_end, "note": "", "based_on_version": now["version"]},
+    )
+    assert saved.status_code == 200, saved.text
+    world.server.wait_for_jobs()
+
+
+def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    before = {one["target"]: one["id"] for one in sounds(world, take_id)["renders"]}
+    add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
+    after = {one["target"]: one["id"] for one in sounds(world, take_id)["renders"]}
+    assert after.keys() == {"game", "handheld", "trailer"}
+    assert {target: after[target] for target in before} == before
+    now = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
+    louder = now["toml"].replace("sample_rate_hz = 22050", "sample_rate_hz = 32000")
+    body = {"toml": louder, "note": "", "based_on_version": now["version"]}
+    assert world.producer.put(f"/v1/projects/{world.project_id}/spec", json=body).status_code == 200
+    world.server.wait_for_jobs()
+    renewed = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    assert renewed["handheld"]["id"] != before["handheld"]
+    assert renewed["handheld"]["facts"]["sample_rate_hz"] == 32_000
+    assert renewed["game"]["id"] == before["game"]
+    assert world.designer.get(f"/v1/renders/{before['handheld']}/file").status_code == 200
+
+
+def test_an_approved_take_is_renewed_too(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    assert world.decider.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"}).status_code == 200
+    add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
+    assert {one["target"]: one["state"] for one in sounds(world, take_id)["renders"]}["trailer"] == "made"
+
+
+def test_jobs_that_run_twice_change_nothing(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    before = sounds(world, take_id)
+    for job in (jobs.draw_take, jobs.make_renders):
+        job(world.server.runtime, {"take_id": take_id})
+    assert sounds(world, take_id) == before
+    assert count(world.server, Render.take_id == UUID(take_id)) == 2
+    # Of the master and of two game files.
+    assert count(world.server, Picture.studio_id == world.studio_id) == 3
+
+
+def test_the_same_master_gives_the_same_bytes(world: World) -> None:
+    add_cue(world, "one")
+    add_cue(world, "two")
+    samples = sine(hz=997, rate=96_000, seconds=0.2)
+    first, second = (deliver_sound(world, f"{name}.wav", samples) for name in ("one", "two"))
+    files = [
+        [
+            hashlib.sha256(world.designer.get(one["file_url"]).content).hexdigest()
+            for one in sounds(world, take)["renders"]
+        ]
+        for take in (first, second)
+    ]
+    assert files[0] == files[1]
+
+
+def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
+    server = world.server
+    server.in_database(lambda session: session.execute(update(Take).where(Take.id == take_id).values(edition=7)))
+    completed = server.in_database(lambda session: session.get(RenderSet, take_id).edition)
+    assert completed == 1
+    jobs.make_renders(server.runtime, {"take_id": str(take_id)})
+    assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 7
+
+    def newer(session: Any) -> None:
+        toml = audio_checks.new_spec("48k", name="newer")
+        session.add(
+            Spec(
+                studio_id=world.studio_id,
+                project_id=world.project_id,
+                version=2,
+                toml=toml,
+                sha256=audio_checks.parse_spec(toml).sha256,
+                created_by=world.producer_id,
+            )
+        )
+
+    order = server.in_database(lambda session: service.order_renders(session, take_id))
+    server.in_database(newer)
+    server.in_database(
+        lambda session: session.execute(update(RenderSet).where(RenderSet.take_id == take_id).values(edition=0))
+    )
+    server.in_database(lambda session: service.complete(session, order))
+    assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 0  # says nothing of the newer
+
+
+def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hasty = audio_checks.Sandbox(timeout_s=0.001)
+    monkeypatch.setattr(jobs, "_sandbox", lambda: hasty)
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    heard = sounds(world, take_id)
+    assert heard["master"]["state"] == "undrawable"
+    assert {one["refusal"] for one in heard["renders"]} == {jobs.OUR_FAULT}
+    queue = world.decider.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
+    assert [take["id"] for item in queue["items"] for take in item["takes"]] == [take_id]
+    hasty.close()
+
+
+def test_who_may_see_and_hear(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    heard = sounds(world, take_id)
+    addresses = [f"/v1/takes/{take_id}/sounds"]
+    for one in (heard["master"], *heard["renders"]):
+        addresses += [one["preview_url"], one["peaks_url"], one["spectrum_url"], one.get("file_url")]
+    addresses = [address for address in addresses if address]
+    assert len(addresses) == 1 + 3 * 3 + 2
+    for address in addresses:
+        assert world.designer.get(address).status_code == 200
+        assert world.reviewer.get(address).status_code == 200
+        assert world.nobody.get(address).status_code == 401
+        for who in (world.stranger, world.other_designer):
+            assert who.get(address).status_code == 404, address
+    for address in (f"/v1/takes/{new_id()}/sounds", f"/v1/sounds/{new_id()}/preview", f"/v1/renders/{new_id()}/file"):
+        assert world.decider.get(address).status_code == 404
+
+
+def test_a_designer_hears_only_their_own(world: World) -> None:
+    """Two designers on one project, each with the same sound: a picture is shared, sight of a take is not."""
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    heard = sounds(world, take_id)
+    world.server.in_database(
+        lambda session: session.execute(
+            update(Take).where(Take.id == UUID(take_id)).values(designer_id=world.other_designer_id)
+        )
+    )
+    for address in (f"/v1/takes/{take_id}/sounds", heard["master"]["preview_url"], heard["renders"][0]["file_url"]):
+        assert world.designer.get(address).status_code == 404
+        assert world.other_designer.get(address).status_code == 404  # made it, and is not engaged
+        assert world.decider.get(address).status_code == 200
+
+
+def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
+    """A sound of fewer frames than points has one point a frame."""
+    add_cue(world, "tick")
+    samples = np.full((300, 1), 0.25)
+    (take,) = deliver(world, ("tick.wav", wav_bytes(samples, rate=48_000, bits=16)))
+    world.server.wait_for_jobs()
+    master = sounds(world, take["id"])["master"]
+    assert world.designer.get(master["peaks_url"]).json()["points"] == 300
+    assert set(master["thumb"]["max"]) == {32}
