@@ -1,6 +1,7 @@
 """Reads a delivered ZIP without trusting it: bounded before anything is unpacked, and never by a name inside it."""
 
 import io
+import os
 import stat
 import zipfile
 import zlib
@@ -79,8 +80,13 @@ def opened(path: Path) -> Iterator[OpenArchive]:
 class _Bounded(io.BufferedReader):
     """A file that refuses to be read in huge pieces, as a lying directory would have it."""
 
+    def __init__(self, file: io.FileIO) -> None:
+        super().__init__(file)
+        self._size_bytes = os.fstat(file.fileno()).st_size
+
     def read(self, size: int | None = -1, /) -> bytes:
-        if size is None or size < 0 or size > MAX_READ_BYTES:
+        wanted = self._size_bytes - self.tell() if size is None or size < 0 else size
+        if wanted > MAX_READ_BYTES:
             raise ValueError("its directory is larger than that of any delivery")
         return super().read(size)
 
