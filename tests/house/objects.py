@@ -1,0 +1,272 @@
+"""One of everything that an address can name, all of one designer's work in one project."""
+
+from datetime import timedelta
+from functools import cache, cached_property
+from typing import Any
+from uuid import UUID
+
+from fastapi.testclient import TestClient
+from sqlalchemy.orm import Session
+
+from app.accounts.doors import new_secret, sha256_of
+from app.accounts.models import PasswordReset, Person, StudioInvitation, Token
+from app.accounts.passwords import hash_of
+from app.accounts.queries import actor_for_person
+from app.accounts.rules import Role, Scope
+from app.accounts.service import add_token
+from app.builds.models import Build
+from app.conformance.models import CheckRun
+from app.deliveries.models import Delivery, Take
+from app.deliveries.rules import TakeState
+from app.kit import clock
+from app.kit.db import new_id
+from app.kit.uploads import Upload, Uploads
+from app.notifications.models import Mail
+from app.projects.models import Engagement, Project, ProjectInvitation
+from app.projects.queries import current_spec
+from app.projects.rules import EngagementKind
+from app.projects.service import open_project
+from app.renders.models import Picture, Render, RenderSet
+from app.renders.rules import RenderState
+from app.reviews.models import ChangeRequest, Comment
+from app.sound_lists.models import Cue, Question, Stem
+from tests.support.server import RunningServer, World
+
+TOMORROW = timedelta(days=1)
+FILE = b"the bytes of a sound"
+PASSWORD = "correct horse battery"
+
+
+class House(World):
+    """A studio with one of everything; `ids` is keyed by the names that paths give to their parameters."""
+
+    def __init__(self, server: RunningServer) -> None:
+        super().__init__(server)
+        store = server.runtime.store
+        self.sha256 = store.put(self.studio_id, [FILE]).sha256
+        with server.runtime.database.writing() as session:
+            self.rival_id = self._person(session, "A second sound designer")
+            session.get_one(Person, self.designer_id).password_hash = _password_hash()
+            self._add_all(session)
+            self._add_outsiders(session)
+        unfinished = Uploads(server.runtime.database, store).create(
+            studio_id=self.studio_id,
+            owner_id=self.designer_id,
+            scope=str(self.ids["delivery_id"]),
+            file_name="shield_hit.wav",
+            length=len(FILE),
+            max_length=len(FILE),
+        )
+        self.ids["upload_id"] = unfinished.id
+
+    def _add_all(self, session: Session) -> None:
+        of = {"studio_id": self.studio_id, "project_id": self.project_id}
+        engagement = Engagement(**of, designer_id=self.rival_id, kind=EngagementKind.CONTRACT)
+        cue = Cue(**of, number=1, position=1, name="Shield hit", file_name="shield_hit")
+        session.add_all([engagement, cue])
+        session.flush()
+        delivery = Delivery(**of, designer_id=self.designer_id, number=1)
+        question = Question(**of, cue_id=cue.id, text="What hits the shield?", asked_by=self.designer_id)
+        session.add_all([delivery, question, Stem(**of, cue_id=cue.id, variation=1, stem="shield_hit")])
+        session.flush()
+        spent, self.finished_upload = self._finished(session, delivery), self._finished(session, delivery)
+        take = Take(
+            **of,
+            delivery_id=delivery.id,
+            designer_id=self.designer_id,
+            upload_id=spent.id,
+            cue_id=cue.id,
+            number=1,
+            state=TakeState.CONFORMING,
+            file_name="shield_hit.wav",
+            master_sha256=self.sha256,
+            master_bytes=len(FILE),
+        )
+        session.add(take)
+        session.flush()
+        spec = current_spec(session, self.project_id)
+        picture = Picture(
+            studio_id=self.studio_id,
+            sound_sha256=self.sha256,
+            duration_s=1.0,
+            peaks_sha256=self.sha256,
+            spectrum_sha256=self.sha256,
+            preview_sha256=self.sha256,
+            preview_media_type="audio/wav",
+            thumb={"points": 1, "min": [0], "max": [0], "rms": [0]},
+            facts={"sample_rate_hz": 44_100, "bit_depth": 16, "channels": 1, "frames": 44_100},
+        )
+        render = Render(
+            **of,
+            take_id=take.id,
+            target="game",
+            key="0" * 64,
+            state=RenderState.MADE,
+            sha256=self.sha256,
+            pcm_sha256=self.sha256,
+            file_bytes=len(FILE),
+        )
+        draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.decider_id)
+        comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
+        build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
+        mail = Mail(
+            studio_id=self.studio_id,
+            topic="link",
+            recipient="nobody@example.test",
+            subject="A link",
+            lines=["A link."],
+            event_ids=[],
+            sealed_at=clock.now(),
+            failure="no server answered",
+        )
+        run = CheckRun(
+            **of,
+            take_id=take.id,
+            spec_id=spec.id,
+            key="0" * 64,
+            verdict="conforming",
+            pcm_sha256=self.sha256,
+            report=report_file(),
+            tool_version="1",
+        )
+        sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
+        session.add_all([picture, render, draft, comment, build, mail, run, sets])
+        self._add_links(session)
+        token = self._token(session, self.project_id, list(Scope))
+        session.flush()
+        self.ids: dict[str, Any] = {
+            "studio_id": self.studio_id,
+            "project_id": self.project_id,
+            "person_id": self.decider_id,
+            "part": "designer",
+            "version": 1,
+            "cue_id": cue.id,
+            "question_id": question.id,
+            "delivery_id": delivery.id,
+            "take_id": take.id,
+            "picture_id": picture.id,
+            "render_id": render.id,
+            "change_request_id": draft.id,
+            "comment_id": comment.id,
+            "build_id": build.id,
+            "mail_id": mail.id,
+            "engagement_id": engagement.id,
+            "invitation_id": self._invitation_id,
+            "studio_invitation_id": self._studio_invitation_id,
+            "token_id": token[0].id,
+        }
+
+    def _add_links(self, session: Session) -> None:
+        self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
+        expires_at = clock.now() + TOMORROW
+        invitation = ProjectInvitation(
+            studio_id=self.studio_id,
+            project_id=self.project_id,
+            email=f"{new_id()}@example.test",
+            kind=EngagementKind.CONTRACT,
+            secret_sha256=sha256_of(self.links["invitations"]),
+            invited_by=self.producer_id,
+            expires_at=expires_at,
+        )
+        studio_invitation = StudioInvitation(
+            studio_id=self.studio_id,
+            email=f"{new_id()}@example.test",
+            roles=[Role.REVIEWER],
+            secret_sha256=sha256_of(self.links["studio-invitations"]),
+            invited_by=self.producer_id,
+            expires_at=expires_at,
+        )
+        reset = PasswordReset(
+            person_id=self.reviewer_id,
+            secret_sha256=sha256_of(self.links["password-resets"]),
+            expires_at=expires_at,
+        )
+        session.add_all([invitation, studio_invitation, reset])
+        session.flush()
+        self._invitation_id, self._studio_invitation_id = invitation.id, studio_invitation.id
+
+    def _add_outsiders(self, session: Session) -> None:
+        """Make the tokens: of another studio's project, and of this one with every scope or with one."""
+        stranger = actor_for_person(session, self.stranger_id)
+        (elsewhere,) = stranger.roles
+        project = open_project(session, stranger, elsewhere, name="Elsewhere", cue_prefix="EW")
+        self.foreign_secret = self._token(session, project.id, list(Scope))[1]
+        self.own_secret = self._token(session, self.project_id, list(Scope))[1]
+        self.secret_with = {scope: self._token(session, self.project_id, [scope])[1] for scope in Scope}
+
+    def _finished(self, session: Session, delivery: Delivery) -> Upload:
+        upload = Upload(
+            studio_id=self.studio_id,
+            owner_id=self.designer_id,
+            scope=str(delivery.id),
+            file_name="shield_hit.wav",
+            length=len(FILE),
+            sha256=self.sha256,
+            finished_at=clock.now(),
+        )
+        session.add(upload)
+        session.flush()
+        return upload
+
+    @staticmethod
+    def _token(session: Session, project_id: UUID, scopes: list[Scope]) -> tuple[Token, str]:
+        project = session.get_one(Project, project_id)
+        return add_token(
+            session,
+            studio_id=project.studio_id,
+            project_id=project_id,
+            created_by=project.created_by,
+            name="CI",
+            scopes=scopes,
+        )
+
+    def build(self, secret: str) -> TestClient:
+        """Return a client that carries a token."""
+        client = self.server.browser()
+        client.headers["Authorization"] = f"Bearer {secret}"
+        return client
+
+    @cached_property
+    def rival(self) -> TestClient:
+        """The browser of a designer who is engaged on the same project, and made none of it."""
+        return self.signed_in(self.rival_id)
+
+    @cached_property
+    def guest(self) -> TestClient:
+        """A browser that has opened the invitation's link and nothing else."""
+        client = self.server.browser()
+        client.get("/v1/session")
+        assert client.get(f"/v1/invitations/{self.links['invitations']}").status_code == 200
+        return client
+
+
+@cache
+def _password_hash() -> str:
+    return hash_of(PASSWORD)
+
+
+def report_file() -> dict[str, Any]:
+    """Return a report's object of one file without findings."""
+    return {
+        "path": "shield_hit.wav",
+        "sha256": "0" * 64,
+        "pcm_sha256": "0" * 64,
+        "category": None,
+        "verdict": "conforming",
+        "facts": {"container": "wav", "sample_rate_hz": 44_100, "bit_depth": 16, "channels": 1, "duration_s": 1.0},
+        "measurements": {},
+        "judgements": {},
+        "findings": [],
+    }
+
+
+def report() -> dict[str, Any]:
+    """Return a report of no files."""
+    summary = dict.fromkeys(("files", "conforming", "rejected", "unreadable", "unjudged", "errors", "warnings"), 0)
+    return {
+        "schema_version": 1,
+        "tool": {"name": "audio-checks", "version": "1"},
+        "spec": None,
+        "files": [],
+        "summary": summary,
+    }

@@ -1,0 +1,191 @@
+"""The table of routes, read from the application itself, and a request that each would accept."""
+
+import base64
+import hashlib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+from uuid import UUID
+
+from fastapi import FastAPI
+from fastapi.routing import APIRoute
+from fastapi.testclient import TestClient
+from httpx import Response
+from starlette.routing import BaseRoute
+
+from app import rooms
+from app.accounts.endpoints import policy_of
+from app.accounts.rules import Policy
+from tests.house.objects import FILE, PASSWORD, House, report
+
+Schema = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One method of one path, and what its endpoint declares."""
+
+    name: str
+    method: str
+    path: str
+    policy: Policy
+    query: tuple[str, ...]
+    body: Any  # an example, with ids still by name
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """The names that stand in the path."""
+        return tuple(part[1:-1] for part in self.path.split("/") if part.startswith("{"))
+
+
+def api_routes(routes: Iterable[BaseRoute]) -> Iterator[APIRoute]:
+    """Yield the routes of routers, those of included routers too."""
+    for route in routes:
+        if isinstance(route, APIRoute):
+            yield route
+        elif (included := getattr(route, "original_router", None)) is not None:
+            yield from api_routes(included.routes)
+
+
+@cache
+def document() -> dict[str, Any]:
+    """Return the OpenAPI document of the rooms, operations named after their endpoints."""
+    app = FastAPI(generate_unique_id_function=lambda route: route.name)
+    for router in rooms.ROUTERS:
+        app.include_router(router)
+    return app.openapi()
+
+
+@cache
+def operations() -> list[Operation]:
+    """Return every operation of the API."""
+    policies = {
+        route.name: policy_of(route.endpoint, route.dependant.dependencies)
+        for router in rooms.ROUTERS
+        for route in api_routes(router.routes)
+    }
+    found = []
+    for path, methods in document()["paths"].items():
+        for method, said in methods.items():
+            policy = policies[said["operationId"]]
+            if policy is None:
+                continue  # test_every_endpoint_declares_its_policy names it
+            json = said.get("requestBody", {}).get("content", {}).get("application/json")
+            query = tuple(one["name"] for one in said.get("parameters", ()) if one["in"] == "query")
+            body = example(json["schema"], "") if json else None
+            found.append(Operation(said["operationId"], method.upper(), path, policy, query, body))
+    return found
+
+
+@dataclass(frozen=True)
+class Named:
+    """An id that a body names, filled in from the house."""
+
+    name: str
+
+
+EXAMPLES: dict[str, Any] = {
+    "email": "somebody@example.test",
+    "roles": ["reviewer"],
+    "scopes": ["spec:read"],
+    "cue_prefix": "DS",
+    "password": PASSWORD,
+    "current": PASSWORD,
+    "new": PASSWORD,
+    "tables": {"format": 1},
+    "cues": [{"name": "Radar ping"}],
+    "report": report(),
+}
+
+
+def example(schema: Schema, name: str) -> Any:
+    """Return the least that a schema accepts, under the name of the property that holds it."""
+    if "$ref" in schema:
+        return example(document()["components"]["schemas"][schema["$ref"].rpartition("/")[2]], name)
+    if name in EXAMPLES:
+        return EXAMPLES[name]
+    for choice in schema.get("anyOf", ()):
+        if choice.get("type") != "null":
+            return example(choice, name)
+    if "enum" in schema or "const" in schema:
+        return schema.get("const", schema.get("enum", [None])[0])
+    match schema.get("type"):
+        case "object":
+            return {key: example(schema["properties"][key], key) for key in schema.get("required", ())}
+        case "array":
+            return [example(schema["items"], name.removesuffix("s"))] if schema.get("minItems") else []
+        case "string":
+            return Named(name) if schema.get("format") == "uuid" else "x" * max(1, schema.get("minLength", 1))
+        case "integer" | "number":
+            return max(1, schema.get("minimum", 1))
+        case "boolean":
+            return True
+        case other:
+            raise AssertionError(f"no example for {name}: {other}")
+
+
+TUS = {"Tus-Resumable": "1.0.0"}
+
+
+def _metadata(delivery_id: UUID) -> str:
+    values = {"delivery_id": str(delivery_id), "file_name": "shield_hit.wav"}
+    return ",".join(f"{key} {base64.b64encode(value.encode()).decode()}" for key, value in values.items())
+
+
+def ask(client: TestClient, house: House, operation: Operation) -> Response:
+    """Send a request that is right in everything but, perhaps, in who sends it."""
+    ids = house.ids
+    secret = house.links.get(operation.path.split("/")[2], "")
+    path = operation.path.format(**ids, secret=secret)
+    params = {name: str(ids[name]) for name in operation.query if name in ids and name != "version"}
+    more: dict[str, Any] = {}
+    match operation.name:
+        case "begin_upload":
+            more["headers"] = TUS | {
+                "Upload-Length": str(len(FILE)),
+                "Upload-Metadata": _metadata(ids["delivery_id"]),
+            }
+        case "continue_upload":
+            more["headers"] = TUS | {"Upload-Offset": "0", "Content-Type": "application/offset+octet-stream"}
+            more["content"] = FILE
+        case "see_upload" | "give_up_upload":
+            more["headers"] = TUS
+        case "put_upload":
+            more["headers"] = {"X-Content-SHA256": hashlib.sha256(FILE).hexdigest()}
+            more["content"] = FILE
+            params["file_name"] = "shield_hit.wav"
+        case _:
+            if operation.body is not None:
+                more["json"] = _filled(_adjusted(operation), house)
+    params |= QUERIES.get(operation.name, {})
+    return client.request(operation.method, path, params=params, **more)
+
+
+# What a schema cannot say.
+QUERIES: dict[str, dict[str, str]] = {
+    "download_pack": {"target": "game"},
+    "compare_revisions": {"from": "0", "to": "0"},
+    "find": {"q": "shield"},
+}
+ADJUSTED: dict[str, dict[str, Any]] = {
+    "add_archive": {"file_name": "sounds.zip"},
+    "add_take": {"file_name": "shield_hit.wav"},
+    "try_spec": {"tables": {"format": 1}},
+    "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},
+    "change_cue": {"name": "Shield hit"},
+}
+
+
+def _adjusted(operation: Operation) -> Any:
+    return {**operation.body, **ADJUSTED.get(operation.name, {})}
+
+
+def _filled(value: Any, house: House) -> Any:
+    if isinstance(value, Named):
+        return str(house.finished_upload.id if value.name == "upload_id" else house.ids[value.name])
+    if isinstance(value, dict):
+        return {key: _filled(one, house) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_filled(one, house) for one in value]
+    return value
