@@ -165,7 +165,10 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
 
 
 def pack_entries(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) -> list[Entry]:
-    """Return the files of the ZIP in their order: the key, the game files in list order, the masters.
+    """Return the files of the ZIP in their order: the game files in list order, the masters, the key.
+
+    The key's workbook is a ZIP itself: before the sounds, a pack that broke off could be taken for it.
+
 
     Raises NothingAccepted, PackIncomplete where an accepted sound has no file and that is not allowed,
     BlobDamaged where the store does not hold what the database names.
@@ -181,10 +184,8 @@ def pack_entries(store: Store, pack: Pack, *, masters: bool, allow_missing: bool
             errors=[{"where": sound.file_name, "message": sound.why_missing} for sound in missing],
             fix="take the pack without them (allow_missing=true), or have them made first",
         )
-    rows = key_rows(pack, masters=masters)
-    entries = [_in_memory(KEY_CSV, key_csv(rows)), _in_memory(KEY_XLSX, key_xlsx(rows))]
     studio_id = pack.project.studio_id
-    entries += [
+    entries = [
         _stored(store, studio_id, sound.file_name, render.sha256 or "", render.file_bytes or 0)
         for sound in pack.sounds
         if (render := sound.made)
@@ -194,8 +195,9 @@ def pack_entries(store: Store, pack: Pack, *, masters: bool, allow_missing: bool
             _stored(store, studio_id, sound.master_name, sound.take.master_sha256, sound.take.master_bytes)
             for sound in pack.sounds
         ]
-    _ensure_stored(store, studio_id, entries[2:])
-    return entries
+    _ensure_stored(store, studio_id, entries)
+    rows = key_rows(pack, masters=masters)
+    return [*entries, _in_memory(KEY_CSV, key_csv(rows)), _in_memory(KEY_XLSX, key_xlsx(rows))]
 
 
 def _in_memory(path: str, content: bytes) -> Entry:
