@@ -43,9 +43,9 @@ def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
     )
 
 
-def spec_version(session: Session, spec_id: UUID) -> int:
-    """Return the number of a version of the spec."""
-    return session.scalars(select(Spec.version).where(Spec.id == spec_id)).one()
+def spec_of(session: Session, run: CheckRun) -> Spec:
+    """Return the version of the spec that a check was made by."""
+    return session.get_one(Spec, run.spec_id)
 
 
 def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] | None) -> Sequence[UUID]:

@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
-from pydantic import StringConstraints
+from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
 from app.deliveries.rules import TakeState
@@ -52,7 +52,7 @@ class CheckRead(Schema):
     state: TakeState
     verdict: Literal["conforming", "rejected", "unreadable", "unjudged"]
     spec_version: int
-    is_newest_spec: bool
+    is_newest_spec: bool = Field(description="The newest spec asks nothing else of this take.")
     tool_version: str
     created_at: datetime
     facts: dict[str, Any] | None

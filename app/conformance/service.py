@@ -19,6 +19,7 @@ from app.deliveries.rules import CHECKABLE, TakeState
 from app.deliveries.service import change_state, check_again, check_name, take_for
 from app.kit.events import publish
 from app.kit.queue import BULK
+from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.sound_lists.service import cue_facts
 
@@ -49,9 +50,8 @@ def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
 
 def _order(session: Session, take: Take) -> CheckOrder:
     spec = current_spec(session, take.project_id)
-    whole = audio_checks.parse_spec(spec.toml)
     cue = cue_facts(take.cue) if take.cue else None
-    resolved = whole.for_category((cue.category if cue else None) or whole.category_of(take.file_name))
+    resolved = _resolved(spec, take)
     name = check_name(session, take)
     return CheckOrder(
         take_id=take.id,
@@ -65,6 +65,12 @@ def _order(session: Session, take: Take) -> CheckOrder:
         cue=cue,
         key=run_key(take.master_sha256, resolved, cue, name),
     )
+
+
+def _resolved(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
+    """Return what a version of the spec asks of one take."""
+    whole = audio_checks.parse_spec(spec.toml)
+    return whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
 
 
 def known_report(session: Session, order: CheckOrder) -> Report | None:
@@ -157,13 +163,14 @@ def read_check(session: Session, take: Take) -> CheckRead:
     waiver = queries.waiver_of(session, take.id)
     if waiver is not None and waiver.master_sha256 != take.master_sha256:
         waiver = None
+    spec, newest = queries.spec_of(session, run), current_spec(session, take.project_id)
     findings = with_waived(run.report["findings"], waiver.codes if waiver else [])
     return CheckRead(
         take_id=take.id,
         state=take.state,
         verdict=run.report["verdict"],
-        spec_version=queries.spec_version(session, run.spec_id),
-        is_newest_spec=run.spec_id == current_spec(session, take.project_id).id,
+        spec_version=spec.version,
+        is_newest_spec=spec.id == newest.id or _resolved(spec, take).sha256 == _resolved(newest, take).sha256,
         tool_version=run.tool_version,
         created_at=run.created_at,
         facts=run.report["facts"],
