@@ -1,41 +1,23 @@
-import { createRoute, createRouter, lazyRouteComponent } from '@tanstack/react-router'
+import { createRouter } from '@tanstack/react-router'
 
 import { queryClient } from '@/api/queryClient'
-import { reviewRoutes } from '@/features/review/routes'
-import { todayRoutes } from '@/features/today/routes'
 import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
+import { reviewRoutes } from '@/features/review/routes'
+import { todayRoutes } from '@/features/today/routes'
+import { partsRoute } from '@/parts/routes'
 
 import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
 import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
-import { guestSession } from './session'
-import { Shell } from './shell/Shell'
 
-/** The page of all parts, for those who build: in development and test builds only, and without anyone signed in. */
-const partsFrame = createRoute({
-  getParentRoute: () => rootRoute,
-  id: 'parts-frame',
-  component: () => <Shell session={guestSession} />,
-})
-const partsRoutes =
-  import.meta.env.DEV || import.meta.env.MODE === 'test'
-    ? [
-        partsFrame.addChildren([
-          createRoute({
-            getParentRoute: () => partsFrame,
-            path: '/parts',
-            component: lazyRouteComponent(() => import('@/parts/PartsPage'), 'PartsPage'),
-          }),
-        ]),
-      ]
-    : []
-
-const routeTree = rootRoute.addChildren([
+const pages = [
   guestRoute.addChildren([...accountGuestRoutes]),
   shellRoute.addChildren([...todayRoutes, ...reviewRoutes, ...accountRoutes, nowhereRoute]),
-  ...partsRoutes,
-])
+] as const
+const routeTree = rootRoute.addChildren(pages)
+// For those who build: in development and test builds only, and unknown to the types of the product.
+if (import.meta.env.DEV || import.meta.env.MODE === 'test') rootRoute.addChildren([...pages, partsRoute()])
 
 export const router = createRouter({
   routeTree,
