@@ -109,7 +109,7 @@ def rounds_by_cue(session: Session, project_id: UUID) -> dict[UUID, int]:
     """Return how many rounds each cue has had."""
     rows = session.execute(
         select(Round.cue_id, func.max(Round.number)).where(Round.project_id == project_id).group_by(Round.cue_id)
-    ).tuples()
+    )
     return {cue_id: number or 0 for cue_id, number in rows}
 
 
@@ -271,4 +271,4 @@ def cue_by_number(session: Session, project_id: UUID, number: int) -> Cue | None
 
 def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the names of studios."""
-    return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).tuples().all())
+    return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).all())
