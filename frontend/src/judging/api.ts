@@ -10,7 +10,7 @@ export type MyProject = Schemas['MyProject']
 export type QueueItem = Schemas['QueueItem']
 export type ReviewTake = Schemas['ReviewTake']
 export type ReviewCue = Schemas['ReviewCue']
-export type ReviewFinding = Schemas['ReviewFinding']
+export type ReviewFinding = Schemas['FindingRead']
 export type CueReview = Schemas['CueReviewRead']
 export type ChangeRequest = Schemas['ChangeRequestRead']
 export type Sending = Schemas['SendingRead']
@@ -26,7 +26,7 @@ export const keys = {
 }
 
 /** What a verdict changes elsewhere: lists and dashboards of the project, whoever shows them. */
-const TOUCHED = ['today', 'overview', 'standing', 'take-history']
+const TOUCHED = ['today', 'overview', 'standing', 'judged', 'take-history']
 
 export const meQuery = queryOptions({
   queryKey: keys.me,

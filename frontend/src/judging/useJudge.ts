@@ -116,7 +116,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
     onSettled: () => refresh(client, projectId),
   })
 
-  return { approve, acceptSet, change, refusal, forgive: () => setRefusal(null) }
+  const changeProblem = change.error === null ? null : asProblem(change.error)
+  return { approve, acceptSet, change, changeProblem, refusal }
 }
 
 export type Judge = ReturnType<typeof useJudge>

@@ -3,12 +3,11 @@ import { Link, useNavigate } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
-import { type Player, type PlayerState, Waveform, WaveThumb } from '@/audio'
+import { type Player, type PlayerState, TakeCard, Waveform } from '@/audio'
 import { type QueueItem, type ReviewTake, usePeaks } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { matchGainDb, soundOf, sourceOf } from '@/judging/hearing'
-import { MASTER } from '@/judging/hearing'
+import { MASTER, matchGainDb, soundOf, sourceOf } from '@/judging/hearing'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { asked, asks, heardTakes, takeName } from '@/judging/words'
@@ -30,18 +29,26 @@ interface FirstCardProps {
 }
 
 /** The cue that has waited longest: heard and decided where it stands. */
-export function FirstCard({ item, projectId, mayDecide, player, playing, judge }: FirstCardProps) {
+export function FirstCard(props: FirstCardProps) {
+  const takes = heardTakes(props.item)
+  const [handId, setHandId] = useState(takes[0]?.id)
+  const hand = takes.find(({ id }) => id === handId) ?? takes[0]
+  return hand && <Heard {...props} takes={takes} hand={hand} onChoose={setHandId} />
+}
+
+interface HeardProps extends FirstCardProps {
+  takes: readonly ReviewTake[]
+  hand: ReviewTake
+  onChoose: (takeId: string) => void
+}
+
+function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand, onChoose }: HeardProps) {
   const navigate = useNavigate()
   const narrow = useMediaQuery('(max-width: 760px)')
   const { cue } = item
-  const takes = heardTakes(item)
-  const [handId, setHandId] = useState(takes[0]?.id)
   const [changing, setChanging] = useState(false)
-  const hand = takes.find(({ id }) => id === handId) ?? takes[0]
   const source = useHearing(player, cue.id, hand, MASTER, takes[0])
   const peaks = usePeaks(hand?.peaks_url)
-  if (hand === undefined) return null
-
   const sound = soundOf(hand, MASTER)
   const name = takeName(hand, cue, takes)
   const isSet = cue.variations > 1
@@ -57,18 +64,16 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
   }
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
-  const asGame = () =>
-    void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, takes[0]) ?? []))
+  const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, takes[0]) ?? []))
 
   useHotkeys([
-    { keys: 'Space', label: 'Play, pause', group: 'Review', run: () => void player.toggle() },
     { keys: 'Enter', label: 'Open in the review room', group: 'Today', run: openReview },
     ...takes.slice(0, 9).map((take, index) => ({
       keys: String(index + 1),
       label: `Choose ${takeName(take, cue, takes)}`,
       group: 'Review',
       unlisted: index > 0,
-      run: () => setHandId(take.id),
+      run: () => onChoose(take.id),
     })),
     {
       keys: 'h',
@@ -98,9 +103,7 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
               {asks(item)}
             </Link>
           </h2>
-          <p className="mid">
-            {[cue.description || cue.use, `${asked(cue)}.`].filter(Boolean).map(stopped).join(' ')}
-          </p>
+          <p className="mid">{[cue.description || cue.use, `${asked(cue)}.`].filter(Boolean).map(stopped).join(' ')}</p>
         </div>
         <p className="dim small nowrap wide-only mono">{cue.label}</p>
       </div>
@@ -117,13 +120,14 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
       {takes.length > 1 && (
         <div className={classes.alts} role="group" aria-label={isSet ? 'Variations' : 'Alternates'}>
           {takes.map((take) => (
-            <Alternate
+            <TakeCard
               key={take.id}
-              name={takeName(take, cue, takes)}
-              take={take}
-              reference={takes[0]}
+              flat
+              letter={takeName(take, cue, takes)}
+              peaks={take.thumb}
               inHand={take.id === hand.id}
-              onChoose={() => setHandId(take.id)}
+              facts={[`${length(soundOf(take, MASTER).durationS)}, ${gain(matchGainDb(take, takes[0]))}`]}
+              onPick={() => onChoose(take.id)}
             />
           ))}
         </div>
@@ -148,21 +152,14 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
             keyLabel="Next alternate at the same position"
             keyGroup="Review"
             icon="ab"
-            onPress={() => setHandId(next.id)}
+            onPress={() => onChoose(next.id)}
           >
             {isSet ? 'Next variation' : 'Next alternate'}
           </HotkeyButton>
         )}
         {mayDecide ? (
           <>
-            <HotkeyButton
-              keys="a"
-              keyLabel="Approve"
-              keyGroup="Review"
-              variant="primary"
-              icon="tick"
-              onPress={approve}
-            >
+            <HotkeyButton keys="a" keyLabel="Approve" keyGroup="Review" variant="primary" icon="tick" onPress={approve}>
               {whole ? `Accept the set of ${cue.variations}` : `Approve ${name}`}
             </HotkeyButton>
             <HotkeyButton
@@ -181,11 +178,7 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
             </HotkeyButton>
           </>
         ) : (
-          <Link
-            to="/projects/$projectId/review/$cueId"
-            params={{ projectId, cueId: cue.id }}
-            className="link"
-          >
+          <Link to="/projects/$projectId/review/$cueId" params={{ projectId, cueId: cue.id }} className="link">
             Open to comment <Key keys="Enter" />
           </Link>
         )}
@@ -203,11 +196,9 @@ export function FirstCard({ item, projectId, mayDecide, player, playing, judge }
             positionS={player.positionS()}
             range={null}
             saving={judge.change.isPending}
-            problem={judge.problem}
+            problem={judge.changeProblem}
             onClose={() => setChanging(false)}
-            onSave={(said) =>
-              judge.change.mutate({ takes: [hand], said }, { onSuccess: () => setChanging(false) })
-            }
+            onSave={(said) => judge.change.mutate({ takes: [hand], said }, { onSuccess: () => setChanging(false) })}
           />
         </div>
       )}
@@ -221,24 +212,3 @@ const levelsWords = (takes: readonly ReviewTake[]): string =>
   takes.length > 1 && takes.every(({ loudness_lufs }) => loudness_lufs !== null)
     ? 'Levels matched to the first, within 0.5 LU'
     : ''
-
-interface AlternateProps {
-  name: string
-  take: ReviewTake
-  reference: ReviewTake | undefined
-  inHand: boolean
-  onChoose: () => void
-}
-
-function Alternate({ name, take, reference, inHand, onChoose }: AlternateProps) {
-  const said = `${length(soundOf(take, MASTER).durationS)}, ${gain(matchGainDb(take, reference))}`
-  return (
-    <button type="button" className={classes.alt} aria-pressed={inHand} onClick={onChoose}>
-      <b>{name}</b>
-      <span className={classes.altWave}>
-        <WaveThumb peaks={take.thumb} lit={inHand} heightPx={30} />
-      </span>
-      <span className={`${classes.altSays} small dim`}>{said}</span>
-    </button>
-  )
-}

@@ -83,9 +83,7 @@ export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
             <span className={`tone-warn ${classes.sign}`}>
               <Icon name="dashedSquare" />
             </span>
-            <span className="grow">
-              {plural(count, 'cue plays', 'cues play')} a placeholder. None may ship.
-            </span>
+            <span className="grow">{plural(count, 'cue plays', 'cues play')} a placeholder. None may ship.</span>
             <Link to={`/projects/${projectId}/sound-list` as '/'} className="link small">
               Sound list
             </Link>
@@ -95,7 +93,7 @@ export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
           <Row>
             <Icon name="mail" />
             <span className="grow">{plural(mails, 'mail waits', 'mails wait')} in the outbox.</span>
-            <Link to={'/studio' as '/'} className="link small">
+            <Link to="/studio" className="link small">
               Outbox
             </Link>
           </Row>

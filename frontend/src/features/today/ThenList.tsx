@@ -32,7 +32,12 @@ export function ThenList({ items, questions, projectId, title }: ThenListProps) 
   ].sort((a, b) => a.at.localeCompare(b.at))
   return (
     <Card aria-labelledby="then">
-      <CardHead id="then" title={title} count={lines.length} end={<span className="wide-only">the oldest first</span>} />
+      <CardHead
+        id="then"
+        title={title}
+        count={lines.length}
+        end={<span className="wide-only">the oldest first</span>}
+      />
       <ul>
         {lines.map(({ item, question }) =>
           item ? (

@@ -1,6 +1,6 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { getRouteApi, Link } from '@tanstack/react-router'
-import { useRef } from 'react'
+import { Link, useParams } from '@tanstack/react-router'
+import { type ReactNode, useRef } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
@@ -25,11 +25,9 @@ import { ThenList } from './ThenList'
 import { Builds, Placeholders, WithOthersCard } from './SideCards'
 import classes from './Today.module.css'
 
-const route = getRouteApi('/shell/projects/$projectId/today')
-
 /** What waits for the person at the screen, the first thing in the hand. */
-export function TodayPage() {
-  const { projectId } = route.useParams()
+export function TodayPage(): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
   const now = new Date()
   useTitle('Today')
   const project = useMyProject(projectId)

@@ -1,14 +1,17 @@
+import type { QueryClient } from '@tanstack/react-query'
 import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
 
+import { lastProject } from '@/app/lastProject'
 import { shellRoute } from '@/app/roots'
 import { meQuery } from '@/judging/api'
 
-/** Where one starts: Today of the first project one works on for its team, the desk for a designer. */
+/** Where one starts: Today of the project that was open last, or of the first one, the desk for a designer. */
 const start = {
   getParentRoute: () => shellRoute,
-  beforeLoad: async ({ context }: { context: { queryClient: import('@tanstack/react-query').QueryClient } }) => {
+  beforeLoad: async ({ context }: { context: { queryClient: QueryClient } }) => {
     const me = await context.queryClient.ensureQueryData(meQuery)
-    const own = me.projects.find(({ part }) => part === 'team')
+    const teams = me.projects.filter(({ part }) => part === 'team')
+    const own = teams.find(({ id }) => id === lastProject()) ?? teams[0]
     if (own) throw redirect({ to: '/projects/$projectId/today', params: { projectId: own.id }, replace: true })
     throw redirect({ href: me.projects.length > 0 ? '/desk' : '/projects', replace: true })
   },
@@ -22,4 +25,4 @@ export const todayRoutes = [
     path: '/projects/$projectId/today',
     component: lazyRouteComponent(() => import('./TodayPage'), 'TodayPage'),
   }),
-]
+] as const

@@ -1,0 +1,208 @@
+import { Menu } from '@mantine/core'
+import { useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { showToast } from '@/app/toast'
+import type { CueReview, ReviewTake } from '@/judging/api'
+import { inOrder, MASTER, variationName } from '@/judging/hearing'
+import { asked, capital } from '@/judging/words'
+import { Button } from '@/ui/Button'
+import { shortDay } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
+import { State, type StateKind } from '@/ui/State'
+
+import { useCut } from './api'
+import classes from './Review.module.css'
+
+interface CueHeadProps {
+  review: CueReview
+  hand: ReviewTake | undefined
+  handName: string
+  waitingHere: boolean
+  targets: readonly string[]
+  target: string
+  onTarget: (target: string) => void
+  onTake: (take: ReviewTake) => void
+  projectId: string
+  mayCut: boolean
+  onCut: () => void
+  queued: number
+  onQueue: () => void
+}
+
+const STATE_OF_TAKE: Record<ReviewTake['state'], StateKind> = {
+  received: 'checking',
+  conforming: 'to_review',
+  returned: 'returned',
+  unjudged: 'unjudged',
+  approved: 'approved',
+  change_requested: 'change_requested',
+  set_aside: 'set_aside',
+}
+
+/** Which cue it is, what was asked for, which version and which file of it is heard. */
+export function CueHead(props: CueHeadProps) {
+  const { review, hand, targets, target } = props
+  const { cue } = review
+  const [cutting, setCutting] = useState(false)
+  const state = headState(review, props.waitingHere)
+  return (
+    <header className={classes.cue}>
+      <div className={classes.cueLine}>
+        <div className="grow">
+          <div className={`row wrap ${classes.cueName}`}>
+            <h1>{cue.name}</h1>
+            <State kind={state} pill />
+            <span className="small dim mono">{cue.label}</span>
+            <span className={`end ${classes.queueButton}`}>
+              <Button icon="headphones" onClick={props.onQueue} aria-controls="queue">
+                {props.queued} waiting
+              </Button>
+            </span>
+          </div>
+          <p className="mid">{cue.description || cue.use}</p>
+          <p className="small dim">{asked(cue)}</p>
+        </div>
+        <div className={`row ${classes.cueActs}`}>
+          {targets.length > 1 && (
+            <Segmented
+              label="Listen to"
+              value={target}
+              onChange={props.onTarget}
+              options={targets.map((one) => ({ value: one, label: one === MASTER ? 'Master' : capital(one) }))}
+            />
+          )}
+          {review.takes.length > 0 && (
+            <Versions review={review} hand={hand} handName={props.handName} onTake={props.onTake} />
+          )}
+          {props.mayCut && cue.state !== 'cut' && (
+            <Menu position="bottom-end" transitionProps={{ duration: 0 }}>
+              <Menu.Target>
+                <Button icon="sliders" square aria-label={`More for ${cue.name}`} />
+              </Menu.Target>
+              <Menu.Dropdown>
+                <Menu.Item onClick={() => setCutting(true)}>Cut this cue</Menu.Item>
+              </Menu.Dropdown>
+            </Menu>
+          )}
+        </div>
+      </div>
+      {cutting && (
+        <CutForm
+          cueId={cue.id}
+          name={cue.name}
+          projectId={props.projectId}
+          onClose={() => setCutting(false)}
+          onCut={props.onCut}
+        />
+      )}
+    </header>
+  )
+}
+
+function headState({ cue, accepted, takes }: CueReview, waiting: boolean): StateKind {
+  if (cue.state === 'cut') return 'cut'
+  if (waiting) return 'to_review'
+  if (accepted) return 'accepted'
+  const newest = takes[0]
+  return newest ? STATE_OF_TAKE[newest.state] : 'to_make'
+}
+
+interface VersionsProps {
+  review: CueReview
+  hand: ReviewTake | undefined
+  handName: string
+  onTake: (take: ReviewTake) => void
+}
+
+/** Every version that was delivered, still there to be heard. */
+function Versions({ review, hand, handName, onTake }: VersionsProps) {
+  const isSet = review.cue.variations > 1
+  const versions = inOrder(review.takes).filter((take) => !isSet || take.variation === hand?.variation)
+  return (
+    <Menu position="bottom-end" transitionProps={{ duration: 0 }}>
+      <Menu.Target>
+        <Button>
+          {hand ? `Version ${hand.number}` : 'Versions'} of {versions.length}
+          <Icon name="chevron" />
+        </Button>
+      </Menu.Target>
+      <Menu.Dropdown>
+        <Menu.Label>
+          {isSet && hand ? `Versions of ${variationName(hand.variation)}` : 'Versions'}
+          {handName && `, ${handName} in the hand`}
+        </Menu.Label>
+        {versions.toReversed().map((take) => (
+          <Menu.Item
+            key={take.id}
+            role="menuitemradio"
+            aria-checked={take.id === hand?.id}
+            rightSection={<State kind={STATE_OF_TAKE[take.state]} />}
+            onClick={() => onTake(take)}
+          >
+            Version {take.number}, {shortDay(take.received_at)}
+          </Menu.Item>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
+  )
+}
+
+interface CutFormProps {
+  cueId: string
+  name: string
+  projectId: string
+  onClose: () => void
+  onCut: () => void
+}
+
+function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
+  const [reason, setReason] = useState('')
+  const cut = useCut(projectId, cueId)
+  const submit = () => {
+    const said = reason.trim()
+    if (said === '' || cut.isPending) return
+    cut.mutate(said, {
+      onSuccess: () => {
+        showToast(`${name} is cut; its versions are kept.`)
+        onCut()
+      },
+    })
+  }
+  return (
+    <form
+      className={classes.cut}
+      onSubmit={(event) => {
+        event.preventDefault()
+        submit()
+      }}
+    >
+      <p className="small mid">
+        The game no longer needs {name}. It stays in the list, struck, with its reason and its versions.
+      </p>
+      <div className="row">
+        <input
+          // The line was opened to be written in.
+          // eslint-disable-next-line jsx-a11y/no-autofocus
+          autoFocus
+          className={classes.field}
+          aria-label={`Why ${name} is cut`}
+          placeholder="Why the game no longer needs it"
+          maxLength={10_000}
+          value={reason}
+          onChange={(event) => setReason(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Escape') onClose()
+          }}
+        />
+        <Button onClick={onClose}>Keep it</Button>
+        <Button type="submit" icon="struckRing" disabled={cut.isPending || reason.trim() === ''}>
+          Cut {name}
+        </Button>
+      </div>
+      {cut.error instanceof ApiProblem && <ProblemNote detail={cut.error.detail} fix={cut.error.fix} />}
+    </form>
+  )
+}

@@ -1,0 +1,33 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { State } from '@/ui/State'
+
+import { judgedQuery } from './api'
+import classes from './Review.module.css'
+
+/** What was decided within a week, each still there to be heard again. */
+export function JudgedLately({ projectId }: { projectId: string }) {
+  const { data: judged = [] } = useQuery(judgedQuery(projectId))
+  if (judged.length === 0) return null
+  return (
+    <>
+      <h3 className={`${classes.sub} small`}>Judged in the last 7 days</h3>
+      <ul>
+        {judged.map(({ cueId, name, status }) => (
+          <li key={cueId}>
+            <Link
+              className={classes.judged}
+              to="/projects/$projectId/review/$cueId"
+              params={{ projectId, cueId }}
+              search={{}}
+            >
+              <span className="grow cut-text">{name}</span>
+              <State kind={status === 'accepted' ? 'approved' : 'change_requested'} />
+            </Link>
+          </li>
+        ))}
+      </ul>
+    </>
+  )
+}

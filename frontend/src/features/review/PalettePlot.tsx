@@ -1,0 +1,73 @@
+import { useQuery } from '@tanstack/react-query'
+
+import type { ReviewTake } from '@/judging/api'
+import { level } from '@/ui/format'
+
+import { paletteQuery } from './api'
+import classes from './Review.module.css'
+
+interface PalettePlotProps {
+  projectId: string
+  takes: readonly ReviewTake[]
+  hand: ReviewTake
+  nameOf: (take: ReviewTake) => string
+}
+
+interface Point {
+  name: string
+  lufs: number
+}
+
+const NAMES_APART = 0.24
+
+/** How loud the versions are beside the sounds of the palette, on one line. */
+export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps) {
+  const { data: sounds = [] } = useQuery(paletteQuery(projectId))
+  const palette = sounds.flatMap(({ cue, loudness_lufs }): Point[] =>
+    loudness_lufs === null ? [] : [{ name: cue.name, lufs: loudness_lufs }],
+  )
+  const own = takes.flatMap((take) =>
+    take.loudness_lufs === null
+      ? []
+      : [{ id: take.id, name: takes.length > 1 ? nameOf(take) : '', lufs: take.loudness_lufs }],
+  )
+  if (palette.length === 0 || own.length === 0) return null
+  const all = [...palette, ...own].map(({ lufs }) => lufs)
+  const from = Math.min(...all) - 2
+  const to = Math.max(...all) + 2
+  const share = (lufs: number) => (lufs - from) / (to - from)
+  const words = [...own, ...palette].map(({ name, lufs }) => `${name || 'this one'} ${level(lufs, 'LUFS')}`).join('; ')
+  return (
+    <section className={classes.block} aria-label="Beside the palette">
+      <p className="row between small">
+        <span className="strong">Beside the palette</span>
+        <span className="dim">LUFS</span>
+      </p>
+      <div className={classes.plot} role="img" aria-label={words}>
+        {palette.map(({ name, lufs }) => (
+          <i key={name} style={{ left: `${share(lufs) * 100}%` }} />
+        ))}
+        {named(palette, share).map(({ name, lufs }) => (
+          <span key={name} style={{ left: `${share(lufs) * 100}%` }}>
+            {name}
+          </span>
+        ))}
+        {own.map(({ id, name, lufs }) => (
+          <b key={id} data-on={id === hand.id || undefined} style={{ left: `${share(lufs) * 100}%` }}>
+            {name.replace('_0', '').replace('_', '')}
+          </b>
+        ))}
+      </div>
+    </section>
+  )
+}
+
+/** Those whose names find room below the line. */
+function named(palette: readonly Point[], share: (lufs: number) => number): Point[] {
+  const shown: Point[] = []
+  for (const point of palette.toSorted((a, b) => a.lufs - b.lufs)) {
+    const last = shown.at(-1)
+    if (last === undefined || share(point.lufs) - share(last.lufs) >= NAMES_APART) shown.push(point)
+  }
+  return shown
+}

@@ -1,0 +1,118 @@
+import { Link } from '@tanstack/react-router'
+import { useEffect, useRef } from 'react'
+
+import { WaveThumb } from '@/audio'
+import { isNoted } from '@/judging/afterVerdict'
+import type { QueueItem } from '@/judging/api'
+import { Drafts, useDraftCount } from '@/judging/Drafts'
+import { heardTakes, whatWaits } from '@/judging/words'
+import { Button } from '@/ui/Button'
+import { Count } from '@/ui/Count'
+import { age } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { KeysLine } from '@/ui/KeysLine'
+
+import { JudgedLately } from './JudgedLately'
+import classes from './Review.module.css'
+
+interface QueuePanelProps {
+  projectId: string
+  items: readonly QueueItem[]
+  cueId: string
+  mayDecide: boolean
+  /** As a drawer over a narrow page. */
+  opened: boolean
+  onClose: () => void
+}
+
+/** What waits, what is noted, what was judged lately. */
+export function QueuePanel({ projectId, items, cueId, mayDecide, opened, onClose }: QueuePanelProps) {
+  const waiting = items.filter((item) => !isNoted(item))
+  const drafts = useDraftCount(projectId)
+  return (
+    <aside className={classes.queue} aria-label="Queue" id="queue" data-opened={opened || undefined}>
+      <header className={classes.head}>
+        <h2>{mayDecide ? 'For you' : 'For the approver'}</h2>
+        <Count of={waiting.length} what="waiting" />
+        <span className="small dim end">the oldest first</span>
+        <span className={classes.close}>
+          <Button variant="quiet" icon="cross" square aria-label="Close the queue" onClick={onClose} />
+        </span>
+      </header>
+      <div className={classes.scroll}>
+        <ul>
+          {waiting.map((item) => (
+            <QueueLine
+              key={item.cue.id}
+              item={item}
+              projectId={projectId}
+              current={item.cue.id === cueId}
+              onOpen={onClose}
+            />
+          ))}
+        </ul>
+        {waiting.length === 0 && <p className={`${classes.sub} small`}>Nothing waits for a verdict.</p>}
+        {drafts > 0 && (
+          <section aria-label="Noted, not sent">
+            <h3 className={`${classes.sub} small`}>Noted, not sent</h3>
+            <Drafts projectId={projectId} mayDecide={mayDecide} />
+          </section>
+        )}
+        <JudgedLately projectId={projectId} />
+      </div>
+      <footer className={classes.foot}>
+        <KeysLine
+          keys={[
+            { keys: ['j', 'k'], label: 'next, previous' },
+            { keys: ['u'], label: 'undo' },
+            { keys: ['?'], label: 'all keys' },
+          ]}
+        />
+        {waiting.length > 1 && <p className="small dim">The next three are loaded.</p>}
+      </footer>
+    </aside>
+  )
+}
+
+interface QueueLineProps {
+  item: QueueItem
+  projectId: string
+  current: boolean
+  onOpen: () => void
+}
+
+function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
+  const ref = useRef<HTMLAnchorElement>(null)
+  useEffect(() => {
+    if (current) ref.current?.scrollIntoView({ block: 'nearest' })
+  }, [current])
+  const { cue } = item
+  const waits = whatWaits(item)
+  return (
+    <li className={classes.item}>
+      <Link
+        ref={ref}
+        className={classes.itemLink}
+        to="/projects/$projectId/review/$cueId"
+        params={{ projectId, cueId: cue.id }}
+        search={{}}
+        aria-current={current || undefined}
+        onClick={onOpen}
+      >
+        <span className="strong cut-text">{cue.name}</span>
+        <span className="small dim nowrap num">{age(item.waiting_since)}</span>
+        <span className={classes.itemWave}>
+          <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} lit={current} heightPx={24} />
+        </span>
+        {waits.odd ? (
+          <span className="small cut-text tone-warn toned">
+            <Icon name="triangle" size={14} /> {waits.odd}
+          </span>
+        ) : (
+          <span className="small mid cut-text">{waits.before}</span>
+        )}
+        <span className="small dim mono num">{cue.label}</span>
+      </Link>
+    </li>
+  )
+}

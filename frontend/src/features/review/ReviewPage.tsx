@@ -1,0 +1,119 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { useNavigate, useParams, useSearch } from '@tanstack/react-router'
+import { type ReactNode, useCallback, useEffect, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { usePlayer } from '@/audio'
+import { isNoted, nextAfter } from '@/judging/afterVerdict'
+import { queueQuery, reviewQuery, useMyProject } from '@/judging/api'
+import { MASTER } from '@/judging/hearing'
+import { useReady } from '@/judging/useHearing'
+import { useJudge } from '@/judging/useJudge'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { CueRoom } from './CueRoom'
+import { QueuePanel } from './QueuePanel'
+import classes from './Review.module.css'
+
+const NONE: never[] = []
+const AHEAD = 3
+
+/** The room where cues are heard, spoken of and decided, one after another. */
+export function ReviewPage(): ReactNode {
+  const { projectId = '', cueId = '' } = useParams({ strict: false })
+  const search = useSearch({ strict: false })
+  const navigate = useNavigate()
+  const client = useQueryClient()
+  const project = useMyProject(projectId)
+  const { data: items = NONE } = useQuery(queueQuery(projectId))
+  const { data: review, error } = useQuery(reviewQuery(cueId))
+  const [player, playing] = usePlayer()
+  const [queueOpen, setQueueOpen] = useState(false)
+  const [target, setTarget] = useState(MASTER)
+  useTitle(review ? `Review ${review.cue.name}` : 'Review')
+
+  const open = useCallback(
+    (id: string) =>
+      void navigate({
+        to: '/projects/$projectId/review/$cueId',
+        params: { projectId, cueId: id },
+        search: {},
+      }),
+    [navigate, projectId],
+  )
+  const judge = useJudge(projectId, open)
+
+  const waiting = items.filter((item) => !isNoted(item))
+  const at = waiting.findIndex(({ cue }) => cue.id === cueId)
+  const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
+  useReady(player, waiting[at]?.takes ?? NONE, ahead)
+  const aheadIds = ahead
+    .slice(0, AHEAD)
+    .map(({ cue }) => cue.id)
+    .join(' ')
+  useEffect(() => {
+    for (const id of aheadIds.split(' ').filter(Boolean)) void client.prefetchQuery(reviewQuery(id))
+  }, [client, aheadIds])
+
+  const step = (by: 1 | -1) => {
+    const to = at < 0 ? waiting[0] : waiting[at + by]
+    if (to) open(to.cue.id)
+  }
+  const toNext = () => {
+    const next = nextAfter(items, cueId)
+    if (next) open(next.cue.id)
+    else void navigate({ to: '/projects/$projectId/review', params: { projectId } })
+  }
+  useHotkeys([
+    { keys: 'j', label: 'Next in the queue', group: 'Review', run: () => step(1) },
+    { keys: 'k', label: 'Previous in the queue', group: 'Review', run: () => step(-1) },
+    {
+      keys: 'g q',
+      label: 'Go to the queue',
+      group: 'Review',
+      run: () => {
+        setQueueOpen(true)
+        requestAnimationFrame(() => document.querySelector<HTMLElement>('#queue a')?.focus())
+      },
+    },
+    { keys: 'Escape', label: 'Close the queue', group: 'Review', run: () => setQueueOpen(false), disabled: !queueOpen },
+  ])
+
+  return (
+    <div className={classes.room}>
+      <QueuePanel
+        projectId={projectId}
+        items={items}
+        cueId={cueId}
+        mayDecide={project?.is_decider ?? false}
+        opened={queueOpen}
+        onClose={() => setQueueOpen(false)}
+      />
+      {review ? (
+        <CueRoom
+          key={cueId}
+          review={review}
+          projectId={projectId}
+          mayCut={project?.is_producer ?? false}
+          player={player}
+          playing={playing}
+          target={target}
+          onTarget={setTarget}
+          judge={judge}
+          waiting={waiting.length}
+          onQueue={() => setQueueOpen(true)}
+          onJudged={toNext}
+          startTakeId={search.take}
+          startS={search.at}
+        />
+      ) : (
+        <section className={classes.stage}>
+          <h1 className="visually-hidden">Review</h1>
+          {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+        </section>
+      )}
+    </div>
+  )
+}

@@ -1,0 +1,72 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, Navigate, useParams } from '@tanstack/react-router'
+
+import type { ReactNode } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useTitle } from '@/app/title'
+import { isNoted } from '@/judging/afterVerdict'
+import { queueQuery, useMyProject } from '@/judging/api'
+import { firstOpen } from '@/judging/choice'
+import { Drafts } from '@/judging/Drafts'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { JudgedLately } from './JudgedLately'
+import classes from './Review.module.css'
+
+/** The review room without a cue: it opens the first that waits, or says that none does. */
+export function ReviewStart(): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
+  useTitle('Review')
+  const queue = useQuery(queueQuery(projectId))
+  const project = useMyProject(projectId)
+  const noted = queue.data?.filter(isNoted) ?? []
+  const first = queue.data && firstOpen(queue.data)
+  if (first) {
+    return (
+      <Navigate
+        to="/projects/$projectId/review/$cueId"
+        params={{ projectId, cueId: first.cue.id }}
+        search={{}}
+        replace
+      />
+    )
+  }
+  if (queue.error instanceof ApiProblem) {
+    return (
+      <div className="page">
+        <h1>Review</h1>
+        <ProblemNote detail={queue.error.detail} fix={queue.error.fix} />
+      </div>
+    )
+  }
+  if (!queue.isSuccess) return <h1 className="visually-hidden">Review</h1>
+  return (
+    <div className={`page ${classes.nothing}`}>
+      <EmptyState
+        head="Nothing waits for a verdict."
+        level={1}
+        action={
+          <Link to="/projects/$projectId/today" params={{ projectId }} className="link">
+            To Today
+          </Link>
+        }
+      >
+        {noted.length > 0
+          ? 'The changes that you noted go out when you send them.'
+          : 'New versions come here once they are checked and their game files are made.'}
+      </EmptyState>
+      {noted.length > 0 && (
+        <Card aria-labelledby="drafts">
+          <CardHead id="drafts" title="Changes to send" />
+          <Drafts projectId={projectId} mayDecide={project?.is_decider ?? false} />
+        </Card>
+      )}
+      <Card aria-label="Judged lately">
+        <JudgedLately projectId={projectId} />
+      </Card>
+    </div>
+  )
+}

@@ -1,0 +1,97 @@
+import { WaveThumb } from '@/audio'
+import type { ReviewCue, ReviewTake } from '@/judging/api'
+import { awayFromSet, MASTER, oddOne, soundOf } from '@/judging/hearing'
+import { measuredPart } from '@/judging/words'
+import { figure, length } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { Key } from '@/ui/Key'
+
+import classes from './Review.module.css'
+
+interface SetRowsProps {
+  takes: readonly ReviewTake[]
+  handId: string | undefined
+  nameOf: (take: ReviewTake) => string
+  picked: ReadonlySet<string>
+  onChoose: (take: ReviewTake) => void
+  cue: ReviewCue
+}
+
+/** A set, one line a variation: they are heard against one another and accepted together. */
+export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRowsProps) {
+  const odd = oddOne(takes)
+  const here = new Set(takes.map(({ variation }) => variation)).size
+  return (
+    <div className={classes.set}>
+      <p className="row between small">
+        <span className="strong">
+          {here} of {cue.variations} variations
+        </span>
+        <span className="dim wide-only">
+          hold <Key keys="h" /> to play as the game does
+        </span>
+      </p>
+      <ul className={classes.setRows} aria-label="Variations">
+        {takes.map((take, index) => (
+          <li key={take.id}>
+            <button
+              type="button"
+              className={classes.setRow}
+              aria-pressed={take.id === handId}
+              data-picked={picked.has(take.id) || undefined}
+              onClick={() => onChoose(take)}
+            >
+              <span className={`mono ${classes.setName}`}>
+                {nameOf(take)}
+                {index < 9 && <Key keys={String(index + 1)} />}
+              </span>
+              <span className={classes.setWave}>
+                <WaveThumb peaks={take.thumb} lit={take.id === handId} heightPx={24} />
+              </span>
+              <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
+              <span className={`small cut-text ${classes.setSays}`}>
+                <Standing take={take} takes={takes} odd={odd?.take.id === take.id} />
+              </span>
+              <span className={`small ${classes.setPick}`}>
+                {picked.has(take.id) && (
+                  <>
+                    <Icon name="tick" size={14} /> selected
+                  </>
+                )}
+              </span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  )
+}
+
+function Standing({ take, takes, odd }: { take: ReviewTake; takes: readonly ReviewTake[]; odd: boolean }) {
+  const away = awayFromSet(take, takes)
+  const worst = take.findings.find(({ severity }) => severity === 'error') ?? take.findings[0]
+  if (take.draft_change) return <span className="tone-change toned">change noted, not sent</span>
+  if (odd && away !== null) {
+    return (
+      <span className="tone-warn toned">
+        {figure(Math.abs(away), 1)} dB {away > 0 ? 'louder' : 'softer'} than the others
+      </span>
+    )
+  }
+  if (worst) {
+    const [measured, rest] = measuredPart(worst)
+    return (
+      <>
+        <span className={`toned tone-${worst.severity === 'error' ? 'bad' : 'warn'}`}>{measured}</span>
+        <span className="dim">{rest}</span>
+      </>
+    )
+  }
+  if (take.state === 'approved') return <span className="dim">approved</span>
+  return <span className="dim">{away === null ? 'conforming' : `${signed(away)} dB from the set`}</span>
+}
+
+const signed = (db: number): string => {
+  const text = figure(db, 1)
+  return db > 0 && text !== '0.0' ? `+${text}` : text
+}

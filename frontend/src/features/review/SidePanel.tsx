@@ -1,0 +1,350 @@
+import { useQuery } from '@tanstack/react-query'
+import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
+import { capital, sentence, spot } from '@/judging/words'
+import { Button } from '@/ui/Button'
+import { Finding } from '@/ui/Finding'
+import { age, clock, day, place, range } from '@/ui/format'
+import { Key } from '@/ui/Key'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { historyQuery, type useComment, useResolve } from './api'
+import { Figures } from './Figures'
+import { PalettePlot } from './PalettePlot'
+import classes from './Review.module.css'
+import type { Said } from './said'
+
+/** A comment that is being written, and where in the sound it stands. */
+export interface Writing {
+  text: string
+  startS: number
+  endS?: number
+}
+
+interface SidePanelProps {
+  review: CueReview
+  projectId: string
+  hand: ReviewTake | undefined
+  heard: readonly ReviewTake[]
+  nameOf: (take: ReviewTake) => string
+  said: readonly Said[]
+  openSaid: string | undefined
+  onOpen: (said: Said) => void
+  onSpot: (startS: number) => void
+  writing: Writing | null
+  onWrite: () => void
+  onWriting: (writing: Writing | null) => void
+  comment: ReturnType<typeof useComment>
+  blind: boolean
+}
+
+type Tab = 'comments' | 'findings' | 'history'
+
+/** What was said, what was found, what happened; and the figures. */
+export function SidePanel(props: SidePanelProps) {
+  const { hand, said, blind, writing } = props
+  const [tab, setTab] = useState<Tab>('comments')
+  const tabs: { id: Tab; label: string }[] = [
+    { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
+    { id: 'findings', label: `Findings ${blind ? '' : (hand?.findings.length ?? 0)}`.trim() },
+    { id: 'history', label: 'History' },
+  ]
+  useEffect(() => {
+    if (writing) setTab('comments')
+  }, [writing])
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key]
+    if (by === undefined) return
+    event.preventDefault()
+    const to = tabs[(tabs.findIndex(({ id }) => id === tab) + by + tabs.length) % tabs.length]
+    if (!to) return
+    setTab(to.id)
+    document.getElementById(`tab-${to.id}`)?.focus()
+  }
+
+  return (
+    <aside className={classes.side} aria-label="About this version">
+      <div role="tablist" aria-label="About this version" className={classes.tabs}>
+        {tabs.map(({ id, label }) => (
+          <button
+            key={id}
+            type="button"
+            role="tab"
+            id={`tab-${id}`}
+            aria-selected={tab === id}
+            aria-controls={`panel-${id}`}
+            tabIndex={tab === id ? 0 : -1}
+            onClick={() => setTab(id)}
+            onKeyDown={onKeyDown}
+          >
+            {label}
+          </button>
+        ))}
+      </div>
+      <div role="tabpanel" id={`panel-${tab}`} aria-labelledby={`tab-${tab}`} className={classes.panel}>
+        {blind ? (
+          <p className={`${classes.quiet} mid`}>
+            What others said, what was found and the figures stay hidden until you pick, or press <Key keys="d" />
+            <span className="visually-hidden">d</span> again.
+          </p>
+        ) : (
+          <>
+            {tab === 'comments' && <Comments {...props} />}
+            {tab === 'findings' && hand && <Findings take={hand} onSpot={props.onSpot} />}
+            {tab === 'history' && hand && <History take={hand} />}
+          </>
+        )}
+      </div>
+      {tab === 'comments' && hand && <Composer {...props} hand={hand} />}
+    </aside>
+  )
+}
+
+function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOpen }: SidePanelProps) {
+  const resolve = useResolve(review.cue.id)
+  return (
+    <>
+      {said.length === 0 && <p className={`${classes.quiet} mid`}>Nobody has said anything of it yet.</p>}
+      <ul aria-label="Comments">
+        {said.map((one) => (
+          <SaidLine
+            key={one.id}
+            said={one}
+            open={one.id === openSaid}
+            on={aboutAnother(one, hand, heard, nameOf)}
+            onOpen={() => onOpen(one)}
+            onResolve={
+              one.comment && one.comment.resolved_at === null
+                ? () => one.comment && resolve.mutate(one.comment)
+                : undefined
+            }
+          />
+        ))}
+      </ul>
+      {resolve.error instanceof ApiProblem && <ProblemNote detail={resolve.error.detail} fix={resolve.error.fix} />}
+      {hand && (hand.note || hand.delivery_note) && (
+        <section className={classes.block} aria-label="Designer’s note">
+          <p className="row small">
+            <span className="strong">Designer’s note</span>
+            <span className="dim end">delivery {hand.delivery_number}</span>
+          </p>
+          <p className="mid">{[hand.note, hand.delivery_note].filter(Boolean).join(' ')}</p>
+        </section>
+      )}
+      {hand && <Figures take={hand} />}
+      {hand && (
+        <PalettePlot projectId={projectId} takes={heard.length > 0 ? heard : [hand]} hand={hand} nameOf={nameOf} />
+      )}
+    </>
+  )
+}
+
+function aboutAnother(
+  said: Said,
+  hand: ReviewTake | undefined,
+  heard: readonly ReviewTake[],
+  nameOf: (take: ReviewTake) => string,
+): string | null {
+  const take = heard.find(({ id }) => id === said.takeId)
+  return take && take.id !== hand?.id ? nameOf(take) : null
+}
+
+interface SaidLineProps {
+  said: Said
+  open: boolean
+  /** Which other version it is said of. */
+  on: string | null
+  onOpen: () => void
+  onResolve?: () => void
+}
+
+function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
+  const where = spot(said.startS, said.endS)
+  const resolved = Boolean(said.comment?.resolved_at)
+  const role =
+    said.kind === 'change' ? (said.draft ? 'notes a change' : 'wants a change') : said.decides ? 'decides' : 'advises'
+  return (
+    <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
+      <p className="row">
+        {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
+        <span className="strong cut-text">{said.who}</span>
+        <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
+        <span className="small mono dim end nowrap">{where}</span>
+      </p>
+      <p className={classes.saidText}>
+        {on && <span className="dim">On {on}: </span>}
+        {said.text}
+        {said.draft && <span className="dim"> Not sent yet.</span>}
+        {resolved && <span className="dim"> Resolved.</span>}
+      </p>
+      {(where !== undefined || on !== null || onResolve) && (
+        <p className={classes.saidActs}>
+          {(where !== undefined || on !== null) && (
+            <Button variant="quiet" className="small" aria-pressed={undefined} onClick={onOpen}>
+              {where === undefined ? `Take ${on} in the hand` : 'The spot'}
+              <span className="visually-hidden">{said.number === null ? '' : ` of ${said.number}`}</span>
+            </Button>
+          )}
+          {onResolve && (
+            <Button variant="quiet" className="small" onClick={onResolve}>
+              Resolve<span className="visually-hidden"> what {said.who} said</span>
+            </Button>
+          )}
+        </p>
+      )}
+    </li>
+  )
+}
+
+function Composer({ hand, writing, onWrite, onWriting, comment }: SidePanelProps & { hand: ReviewTake }) {
+  const field = useRef<HTMLTextAreaElement>(null)
+  const opened = writing !== null
+  useEffect(() => {
+    if (!opened) return
+    field.current?.focus()
+    field.current?.setSelectionRange(field.current.value.length, field.current.value.length)
+  }, [opened])
+  const text = writing?.text ?? ''
+  const where = whereWords(writing)
+  const send = () => {
+    if (writing === null || text.trim() === '' || comment.isPending) return
+    const isPoint = writing.startS > 0 || writing.endS !== undefined
+    comment.mutate(
+      {
+        takeId: hand.id,
+        text: text.trim(),
+        startS: isPoint ? writing.startS : undefined,
+        endS: writing.endS,
+      },
+      { onSuccess: () => onWriting(null) },
+    )
+  }
+  return (
+    <div className={classes.composer}>
+      <textarea
+        ref={field}
+        aria-label={`Comment ${where}`}
+        placeholder={opened ? `What you hear ${where}` : 'Say what you hear'}
+        rows={opened ? 3 : 1}
+        maxLength={10_000}
+        value={text}
+        onFocus={() => {
+          if (!opened) onWrite()
+        }}
+        onChange={(event) => writing && onWriting({ ...writing, text: event.currentTarget.value })}
+        onKeyDown={(event) => {
+          if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+            event.preventDefault()
+            send()
+          } else if (event.key === 'Escape') {
+            event.stopPropagation()
+            field.current?.blur()
+            onWriting(null)
+          }
+        }}
+      />
+      <p className="row between">
+        <span className="small dim">
+          {opened ? (
+            capital(where)
+          ) : (
+            <>
+              <Key keys="c" /> writes at the playhead
+            </>
+          )}
+        </span>
+        {opened && (
+          <Button keys="mod+Enter" disabled={comment.isPending || text.trim() === ''} onClick={send}>
+            Say it
+          </Button>
+        )}
+      </p>
+      {comment.error instanceof ApiProblem && <ProblemNote detail={comment.error.detail} fix={comment.error.fix} />}
+    </div>
+  )
+}
+
+function whereWords(writing: Writing | null): string {
+  if (writing?.endS !== undefined) return `at ${range(writing.startS, writing.endS)}`
+  return writing && writing.startS > 0 ? `at ${place(writing.startS)}` : 'on the whole sound'
+}
+
+const worstFirst = (findings: readonly ReviewFinding[]): ReviewFinding[] =>
+  [...findings].sort((a, b) => Number(a.severity !== 'error') - Number(b.severity !== 'error'))
+
+function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number) => void }) {
+  if (take.findings.length === 0) {
+    return <p className={`${classes.quiet} mid`}>Every check of the delivery spec passed.</p>
+  }
+  return (
+    <div className={classes.findings}>
+      {take.waived && (
+        <p className="small mid">
+          Let through by the approver{take.waiver_reason ? `: “${take.waiver_reason}”` : ''}. What was found stays.
+        </p>
+      )}
+      {worstFirst(take.findings).map((finding, index) => (
+        <Finding
+          key={`${finding.code} ${index}`}
+          severity={finding.severity}
+          head={sentence(finding.message)}
+          where={spot(finding.start_s, finding.end_s)}
+          actions={
+            finding.start_s !== null && finding.start_s !== undefined ? (
+              <Button onClick={() => onSpot(finding.start_s ?? 0)}>The spot</Button>
+            ) : undefined
+          }
+        >
+          {finding.waived ? 'Waived. ' : ''}
+          {capital(finding.fix)}.
+        </Finding>
+      ))}
+    </div>
+  )
+}
+
+const HAPPENED: Record<string, string> = {
+  received: 'Delivered',
+  checked: 'Checked',
+  waived: 'Let through',
+  approve: 'Approved',
+  set_aside: 'Set aside',
+  request_change: 'Change requested',
+  withdraw: 'Verdict taken back',
+  comment: 'Comment',
+}
+
+function History({ take }: { take: ReviewTake }) {
+  const history = useQuery(historyQuery(take.id))
+  if (history.error instanceof ApiProblem) {
+    return <ProblemNote detail={history.error.detail} fix={history.error.fix} />
+  }
+  return (
+    <ol aria-label="History" className={classes.history}>
+      {history.data?.toReversed().map((entry, index) => (
+        <li key={`${entry.at} ${index}`}>
+          <p className="row small">
+            <span className="strong">{HAPPENED[entry.kind] ?? entry.kind}</span>
+            <span className="mid cut-text">{entry.by?.name ?? ''}</span>
+            <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
+              {age(entry.at)}
+            </time>
+          </p>
+          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{sentence(entry.text)}</Quoted>}
+        </li>
+      ))}
+    </ol>
+  )
+}
+
+function Quoted({ spotWords, children }: { spotWords?: string; children: ReactNode }) {
+  return (
+    <p className="mid small">
+      {spotWords && <span className="mono dim">{spotWords} </span>}
+      {children}
+    </p>
+  )
+}

@@ -1,0 +1,45 @@
+import { TakeCard } from '@/audio'
+import type { ReviewTake } from '@/judging/api'
+import { MASTER, matchGainDb, soundOf } from '@/judging/hearing'
+import { gain, length } from '@/ui/format'
+
+import classes from './Review.module.css'
+
+interface TakeCardsProps {
+  takes: readonly ReviewTake[]
+  handId: string | undefined
+  nameOf: (take: ReviewTake) => string
+  /** Letters are shuffled; shape, length and gain stay hidden until the pick. */
+  blind: boolean
+  onChoose: (take: ReviewTake) => void
+}
+
+/** Alternates side by side: one is picked, the others are kept. */
+export function TakeCards({ takes, handId, nameOf, blind, onChoose }: TakeCardsProps) {
+  return (
+    <div className={classes.cards} role="group" aria-label="Alternates">
+      {takes.map((take, index) => (
+        <TakeCard
+          key={take.id}
+          letter={nameOf(take)}
+          keys={index < 9 ? String(index + 1) : undefined}
+          peaks={take.thumb}
+          inHand={take.id === handId}
+          blind={blind}
+          facts={[
+            length(soundOf(take, MASTER).durationS),
+            gain(matchGainDb(take, takes[0])),
+            take.draft_change ? (
+              <span key="change" className="tone-change toned">
+                change noted
+              </span>
+            ) : (
+              `version ${take.number}`
+            ),
+          ]}
+          onPick={() => onChoose(take)}
+        />
+      ))}
+    </div>
+  )
+}

@@ -1,0 +1,137 @@
+import { useSyncExternalStore } from 'react'
+
+import { HotkeyButton } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import type { Player, PlayerState } from '@/audio'
+import { Button } from '@/ui/Button'
+import { figure, place } from '@/ui/format'
+
+import classes from './Review.module.css'
+
+interface TransportProps {
+  player: Player
+  playing: PlayerState
+  durationS: number
+  /** Why there is nothing to hear. */
+  silent: string | null
+  onNext?: () => void
+  nextWords: string
+  blind?: { on: boolean; toggle: () => void }
+  asGame?: () => void
+  takeId: string
+}
+
+/** How it is heard: where, round and round, backwards, against the others, at one level. */
+export function Transport({
+  player,
+  playing,
+  durationS,
+  silent,
+  onNext,
+  nextWords,
+  blind,
+  asGame,
+  takeId,
+}: TransportProps) {
+  const isPlaying = playing.status === 'playing'
+  const trouble = silent ?? playing.error
+  const copyLink = () => {
+    const at = player.positionS()
+    const link = new URL(window.location.href)
+    link.search = new URLSearchParams({ take: takeId, at: at.toFixed(3) }).toString()
+    void navigator.clipboard.writeText(link.href).then(() => showToast(`Link to ${place(at)} copied.`))
+  }
+  return (
+    <div className={classes.transport} role="group" aria-label="Playing">
+      <HotkeyButton
+        keys="Space"
+        keyLabel="Play, pause"
+        keyGroup="Review"
+        icon={isPlaying ? 'pause' : 'play'}
+        className={classes.play}
+        disabled={silent !== null}
+        onPress={() => void player.toggle()}
+      >
+        <span className="visually-hidden">{isPlaying ? 'Pause' : 'Play'}</span>
+      </HotkeyButton>
+      <Time player={player} durationS={durationS} />
+      <HotkeyButton
+        keys="l"
+        keyLabel="Loop the range"
+        keyGroup="Review"
+        icon="loop"
+        pressed={playing.looping}
+        onPress={() => player.setLooping(!playing.looping)}
+      >
+        Loop
+      </HotkeyButton>
+      <HotkeyButton
+        keys="v"
+        keyLabel="Play it backwards"
+        keyGroup="Review"
+        icon="reverse"
+        pressed={playing.reversed}
+        onPress={() => player.setReversed(!playing.reversed)}
+      >
+        Reverse
+      </HotkeyButton>
+      <i className={classes.separator} />
+      {onNext && (
+        <HotkeyButton
+          keys="b"
+          keyLabel="Next one at the same position"
+          keyGroup="Review"
+          icon="ab"
+          className={classes.early}
+          onPress={onNext}
+        >
+          {nextWords}
+        </HotkeyButton>
+      )}
+      <HotkeyButton
+        keys="m"
+        keyLabel="Match levels"
+        keyGroup="Review"
+        icon="level"
+        className={classes.early}
+        pressed={playing.matched}
+        onPress={() => player.setMatched(!playing.matched)}
+      >
+        Match level
+      </HotkeyButton>
+      {blind && (
+        <HotkeyButton keys="d" keyLabel="Hear them blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
+          Blind
+        </HotkeyButton>
+      )}
+      {asGame && (
+        <Button keys="h" pressed={playing.asGame} onClick={() => (playing.asGame ? player.pause() : asGame())}>
+          As the game
+        </Button>
+      )}
+      {trouble && (
+        <span role="status" className="small mid">
+          {trouble}
+        </span>
+      )}
+      <Button
+        variant="quiet"
+        square
+        icon="copy"
+        className="end wide-only"
+        aria-label="Copy a link to this place"
+        onClick={copyLink}
+      />
+    </div>
+  )
+}
+
+function Time({ player, durationS }: { player: Player; durationS: number }) {
+  const at = useSyncExternalStore(player.subscribe, () => figure(player.positionS(), 3))
+  return (
+    <span className={classes.time}>
+      {at}
+      <span className="dim"> / {figure(durationS, 3)}</span>
+    </span>
+  )
+}

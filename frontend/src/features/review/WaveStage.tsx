@@ -1,0 +1,86 @@
+import { useMediaQuery } from '@mantine/hooks'
+import { useMemo } from 'react'
+
+import {
+  type CommentMark,
+  type FindingMark,
+  LevelStrip,
+  type Player,
+  SpectrumStrip,
+  type TimeRange,
+  Waveform,
+} from '@/audio'
+import { type ReviewTake, usePeaks } from '@/judging/api'
+import { MASTER, soundOf } from '@/judging/hearing'
+import { sentence } from '@/judging/words'
+import { figure } from '@/ui/format'
+
+import classes from './Review.module.css'
+
+interface WaveStageProps {
+  take: ReviewTake
+  name: string
+  target: string
+  player: Player
+  range: TimeRange | null
+  comments: readonly CommentMark[]
+  openComment?: string
+  /** Heard blind: nothing is drawn that tells one from another. */
+  hidden: boolean
+  /** Rows of a set stand above it. */
+  small: boolean
+  onMark: (fromS: number, id: string) => void
+}
+
+/** The sound in the hand, large: its wave with what was found and said, its spectrum, its level. */
+export function WaveStage(props: WaveStageProps) {
+  const { take, name, target, player, range, comments, openComment, hidden, small, onMark } = props
+  const narrow = useMediaQuery('(max-width: 760px)')
+  const sound = soundOf(take, target)
+  const peaks = usePeaks(hidden ? undefined : sound.peaksUrl)
+  const { spectrumUrl } = sound
+  const spectrum = useMemo(() => (hidden || spectrumUrl === null ? null : { src: spectrumUrl }), [hidden, spectrumUrl])
+  const findings = useMemo(() => (hidden || target !== MASTER ? [] : findingMarks(take)), [hidden, target, take])
+  return (
+    <div className={classes.waves}>
+      <Waveform
+        label={name}
+        peaks={peaks}
+        durationS={sound.durationS}
+        clock={player}
+        findings={findings}
+        comments={comments}
+        openComment={openComment}
+        selection={range}
+        onSelect={(picked) => player.setRange(picked)}
+        onSeek={(s) => player.seek(s)}
+        onMark={(fromS, mark) => onMark(fromS, mark.id)}
+        heightPx={narrow ? 170 : undefined}
+      />
+      <SpectrumStrip
+        spectrogram={spectrum}
+        durationS={sound.durationS}
+        clock={player}
+        heightPx={narrow ? 74 : small ? 92 : 132}
+      />
+      {!narrow && <LevelStrip peaks={peaks} durationS={sound.durationS} clock={player} heightPx={58} />}
+    </div>
+  )
+}
+
+const LEVELS = new Set(['true-peak', 'sample-peak'])
+
+function findingMarks(take: ReviewTake): FindingMark[] {
+  const down = take.renders.find(({ attenuation_db }) => (attenuation_db ?? 0) > 0.05)
+  return take.findings.map((finding, index) => ({
+    id: `${index} ${finding.code}`,
+    severity: finding.severity,
+    label: sentence(finding.message),
+    more:
+      down && LEVELS.has(finding.check)
+        ? `${down.target} file comes down ${figure(down.attenuation_db ?? 0, 1)} dB`
+        : undefined,
+    startS: finding.start_s ?? undefined,
+    endS: finding.end_s ?? undefined,
+  }))
+}

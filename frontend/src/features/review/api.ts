@@ -1,0 +1,111 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { type CueReview, keys, refresh } from '@/judging/api'
+
+type Schemas = components['schemas']
+export type Comment = Schemas['CommentRead']
+export type HistoryEntry = Schemas['HistoryEntry']
+export type PaletteSound = Schemas['PaletteSound']
+
+export interface Judged {
+  cueId: string
+  name: string
+  status: 'accepted' | 'change_requested'
+  since: string
+}
+
+const LATELY_MS = 7 * 24 * 60 * 60 * 1000
+const SHOWN = 6
+
+/** What was decided within a week, the newest first. */
+export const judgedQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['judged', projectId],
+    queryFn: async (): Promise<Judged[]> => {
+      const params = { params: { path: { project_id: projectId } } }
+      const [standing, list] = await Promise.all([
+        answered(api.GET('/v1/projects/{project_id}/sound-list/standing', params)),
+        answered(api.GET('/v1/projects/{project_id}/sound-list', params)),
+      ])
+      const names = new Map(list.cues.map((cue) => [cue.id, cue.name]))
+      const from = Date.now() - LATELY_MS
+      return standing.cues
+        .flatMap(({ cue_id, status, since }) =>
+          (status === 'accepted' || status === 'change_requested') && since && Date.parse(since) >= from
+            ? [{ cueId: cue_id, name: names.get(cue_id) ?? '', status, since }]
+            : [],
+        )
+        .sort((a, b) => b.since.localeCompare(a.since))
+        .slice(0, SHOWN)
+    },
+  })
+
+/** The sounds that new ones are compared with. */
+export const paletteQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['palette', projectId],
+    queryFn: async (): Promise<PaletteSound[]> => {
+      const params = { params: { path: { project_id: projectId } } }
+      return (await answered(api.GET('/v1/projects/{project_id}/overview', params))).palette
+    },
+    staleTime: 60_000,
+  })
+
+export const historyQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: keys.history(takeId),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', { params: { path: { take_id: takeId } } })),
+  })
+
+export interface CommentSaid {
+  takeId: string
+  text: string
+  startS?: number
+  endS?: number
+}
+
+export function useComment(cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ takeId, text, startS, endS }: CommentSaid) =>
+      answered(
+        api.POST('/v1/takes/{take_id}/comments', {
+          params: { path: { take_id: takeId } },
+          body: { text, start_s: startS, end_s: endS },
+        }),
+      ),
+    onSuccess: (comment) => {
+      client.setQueryData<CueReview>(
+        keys.review(cueId),
+        (review) => review && { ...review, comments: [...review.comments, comment] },
+      )
+      return Promise.all([
+        client.invalidateQueries({ queryKey: keys.review(cueId) }),
+        client.invalidateQueries({ queryKey: keys.history(comment.take_id) }),
+      ])
+    },
+  })
+}
+
+export function useResolve(cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (comment: Comment) =>
+      answered(api.POST('/v1/comments/{comment_id}/resolve', { params: { path: { comment_id: comment.id } } })),
+    onSettled: () => client.invalidateQueries({ queryKey: keys.review(cueId) }),
+  })
+}
+
+/** The game no longer needs a cue; it stays with its reason. */
+export function useCut(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (reason: string) =>
+      answered(api.POST('/v1/cues/{cue_id}/cut', { params: { path: { cue_id: cueId } }, body: { reason } })),
+    onSuccess: async () => {
+      await Promise.all([refresh(client, projectId), client.invalidateQueries({ queryKey: ['sound-list'] })])
+    },
+  })
+}

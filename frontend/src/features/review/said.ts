@@ -1,0 +1,71 @@
+import type { CommentMark } from '@/audio'
+import type { CueReview, ReviewTake } from '@/judging/api'
+
+import type { Comment } from './api'
+
+/** One thing said of a take: advice, or a change that the decider wants. */
+export interface Said {
+  id: string
+  takeId: string
+  /** Its number in the wave and in the list; things said of the whole sound have none. */
+  number: number | null
+  who: string
+  decides: boolean
+  kind: 'comment' | 'change'
+  /** A change that is noted and not sent. */
+  draft: boolean
+  text: string
+  startS: number | null
+  endS: number | null
+  at: string
+  comment?: Comment
+}
+
+/** Everything said of these takes, in the order in which it was said; what has a place in the sound is numbered. */
+export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] {
+  const ids = new Set(takes.map(({ id }) => id))
+  const all: Omit<Said, 'number'>[] = [
+    ...review.comments
+      .filter(({ take_id }) => ids.has(take_id))
+      .map((comment) => ({
+        id: comment.id,
+        takeId: comment.take_id,
+        who: comment.author.name,
+        decides: comment.decides,
+        kind: 'comment' as const,
+        draft: false,
+        text: comment.text,
+        startS: comment.start_s,
+        endS: comment.end_s,
+        at: comment.created_at,
+        comment,
+      })),
+    ...review.change_requests
+      .filter(({ take_id }) => ids.has(take_id))
+      .map((change) => ({
+        id: change.id,
+        takeId: change.take_id,
+        who: change.written_by.name,
+        decides: true,
+        kind: 'change' as const,
+        draft: change.sent_at === null,
+        text: change.text,
+        startS: change.start_s,
+        endS: change.end_s,
+        at: change.created_at,
+      })),
+  ]
+  let number = 0
+  return all
+    .sort((a, b) => a.at.localeCompare(b.at))
+    .map((one) => ({ ...one, number: one.startS === null ? null : (number += 1) }))
+}
+
+/** What stands in the wave of one take. */
+export function marksOf(said: readonly Said[], takeId: string): CommentMark[] {
+  return said.flatMap(({ id, number, startS, endS, takeId: of }) =>
+    number === null || startS === null || of !== takeId
+      ? []
+      : [{ id, number, startS, endS: endS !== null && endS > startS ? endS : undefined }],
+  )
+}
