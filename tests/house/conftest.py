@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from anyio.abc import BlockingPortal
-from anyio.from_thread import start_blocking_portal
+from anyio.from_thread import BlockingPortal, start_blocking_portal
 from fastapi.testclient import TestClient
 
 from app.kit.runtime import Runtime
@@ -32,7 +31,7 @@ class QuickServer(RunningServer):
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
     """The application on a database of its own."""
     folder = tmp_path_factory.mktemp("policies")
-    runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests"))  # type: ignore[arg-type]
+    runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests"))
     migrate(runtime.database)
     with start_blocking_portal() as portal:
         yield QuickServer(runtime, create_app(runtime), portal)

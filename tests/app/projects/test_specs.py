@@ -7,8 +7,10 @@ from httpx import Response
 from sqlalchemy.orm import Session
 
 import audio_checks
+from app.accounts.rules import Scope
 from app.kit.events import publish
 from app.projects import service
+from app.projects.errors import ProjectNotFound
 from tests.support.server import RunningServer, World
 
 
@@ -240,3 +242,13 @@ def test_tokens_are_the_producers_and_shown_once(world: World) -> None:
     assert another.producer.delete(f"/v1/projects/{another.project_id}/tokens/{made['id']}").status_code == 404
     assert world.producer.delete(f"{tokens}/{made['id']}").status_code == 204
     assert world.producer.get(tokens).json()[0]["revoked_at"] is not None
+
+
+def test_the_command_line_issues_a_token_too(server: RunningServer, world: World) -> None:
+    with server.runtime.database.writing() as session:
+        secret = service.issue_token(session, world.project_id, name="CI", scopes=[Scope.SPEC_READ])
+        with pytest.raises(ProjectNotFound):
+            service.issue_token(session, world.studio_id, name="CI", scopes=[Scope.SPEC_READ])
+    build = server.browser()
+    build.headers["Authorization"] = f"Bearer {secret}"
+    assert build.get(spec_path(world)).json()["version"] == 1
