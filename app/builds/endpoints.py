@@ -20,7 +20,7 @@ from app.builds.errors import (
     TargetUnknown,
 )
 from app.builds.rules import ci_lines
-from app.builds.schemas import Baseline, BuildAdd, BuildBrief, BuildRead, CiLines, PackRead
+from app.builds.schemas import Baseline, BuildAdd, BuildSummary, BuildRead, CiLines, PackRead
 from app.builds.zip_stream import zip_bytes, zip_length
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -118,7 +118,7 @@ def get_documentation_key_xlsx(
 @router.post(
     "/projects/{project_id}/builds",
     status_code=201,
-    response_model=BuildBrief,
+    response_model=BuildSummary,
     responses=problems(ProjectNotFound, TeamNeeded, ReportInvalid),
 )
 def post_build(
@@ -126,7 +126,7 @@ def post_build(
     body: BuildAdd,
     session: DbSession,
     actor: Actor = allows(Sight.TEAM, build=Scope.CHECKS_WRITE),
-) -> BuildBrief:
+) -> BuildSummary:
     """Keep what audio-checks said of one build of the game."""
     build = service.keep_report(
         session,
@@ -137,21 +137,21 @@ def post_build(
         target=body.target,
         report=body.report.model_dump(exclude_unset=True),
     )
-    return BuildBrief.model_validate(build)
+    return BuildSummary.model_validate(build)
 
 
 @router.get(
     "/projects/{project_id}/builds",
-    response_model=Page[BuildBrief],
+    response_model=Page[BuildSummary],
     responses=problems(ProjectNotFound, TeamNeeded),
 )
 def list_builds(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.TEAM)
-) -> Page[BuildBrief]:
+) -> Page[BuildSummary]:
     """Return the project's builds, the newest first."""
     found = service.builds_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(
-        items=[BuildBrief.model_validate(build) for build in found[:PAGE]],
+        items=[BuildSummary.model_validate(build) for build in found[:PAGE]],
         next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
     )
 

@@ -92,7 +92,7 @@ class BuildAdd(Schema):
     report: CheckReport
 
 
-class BuildBrief(Schema):
+class BuildSummary(Schema):
     """One build, without its report."""
 
     id: UUID
@@ -105,7 +105,7 @@ class BuildBrief(Schema):
     created_at: datetime
 
 
-class BuildRead(BuildBrief):
+class BuildRead(BuildSummary):
     """One build with its whole report."""
 
     report: dict[str, Any]

@@ -5,6 +5,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from functools import cached_property
 from uuid import UUID
 
 import audio_checks
@@ -32,6 +33,16 @@ class Candidate:
     variations: int
     waits: bool  # nothing was delivered for it yet
 
+    @cached_property
+    def stem_words(self) -> list[str]:
+        """The words of its file name."""
+        return words_of(self.stem)
+
+    @cached_property
+    def words(self) -> list[str]:
+        """The words of its file name and its name."""
+        return words_of(f"{self.stem} {self.name}")
+
 
 @dataclass(frozen=True)
 class Likeness:
@@ -57,7 +68,7 @@ def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Can
     words = words_of(stem)
     typed = "".join(words)
     ranked = sorted(
-        ((_shared(words, words_of(f"{one.stem} {one.name}")), place) for place, one in enumerate(candidates)),
+        ((_shared(words, one.words), place) for place, one in enumerate(candidates)),
         key=lambda item: (-_weight(item[0], words), not candidates[item[1]].waits, item[1]),
     )
     near = {place for _, place in ranked[:COMPARED_LETTER_BY_LETTER]}
@@ -94,10 +105,10 @@ def _likeness(
 ) -> Likeness | None:
     reasons = []
     score = 0.0
-    own = "".join(words_of(one.stem))
+    own = "".join(one.stem_words)
     spelling = SequenceMatcher(None, typed, own, autojunk=False).ratio() if closely and typed and own else 0.0
     if shared:
-        score += 0.5 * _weight(shared, words) + 0.2 * len(shared) / max(1, len(words_of(one.stem)))
+        score += 0.5 * _weight(shared, words) + 0.2 * len(shared) / max(1, len(one.stem_words))
         reasons.append("the name has " + " and ".join(f'"{word}"' for word in shared[:3]))
     elif spelling >= 0.6:
         reasons.append(f'the name reads like "{one.stem}"')

@@ -4,12 +4,12 @@ from collections import defaultdict
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import func, select
+from sqlalchemy import Row, func, select
 from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.projects.models import Project
 from app.sound_lists.models import Cue, CueChange, Question, Revision, Stem
-from app.sound_lists.rules import folded
+from app.sound_lists.rules import CueState, folded
 
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
 
@@ -45,6 +45,15 @@ def cues_by_id(session: Session, project_id: UUID, ids: Collection[UUID]) -> dic
         )
         found |= {cue.id: cue for cue in session.scalars(query)}
     return found
+
+
+def guessable_cues(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, str, str, str, float | None, int]]:
+    """Return what a guess needs of the cues that are still wanted, in list order; cheaper than whole cues."""
+    return session.execute(
+        select(Cue.id, Cue.number, Cue.name, Cue.file_name, Cue.category, Cue.duration_s, Cue.variations)
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
+        .order_by(Cue.position, Cue.number)
+    ).all()
 
 
 def slot_of_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, int] | None:

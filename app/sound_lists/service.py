@@ -157,27 +157,6 @@ def slot_by_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, in
     return queries.slot_of_stem(session, project_id, unicodedata.normalize("NFC", stem))
 
 
-def slot_by_file_name(session: Session, project_id: UUID, file_name: str) -> tuple[Cue, int] | None:
-    """Return the cue and the variation that a file is for; a name that the list has whole comes first."""
-    whole = file_name.replace("\\", "/").rpartition("/")[2]
-    stem = whole.rpartition(".")[0] or whole
-    return slot_by_stem(session, project_id, stem) or slot_by_stem(
-        session, project_id, audio_checks.parse_file_name(whole).stem
-    )
-
-
-def three_guesses(
-    session: Session,
-    project_id: UUID,
-    file_name: str,
-    duration_s: float | None = None,
-    *,
-    favour: Collection[UUID] = (),
-) -> list[Guess]:
-    """Return the cues that a file may be for, the likeliest first; `favour` names those that still wait for sound."""
-    return guesses_for(session, project_id, [(file_name, duration_s)], favour=favour)[0]
-
-
 def guesses_for(
     session: Session,
     project_id: UUID,
@@ -185,29 +164,32 @@ def guesses_for(
     *,
     favour: Collection[UUID] = (),
 ) -> list[list[Guess]]:
-    """Return the guesses for several files, by name and length, in their order; the list is read once."""
+    """Return up to three cues that each file may be for, the likeliest first; files come as name and length.
+
+    `favour` names the cues that still wait for a sound.
+    """
     if not files:
         return []
     project = session.get_one(Project, project_id)
-    cues = {cue.id: cue for cue in queries.cues_of(session, project_id) if cue.state is not CueState.CUT}
+    rows = {row.id: row for row in queries.guessable_cues(session, project_id)}
     candidates = [
         guesses.Candidate(
-            key=cue.id,
-            name=cue.name,
-            stem=audio_checks.stems_of(cue.name, cue.file_name, 1)[0],
-            category=cue.category,
-            duration_s=cue.duration_s,
-            variations=cue.variations,
-            waits=cue.id in favour,
+            key=row.id,
+            name=row.name,
+            stem=audio_checks.stems_of(row.name, row.file_name, 1)[0],
+            category=row.category,
+            duration_s=row.duration_s,
+            variations=row.variations,
+            waits=row.id in favour,
         )
-        for cue in cues.values()
+        for row in rows.values()
     ]
     return [
         [
             Guess(
                 cue_id=like.key,
-                label=label(project.cue_prefix, cues[like.key].number),
-                name=cues[like.key].name,
+                label=label(project.cue_prefix, rows[like.key].number),
+                name=rows[like.key].name,
                 variation=like.variation,
                 reason=like.reason,
             )

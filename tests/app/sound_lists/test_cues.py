@@ -256,31 +256,51 @@ def test_a_cue_of_another_project_is_not_there(world: World) -> None:
     assert world.producer.get(f"/v1/cues/{uuid4()}").status_code == 404
 
 
-def test_a_file_finds_its_cue_by_its_name(world: World) -> None:
-    laser, odd = add(world, {"name": "Laser fire", "variations": 4}, {"name": "Odd", "file_name": "boom_v02"})
+def test_a_stem_finds_its_cue_exactly(world: World) -> None:
+    laser, door = add(world, {"name": "Laser fire", "variations": 4}, {"name": "Door", "file_name": "t\u00fcr"})
 
-    def slot(file_name: str) -> tuple[str, int] | None:
+    def slot(stem: str) -> tuple[str, int] | None:
         with world.server.runtime.database.reading() as session:
-            found = service.slot_by_file_name(session, world.project_id, file_name)
+            found = service.slot_by_stem(session, world.project_id, stem)
             return (str(found[0].id), found[1]) if found else None
 
-    assert slot("laser_fire_03.wav") == (laser["id"], 3)
-    assert slot("laser_fire_03__alt2.wav") == (laser["id"], 3)
-    assert slot("folder/laser_fire_01_v07.wav") == (laser["id"], 1)
-    assert slot("boom_v02.wav") == (odd["id"], 1)  # the list's whole name comes before what looks like a version
-    assert slot("Laser_Fire_03.wav") is None  # exactly, but for composition
-    assert slot("laser_fire.wav") is None
+    assert slot("laser_fire_03") == (laser["id"], 3)
+    assert slot("tu\u0308r") == (door["id"], 1)  # but for composition
+    assert slot("Laser_Fire_03") is None
+    assert slot("laser_fire") is None
+    offline = audio_checks.read_sound_list(world.designer.get(f"/v1/projects/{world.project_id}/sound-list.csv").text)
+    for stem in ("laser_fire_03", "tu\u0308r", "Laser_Fire_03", "laser_fire", "x"):  # the command line finds the same
+        assert (offline.slot(stem) is None) == (slot(stem) is None), stem
 
 
-def test_check_and_server_find_the_same_slot(world: World) -> None:
-    add(world, {"name": "Laser fire", "variations": 2}, {"name": "Tür", "file_name": "tür"})
-    text = world.designer.get(f"/v1/projects/{world.project_id}/sound-list.csv").text
-    offline = audio_checks.read_sound_list(text)
-    names = ["laser_fire_01.wav", "laser_fire_02_altB.wav", "tu\u0308r.wav", "laser_fire_03.wav", "x.wav"]
+def test_guesses_name_the_cues_that_still_wait(world: World) -> None:
+    sting, _ = add(world, {"name": "Victory sting", "duration_s": 6.0}, {"name": "UI confirm"})
     with world.server.runtime.database.reading() as session:
-        for name in names:
-            found = service.slot_by_file_name(session, world.project_id, name)
-            expected = offline.slot_of_file(name)
-            assert (found is None) == (expected is None), name
-            if found and expected:
-                assert (found[0].name, found[1]) == (expected[0].name, expected[1])
+        files = [("final_FINAL_sting2.wav", 5.8), ("zzz.wav", None)]
+        (first,), none = service.guesses_for(session, world.project_id, files, favour=[UUID(sting["id"])])
+    assert (str(first.cue_id), first.label, first.name, first.variation) == (sting["id"], "SW-001", "Victory sting", 1)
+    assert first.reason.endswith("nothing delivered yet")
+    assert none == []
+
+
+def test_the_list_is_a_fixed_number_of_statements(world: World) -> None:
+    def statements() -> int:
+        count = 0
+
+        def one_more(_connection: object, _cursor: object, statement: str, *_: object) -> None:
+            nonlocal count
+            count += "sound_lists_" in statement  # the worker speaks to the same database
+
+        engine = world.server.runtime.database.engine
+        sa.event.listen(engine, "before_cursor_execute", one_more)
+        try:
+            the_list(world)
+        finally:
+            sa.event.remove(engine, "before_cursor_execute", one_more)
+        return count
+
+    world.server.wait_for_jobs()
+    add(world, {"name": "One"})
+    few = statements()
+    add(world, *({"name": f"Cue {number}", "variations": 3} for number in range(30)))
+    assert statements() == few
