@@ -476,14 +476,7 @@ def add_comment(
     )
     session.add(comment)
     session.flush()
-    return _comment(session, comment.id)
-
-
-def _comment(session: Session, comment_id: UUID) -> CommentRead:
-    session.expire_all()
-    comment = queries.comment_by_id(session, comment_id)
-    if comment is None:
-        raise AssertionError("it was just written")
+    session.refresh(comment, ["author"])
     return comment_read(comment)
 
 

@@ -1,0 +1,190 @@
+"""The queue: who sees what waits, in which order, and at what price."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import UTC, datetime, timedelta
+from typing import Any
+
+import pytest
+import sqlalchemy as sa
+
+from app.deliveries.queries import take_by_id
+from app.deliveries.rules import TakeState
+from app.projects.queries import current_spec
+from app.renders.models import Render
+from app.renders.queries import wanted_recipes
+from app.sound_lists.rules import CueState
+from tests.app.renders.making import add_cue, deliver_sound
+from tests.app.reviews.making import Stage, add_take, refused, told
+from tests.support.server import RunningServer, World
+from tests.support.waves import sine
+
+
+@pytest.fixture
+def stage(world: World) -> Stage:
+    return Stage(world)
+
+
+def test_a_real_take_waits_with_all_that_its_card_shows(world: World) -> None:
+    cue = add_cue(world, "beep", description="the bridge answers", use="every menu")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=96_000, seconds=0.5))
+    (item,) = told(world.reviewer.get("/v1/review-queue"))["items"]
+    assert item["cue"]["label"] == cue["label"] == "SW-001"
+    assert item["cue"]["description"] == "the bridge answers"
+    assert (item["kind"], item["rounds_so_far"], item["approved_variations"]) == ("single", 0, [])
+    (take,) = item["takes"]
+    assert take["id"] == take_id
+    assert take["sample_peak_dbfs"] == pytest.approx(-6.0, abs=0.01)
+    # BS.1770: a 997 Hz tone at full scale in one channel reads -3.01.
+    assert take["loudness_lufs"] == pytest.approx(-9.0, abs=0.1)
+    assert take["thumb"]["points"] == 160
+    for address in (take["preview_url"], take["peaks_url"], take["spectrum_url"]):
+        assert world.reviewer.get(address).status_code == 200
+    assert [(one["target"], one["state"]) for one in take["renders"]] == [("game", "made"), ("handheld", "made")]
+    assert all(world.reviewer.get(one["preview_url"]).status_code == 200 for one in take["renders"])
+
+
+def test_oldest_first_and_grouped_by_cue(stage: Stage) -> None:
+    start = datetime(2026, 11, 20, tzinfo=UTC)
+    young, old = stage.cue("young"), stage.cue("old", variations=2)
+    stage.take(young, state_since=start + timedelta(hours=2))
+    stage.take(old, 2, state_since=start + timedelta(hours=3))
+    stage.take(old, 1, state_since=start + timedelta(hours=1))
+    items = stage.queue()
+    assert [item["cue"]["name"] for item in items] == ["old", "young"]
+    assert [take["variation"] for take in items[0]["takes"]] == [1, 2]
+    assert items[0]["kind"] == "set"
+    assert datetime.fromisoformat(items[0]["waiting_since"]) == start + timedelta(hours=1)
+    assert items[0]["worst_finding"]["code"] == "true-peak:over"
+    assert items[0]["findings_count"] == 2
+    assert items[0]["takes"][0]["loudness_lufs"] == -14.2
+    assert items[0]["takes"][0]["delivery_note"] == "three bowls, struck"
+
+
+def test_alternates_stand_side_by_side(stage: Stage) -> None:
+    cue = stage.cue()
+    takes = {str(stage.take(cue, alternate=alternate)) for alternate in (None, 2, 3)}
+    (item,) = stage.queue()
+    assert item["kind"] == "alternates"
+    assert {take["id"] for take in item["takes"]} == takes
+
+
+@pytest.mark.parametrize(
+    "facts",
+    [{"state": state} for state in TakeState if state is not TakeState.CONFORMING]
+    + [{"is_drawn": False}, {"is_rendered": False}],
+)
+def test_what_does_not_wait(stage: Stage, facts: dict[str, Any]) -> None:
+    stage.take(stage.cue(), **facts)
+    assert stage.queue() == []
+
+
+def test_a_cut_cue_and_an_unmatched_take_do_not_wait(stage: Stage) -> None:
+    stage.take(stage.cue(state=CueState.CUT, cut_at=datetime.now(UTC)))
+    stage.world.server.in_database(
+        lambda session: add_take(session, stage.world, stage.delivery_id, cue_id=None, variation=1)
+    )
+    assert stage.queue() == []
+
+
+def test_renders_of_an_older_edition_or_spec_keep_a_take_away(stage: Stage) -> None:
+    take = stage.take(stage.cue())
+    assert stage.waiting() == {str(take)}
+    server = stage.world.server
+    server.in_database(lambda session: session.execute(sa.text("update renders_sets set edition = edition + 1")))
+    assert stage.waiting() == set()
+
+
+def test_a_refused_render_is_shown(stage: Stage) -> None:
+    take_id = stage.take(stage.cue())
+
+    def refuse(session: Any) -> None:
+        take = take_by_id(session, take_id)
+        assert take is not None
+        recipe = wanted_recipes(current_spec(session, take.project_id), take)["game"]
+        session.add(
+            Render(
+                studio_id=take.studio_id,
+                project_id=take.project_id,
+                take_id=take.id,
+                target="game",
+                key=recipe.key(take.master_sha256),
+                state="refused",
+                refusal="the master is at 22050 Hz",
+            )
+        )
+
+    stage.world.server.in_database(refuse)
+    renders = {one["target"]: one for one in stage.queue()[0]["takes"][0]["renders"]}
+    assert (renders["game"]["state"], renders["game"]["refusal"]) == ("refused", "the master is at 22050 Hz")
+    assert renders["handheld"]["state"] == "waiting"
+
+
+def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.reviews.review_room.PAGE_CUES", 2)
+    start = datetime(2026, 11, 20, tzinfo=UTC)
+    for hours in (3, 1, 2, 1, 5):  # two cues since the same instant
+        stage.take(stage.cue(f"cue_{hours}"), state_since=start + timedelta(hours=hours))
+    seen, cursor = [], None
+    while True:
+        params = {"project_id": str(stage.world.project_id)} | ({"cursor": cursor} if cursor else {})
+        page = told(stage.world.decider.get("/v1/review-queue", params=params))
+        seen += [(item["waiting_since"], item["cue"]["id"]) for item in page["items"]]
+        if (cursor := page["next"]) is None:
+            break
+    assert len(seen) == 5
+    assert seen == sorted(set(seen))
+    for nonsense in ("x", "2026-11-20T00:00:00.0", "2026-11-20T00:00:00." + str(stage.delivery_id)):
+        answer = stage.world.decider.get("/v1/review-queue", params={"cursor": nonsense})
+        assert refused(answer) == (422, "bad-cursor")
+
+
+@contextmanager
+def counted_selects(server: RunningServer) -> Iterator[list[str]]:
+    selects: list[str] = []
+
+    def note(_connection: Any, _cursor: Any, statement: str, *_rest: Any) -> None:
+        if statement.lstrip().upper().startswith("SELECT") and "kit_heartbeats" not in statement:
+            selects.append(statement)
+
+    sa.event.listen(server.runtime.database.engine, "before_cursor_execute", note)
+    try:
+        yield selects
+    finally:
+        sa.event.remove(server.runtime.database.engine, "before_cursor_execute", note)
+
+
+def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
+    server = stage.world.server
+    server.wait_for_jobs()
+
+    def fetch(expected: int) -> int:
+        stage.waiting()
+        with counted_selects(server) as selects:
+            assert len(stage.waiting()) == expected
+        return len(selects)
+
+    stage.take(stage.cue("first"))
+    for_one = fetch(1)
+    for number in range(12):
+        cue = stage.cue(f"cue_{number}", variations=2)
+        for variation in (1, 2):
+            stage.take(cue, variation)
+            stage.draft(stage.take(cue, variation))
+    assert fetch(49) == for_one
+    assert for_one <= 20
+
+
+def test_who_sees_the_queue(stage: Stage) -> None:
+    world = stage.world
+    stage.take(stage.cue())
+    named = {"project_id": str(world.project_id)}
+    for who in (world.producer, world.decider, world.reviewer):
+        assert len(told(who.get("/v1/review-queue", params=named))["items"]) == 1
+        assert len(told(who.get("/v1/review-queue"))["items"]) == 1
+    assert world.nobody.get("/v1/review-queue").status_code == 401
+    assert refused(world.designer.get("/v1/review-queue", params=named)) == (403, "team-needed")
+    assert refused(world.designer.get("/v1/review-queue")) == (403, "team-needed")
+    assert refused(world.stranger.get("/v1/review-queue", params=named)) == (404, "project-not-found")
+    assert refused(world.other_designer.get("/v1/review-queue", params=named)) == (404, "project-not-found")
+    assert told(world.stranger.get("/v1/review-queue"))["items"] == []

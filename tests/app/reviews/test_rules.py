@@ -1,0 +1,75 @@
+from datetime import UTC, datetime, timedelta
+
+import pytest
+
+from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
+from app.reviews.rules import (
+    QueueKind,
+    ensure_range,
+    ensure_seen,
+    ensure_undoable,
+    missing_variations,
+    queue_kind,
+    why_not_counted,
+)
+
+NOON = datetime(2026, 11, 20, 12, tzinfo=UTC)
+
+
+@pytest.mark.parametrize(
+    ("variations", "approved", "missing"),
+    [(1, [], [1]), (1, [1], []), (4, [1, 3], [2, 4]), (2, [1, 2, 3], []), (3, {3: "take"}, [1, 2])],
+)
+def test_a_cue_is_accepted_when_no_variation_is_missing(variations, approved, missing):
+    assert missing_variations(variations, approved) == missing
+
+
+def test_only_reversals_alone_are_no_round():
+    assert why_not_counted([False]) is None
+    assert why_not_counted([True, False]) is None
+    assert "reversed" in (why_not_counted([True, True]) or "")
+
+
+def test_a_verdict_can_be_taken_back_for_a_minute():
+    ensure_undoable(NOON, NOON + timedelta(seconds=60))
+    with pytest.raises(TooLateToUndo):
+        ensure_undoable(NOON, NOON + timedelta(seconds=60, microseconds=1))
+
+
+def test_a_stale_page_is_told_where_the_take_stands():
+    ensure_seen("conforming", "conforming")
+    with pytest.raises(StaleView, match="is approved"):
+        ensure_seen("approved", "conforming")
+
+
+@pytest.mark.parametrize(
+    ("start_s", "end_s", "is_lawful"),
+    [
+        (None, None, True),
+        (0.0, None, True),
+        (0.2, 0.2, True),
+        (0.1, 0.84, True),
+        (0.845, None, True),
+        (0.9, None, False),
+        (0.3, 0.2, False),
+        (None, 0.2, False),
+        (-0.1, 0.2, False),
+        (0.1, 0.9, False),
+    ],
+)
+def test_a_range_lies_within_the_sound(start_s, end_s, is_lawful):
+    if is_lawful:
+        ensure_range(start_s, end_s, 0.84)
+    else:
+        with pytest.raises(RangeInvalid):
+            ensure_range(start_s, end_s, 0.84)
+    if start_s is not None and (end_s or start_s) >= start_s >= 0:
+        ensure_range(start_s, end_s, None)  # while it is not drawn, nobody knows its end
+
+
+@pytest.mark.parametrize(
+    ("variations", "waiting", "kind"),
+    [(1, [1], QueueKind.SINGLE), (1, [1, 1, 1], QueueKind.ALTERNATES), (6, [2], QueueKind.SET)],
+)
+def test_how_a_cue_is_heard(variations, waiting, kind):
+    assert queue_kind(variations, waiting) is kind

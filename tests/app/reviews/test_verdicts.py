@@ -1,0 +1,402 @@
+"""What a verdict does, what it leaves alone, and what two tabs at once come to."""
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from datetime import timedelta
+from typing import Any
+from uuid import UUID
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from sqlalchemy import func, select, update
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from app.accounts.queries import actor_for_person
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.kit import clock
+from app.kit.db import new_id
+from app.kit.errors import Conflict
+from app.projects.models import DeciderChange
+from app.reviews import service
+from app.reviews.models import ChangeRequest, Verdict
+from app.reviews.queries import accepted_takes
+from app.reviews.rules import VerdictKind
+from tests.app.reviews.making import Stage, add_cue, add_take, refused, told
+from tests.support.server import World
+
+
+@pytest.fixture
+def stage(world: World) -> Stage:
+    return Stage(world)
+
+
+def later(seconds: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let time pass."""
+    now = clock.now()
+    monkeypatch.setattr(clock, "now", lambda: now + timedelta(seconds=seconds))
+
+
+def test_approving_an_alternate_sets_the_others_aside(stage: Stage) -> None:
+    cue = stage.cue()
+    a, b, c = (stage.take(cue) for _ in range(3))
+    elsewhere = stage.take(stage.cue("other"))
+    answer = stage.approve(b, note="this one")
+    assert answer["cue_accepted"] is True
+    assert set(answer["set_aside"]) == {str(a), str(c)}
+    assert stage.states(a, b, c, elsewhere) == ["set_aside", "approved", "set_aside", "conforming"]
+    assert stage.waiting() == {str(elsewhere)}
+
+
+def test_a_take_still_in_check_is_left_alone(stage: Stage) -> None:
+    cue = stage.cue()
+    picked, checking = stage.take(cue), stage.take(cue, state=TakeState.RECEIVED)
+    stage.approve(picked)
+    assert stage.states(checking) == ["received"]
+
+
+def test_a_set_aside_take_can_be_picked_later(stage: Stage) -> None:
+    cue = stage.cue()
+    first, second = stage.take(cue), stage.take(cue)
+    stage.approve(first)
+    answer = stage.approve(second, seen_state="set_aside")
+    assert answer["set_aside"] == [str(first)]
+    assert stage.states(first, second) == ["set_aside", "approved"]
+
+
+def test_a_newer_version_takes_the_place_of_the_approved_one(stage: Stage) -> None:
+    cue = stage.cue()
+    first = stage.take(cue)
+    stage.approve(first)
+    second = stage.take(cue)
+    assert stage.approve(second)["set_aside"] == [str(first)]
+
+
+def test_a_set_is_accepted_when_every_variation_has_its_take(stage: Stage) -> None:
+    cue = stage.cue(variations=2)
+    one, two = stage.take(cue, 1), stage.take(cue, 2)
+    assert stage.approve(one)["cue_accepted"] is False
+    assert stage.queue()[0]["approved_variations"] == [1]
+    assert stage.approve(two)["cue_accepted"] is True
+
+
+def test_only_the_decider_decides(stage: Stage) -> None:
+    world = stage.world
+    take = stage.take(stage.cue())
+    path, body = f"/v1/takes/{take}/verdict", {"kind": "approve"}
+    assert world.nobody.post(path, json=body).status_code == 401
+    for who in (world.producer, world.reviewer, world.designer):
+        answer = who.post(path, json=body)
+        assert refused(answer) == (403, "decider-needed")
+        assert "approver decides" in answer.json()["detail"]
+        assert refused(who.delete(path)) == (403, "decider-needed")
+    for stranger in (world.stranger, world.other_designer):
+        assert refused(stranger.post(path, json=body)) == (404, "take-not-found")
+        assert refused(stranger.delete(path)) == (404, "take-not-found")
+    assert refused(world.decider.post(f"/v1/takes/{new_id()}/verdict", json=body)) == (404, "take-not-found")
+    assert stage.states(take) == ["conforming"]
+
+
+def test_a_producer_decides_by_becoming_the_decider(stage: Stage) -> None:
+    world = stage.world
+    take = stage.take(stage.cue())
+    change = DeciderChange(
+        studio_id=world.studio_id,
+        project_id=world.project_id,
+        person_id=world.producer_id,
+        reason="the audio director is away",
+        changed_by=world.producer_id,
+    )
+    world.server.in_database(lambda session: session.add(change))
+    body = {"kind": "approve"}
+    assert refused(world.decider.post(f"/v1/takes/{take}/verdict", json=body)) == (403, "decider-needed")
+    assert world.producer.post(f"/v1/takes/{take}/verdict", json=body).status_code == 200
+
+
+@pytest.mark.parametrize("kind", ["approve", "request_change", "set_aside"])
+@pytest.mark.parametrize("state", [s for s in TakeState if s is not TakeState.CONFORMING])
+def test_a_page_that_is_out_of_date_decides_nothing(stage: Stage, kind: str, state: TakeState) -> None:
+    take = stage.take(stage.cue(), state=state)
+    answer = stage.verdict(take, kind, note="duller")
+    assert refused(answer) == (409, "stale-view")
+    assert "since you looked" in answer.json()["detail"]
+    assert stage.states(take) == [state.value]
+
+
+@pytest.mark.parametrize(
+    ("state", "kind"),
+    [
+        (TakeState.RECEIVED, "approve"),
+        (TakeState.RETURNED, "approve"),
+        (TakeState.UNJUDGED, "set_aside"),
+        (TakeState.APPROVED, "approve"),
+        (TakeState.APPROVED, "set_aside"),
+        (TakeState.SET_ASIDE, "set_aside"),
+        (TakeState.SET_ASIDE, "request_change"),
+        (TakeState.CHANGE_REQUESTED, "approve"),
+        (TakeState.CHANGE_REQUESTED, "request_change"),
+    ],
+)
+def test_what_no_state_allows_is_refused(stage: Stage, state: TakeState, kind: str) -> None:
+    take = stage.take(stage.cue(), state=state)
+    assert stage.verdict(take, kind, note="duller", seen_state=state.value).status_code == 409
+    assert stage.states(take) == [state.value]
+
+
+def test_two_tabs_at_once_approve_once(stage: Stage) -> None:
+    """The same take twice, then its alternate from a page that shows both waiting."""
+    cue = stage.cue()
+    a, b = stage.take(cue), stage.take(cue)
+    with ThreadPoolExecutor(4) as tabs:
+        answers = list(tabs.map(lambda take: stage.verdict(take, "approve").status_code, [a, a, b, b]))
+    assert sorted(answers) == [200, 409, 409, 409]
+    assert sorted(stage.states(a, b)) == ["approved", "set_aside"]
+
+    def verdicts(session: Session) -> int:
+        return session.scalar(select(func.count()).where(Verdict.cue_id == cue)) or 0
+
+    assert stage.world.server.in_database(verdicts) == 2
+
+
+def test_the_database_itself_allows_one_approved_take(stage: Stage) -> None:
+    cue = stage.cue()
+    takes = [stage.take(cue), stage.take(cue)]
+    with pytest.raises(IntegrityError):
+        stage.world.server.in_database(
+            lambda session: session.execute(update(Take).where(Take.id.in_(takes)).values(state=TakeState.APPROVED))
+        )
+
+
+def test_unmatched_files_and_cut_cues_cannot_be_judged(stage: Stage) -> None:
+    unmatched = stage.world.server.in_database(
+        lambda session: add_take(session, stage.world, stage.delivery_id, None, 1)
+    )
+    assert refused(stage.verdict(unmatched, "approve")) == (409, "not-reviewable")
+    cue = stage.cue()
+    take = stage.take(cue)
+    told(stage.world.decider.post(f"/v1/cues/{cue}/cut", json={"reason": "no shields any more"}))
+    assert refused(stage.verdict(take, "approve")) == (409, "cue-is-cut")
+    assert refused(stage.undo(take)) == (409, "cue-is-cut")
+
+
+def test_a_change_is_a_draft_that_can_be_reworded(stage: Stage) -> None:
+    take = stage.take(stage.cue())
+    draft = stage.draft(take, "less shimmer", start_s=0.1, end_s=0.2)
+    assert (draft["text"], draft["sent_at"], draft["reverses"]) == ("less shimmer", None, False)
+    again = stage.draft(take, "much less shimmer", start_s=0.3)
+    assert again["id"] == draft["id"]
+    assert (again["text"], again["start_s"], again["end_s"]) == ("much less shimmer", 0.3, None)
+    assert stage.states(take) == ["conforming"]
+    assert stage.queue()[0]["takes"][0]["draft_change"]["text"] == "much less shimmer"
+
+
+@pytest.mark.parametrize(
+    ("more", "code"),
+    [
+        ({"note": " "}, "note-needed"),
+        ({"note": "x", "start_s": 0.9}, "range-invalid"),
+        ({"note": "x", "start_s": 0.5, "end_s": 0.4}, "range-invalid"),
+        ({"note": "x", "end_s": 0.4}, "range-invalid"),
+        ({"note": "x", "start_s": -1}, "invalid-request"),
+        ({"note": "x\0"}, "invalid-request"),
+        ({"note": "x" * 10_001}, "invalid-request"),
+        ({"note": "x", "colour": "blue"}, "invalid-request"),
+        ({"note": "x", "seen_state": "gone"}, "invalid-request"),
+    ],
+)
+def test_a_change_request_is_checked(stage: Stage, more: dict[str, Any], code: str) -> None:
+    take = stage.take(stage.cue())  # 0.84 s long
+    assert refused(stage.verdict(take, "request_change", **more)) == (422, code)
+    assert stage.queue()[0]["takes"][0]["draft_change"] is None
+
+
+def test_undo_brings_everything_back(stage: Stage) -> None:
+    cue = stage.cue()
+    former = stage.take(cue)
+    stage.approve(former)
+    picked, other = stage.take(cue), stage.take(cue)
+    stage.draft(picked, "brighter", start_s=0.2)
+    stage.draft(other, "shorter")
+    before = {take["id"]: (take["state"], take["state_since"]) for take in stage.review(cue)["takes"]}
+    stage.approve(picked)
+    undone = told(stage.undo(picked))
+    assert undone["draft_dropped"] is False
+    after = stage.review(cue)["takes"]
+    assert {take["id"]: (take["state"], take["state_since"]) for take in after} == before
+    drafts = {take["id"]: take["draft_change"] for take in after if take["draft_change"]}
+    assert drafts[str(picked)]["text"] == "brighter"
+    assert drafts[str(picked)]["start_s"] == 0.2
+    assert drafts[str(other)]["text"] == "shorter"
+    assert [one["kind"] for one in stage.review(cue)["verdicts"] if one["withdrawn"]] == ["set_aside"] * 2 + ["approve"]
+
+
+def test_undo_is_for_a_minute(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    early, late = stage.take(stage.cue("early")), stage.take(stage.cue("late"))
+    drafted = stage.take(stage.cue("drafted"))
+    stage.approve(early)
+    stage.approve(late)
+    stage.draft(drafted)
+    later(55, monkeypatch)
+    assert stage.undo(early).status_code == 200
+    later(10, monkeypatch)
+    assert refused(stage.undo(late)) == (409, "too-late-to-undo")
+    assert refused(stage.undo(drafted)) == (409, "too-late-to-undo")
+    assert stage.states(early, late) == ["conforming", "approved"]
+
+
+def test_undo_drops_a_fresh_draft(stage: Stage) -> None:
+    take = stage.take(stage.cue())
+    stage.approve(take)
+    stage.draft(take, "on second thoughts, duller", seen_state="approved")
+    assert told(stage.undo(take)) == {
+        "takes": [{"id": str(take), "variation": 1, "state": "approved"}],
+        "draft_dropped": True,
+    }
+    assert told(stage.undo(take))["takes"][0]["state"] == "conforming"
+    assert refused(stage.undo(take)) == (409, "nothing-to-undo")
+
+
+def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
+    cue = stage.cue()
+    a, b = stage.take(cue), stage.take(cue)
+    stage.approve(a)
+    stage.approve(b, seen_state="set_aside")
+    assert told(stage.undo(a))["takes"]  # what set `a` aside was the pick of `b`: one click, taken back whole
+    assert stage.states(a, b) == ["approved", "set_aside"]
+    stage.draft(a, "softer", seen_state="approved")
+    assert refused(stage.undo(b)) == (409, "decided-since")
+    stage.send()
+    assert refused(stage.undo(a)) == (409, "nothing-to-undo")
+    assert refused(stage.undo(b)) == (409, "decided-since")
+    assert stage.states(a, b) == ["change_requested", "set_aside"]
+
+
+def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
+    cue = stage.cue(variations=3)
+    older = stage.take(cue, 1)
+    takes = [stage.take(cue, variation) for variation in (1, 2, 3)]
+    answer = told(stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={"note": "good steps"}))
+    assert answer["cue_accepted"] is True
+    assert [take["id"] for take in answer["approved"]] == [str(take) for take in takes]
+    assert answer["set_aside"] == [str(older)]
+    again = stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={})
+    assert refused(again) == (409, "already-accepted")
+    told(stage.undo(takes[2]))
+    assert stage.states(older, *takes) == ["conforming"] * 4
+
+
+def test_the_takes_of_a_set_can_be_named(stage: Stage) -> None:
+    cue = stage.cue(variations=2)
+    older, newer, second = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
+    body = {"take_ids": [str(older)]}
+    told(stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json=body))
+    assert stage.states(older, newer, second) == ["approved", "set_aside", "approved"]
+
+
+def test_an_incomplete_set_is_not_accepted_in_part(stage: Stage) -> None:
+    cue = stage.cue(variations=4)
+    takes = [stage.take(cue, 1), stage.take(cue, 3), stage.take(cue, 4, state=TakeState.RETURNED)]
+    answer = stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={})
+    assert refused(answer) == (409, "set-incomplete")
+    assert "for 2, 4;" in answer.json()["detail"]
+    assert stage.states(*takes) == ["conforming", "conforming", "returned"]
+
+
+def test_a_set_names_its_own_takes_once_and_only_the_decider_accepts(stage: Stage) -> None:
+    cue, other = stage.cue(variations=2), stage.cue("other")
+    one, twin, two = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
+    foreign, returned = stage.take(other), stage.take(cue, 2, state=TakeState.RETURNED)
+    path = f"/v1/cues/{cue}/accept-set"
+
+    def accept(*take_ids: UUID) -> Any:
+        return stage.world.decider.post(path, json={"take_ids": [str(take) for take in take_ids]})
+
+    assert refused(accept(foreign)) == (422, "not-of-this-cue")
+    assert refused(accept(new_id())) == (422, "not-of-this-cue")
+    assert refused(accept(one, twin)) == (422, "not-of-this-cue")
+    assert refused(accept(returned)) == (409, "not-reviewable")
+    assert refused(stage.world.reviewer.post(path, json={})) == (403, "decider-needed")
+    assert refused(stage.world.stranger.post(path, json={})) == (404, "cue-not-found")
+    assert stage.states(one, twin, two) == ["conforming"] * 3
+
+
+def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
+    whole, half, cut = stage.cue("whole", variations=2), stage.cue("half", variations=2), stage.cue("cut")
+    picked = [stage.take(whole, 2), stage.take(whole, 1)]
+    for take in (*picked, stage.take(half, 1), stage.take(cut)):
+        stage.approve(take)
+    told(stage.world.decider.post(f"/v1/cues/{cut}/cut", json={"reason": "no longer needed"}))
+    found = stage.world.server.in_database(lambda session: accepted_takes(session, stage.world.project_id))
+    assert [(cue.name, variation, take.id) for cue, variation, take in found] == [
+        ("whole", 1, picked[1]),
+        ("whole", 2, picked[0]),
+    ]
+
+
+ACTIONS = ("approve", "request_change", "set_aside", "undo", "send", "accept_set", "new_take")
+
+
+@settings(
+    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+)
+@given(actions=st.lists(st.tuples(st.sampled_from(ACTIONS), st.integers(0, 7)), min_size=1, max_size=14))
+def test_whatever_is_decided_at_most_one_take_is_approved(stage: Stage, actions: Sequence[tuple[str, int]]) -> None:
+    with stage.world.server.runtime.database.writing() as session:
+        Deciding(session, stage).run(actions)
+        session.rollback()
+
+
+class Deciding:
+    """A decider who tries anything, lawful or not, on a set of two with alternates."""
+
+    def __init__(self, session: Session, stage: Stage) -> None:
+        self.session = session
+        self.stage = stage
+        self.actor = actor_for_person(session, stage.world.decider_id)
+        self.cue_id = add_cue(session, stage.world, "steps", variations=2)
+        self.takes = [self.new_take(variation) for variation in (1, 1, 2, 2)]
+
+    def new_take(self, variation: int) -> UUID:
+        return add_take(self.session, self.stage.world, self.stage.delivery_id, self.cue_id, variation)
+
+    def run(self, actions: Sequence[tuple[str, int]]) -> None:
+        for action, number in actions:
+            before = self.standing()
+            try:
+                with self.session.begin_nested():
+                    self.do(action, number)
+            except Conflict:
+                self.session.expire_all()
+                assert self.standing() == before, f"{action} was refused and changed something"
+            self.ensure_lawful()
+
+    def do(self, action: str, number: int) -> None:
+        take = self.session.get_one(Take, self.takes[number % len(self.takes)])
+        if action == "new_take":
+            self.takes.append(self.new_take(1 + number % 2))
+        elif action == "undo":
+            service.undo_verdict(self.session, self.actor, take.id)
+        elif action == "send":
+            service.send_changes(self.session, self.actor, self.stage.world.project_id)
+        elif action == "accept_set":
+            service.accept_set(self.session, self.actor, self.cue_id)
+        else:
+            kind = VerdictKind(action)
+            service.give_verdict(self.session, self.actor, take.id, kind=kind, note="duller", seen_state=take.state)
+
+    def standing(self) -> list[tuple[Any, ...]]:
+        self.session.flush()
+        rows = self.session.execute(
+            select(Take.variation, Take.number, Take.state).where(Take.cue_id == self.cue_id).order_by(Take.id)
+        )
+        return [tuple(row) for row in rows]
+
+    def ensure_lawful(self) -> None:
+        states = self.standing()
+        for variation in (1, 2):
+            assert sum(one[0] == variation and one[2] is TakeState.APPROVED for one in states) <= 1
+        drafts = select(Take.state).join(ChangeRequest, ChangeRequest.take_id == Take.id)
+        for state in self.session.scalars(drafts.where(Take.cue_id == self.cue_id, ChangeRequest.sending_id.is_(None))):
+            assert state in (TakeState.CONFORMING, TakeState.APPROVED)
