@@ -3,6 +3,9 @@ import { createRouter } from '@tanstack/react-router'
 import { queryClient } from '@/api/queryClient'
 import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
+import { checkRoutes } from '@/features/checks/routes'
+import { deskRoutes } from '@/features/desk/routes'
+import { invitationRoutes } from '@/features/invitation/routes'
 import { reviewRoutes } from '@/features/review/routes'
 import { todayRoutes } from '@/features/today/routes'
 import { partsRoute } from '@/parts/routes'
@@ -12,8 +15,8 @@ import { NotFoundPage } from './NotFoundPage'
 import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
 
 const pages = [
-  guestRoute.addChildren([...accountGuestRoutes]),
-  shellRoute.addChildren([...todayRoutes, ...reviewRoutes, ...accountRoutes, nowhereRoute]),
+  guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes]),
+  shellRoute.addChildren([...todayRoutes, ...reviewRoutes, ...deskRoutes, ...accountRoutes, nowhereRoute]),
 ] as const
 const routeTree = rootRoute.addChildren(pages)
 // For those who build: in development and test builds only, and unknown to the types of the product.

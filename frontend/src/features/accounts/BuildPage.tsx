@@ -1,7 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
-import { Link, useParams } from '@tanstack/react-router'
+import { useParams } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
+import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
@@ -54,9 +55,9 @@ export function BuildPage() {
         <dt>Token</dt>
         <dd>
           A producer makes one on the{' '}
-          <Link className="link" to={'/projects/$projectId' as string} params={{ projectId } as never}>
+          <ShellLink className="link" path={`/projects/${projectId}`}>
             project page
-          </Link>
+          </ShellLink>
           ; it goes into the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>.
         </dd>
         <dt>Exit code</dt>

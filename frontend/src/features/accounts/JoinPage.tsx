@@ -57,7 +57,7 @@ export function JoinPage() {
               name: invitation.has_account ? null : value('name'),
               password: isThem ? null : value('password'),
             },
-            { onSuccess: () => router.navigate({ href: '/' }) },
+            { onSuccess: () => void router.navigate({ href: '/' }) },
           )
         }
       >

@@ -60,7 +60,9 @@ export function NewPasswordPage() {
         action="Set the password"
         busy={setting.isPending}
         error={setting.error}
-        onSubmit={(value) => setting.mutate(value('password'), { onSuccess: () => router.navigate({ href: '/' }) })}
+        onSubmit={(value) =>
+          setting.mutate(value('password'), { onSuccess: () => void router.navigate({ href: '/' }) })
+        }
         other={
           <Link className="link small mid" to="/forgotten-password">
             Ask for a new link

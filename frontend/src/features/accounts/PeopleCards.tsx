@@ -183,11 +183,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
           }
         >
           <Field name="email" label="Mail address" type="email" autoComplete="off" />
-          <Checkbox.Group
-            label="Roles"
-            value={roles}
-            onChange={(chosen) => chosen.length > 0 && setRoles(chosen as Role[])}
-          >
+          <Checkbox.Group label="Roles" value={roles} onChange={(chosen) => chosen.length > 0 && setRoles(chosen)}>
             <div className={classes.roles}>
               {ROLES.map((role) => (
                 <Checkbox key={role} value={role} label={ROLE_WORDS[role]} description={ROLE_MEANINGS[role]} />

@@ -35,7 +35,7 @@ export function SignInPage() {
         onSubmit={(value) =>
           signIn.mutate(
             { email: value('email'), password: value('password') },
-            { onSuccess: () => router.navigate({ href: ownPath(next) }) },
+            { onSuccess: () => void router.navigate({ href: ownPath(next) }) },
           )
         }
         other={

@@ -25,7 +25,7 @@ export function SignUpPage() {
               email: value('email'),
               password: value('password'),
             },
-            { onSuccess: () => router.navigate({ href: '/' }) },
+            { onSuccess: () => void router.navigate({ href: '/' }) },
           )
         }
         other={

@@ -1,0 +1,320 @@
+import { useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { HotkeyButton, useHotkeys } from '@/app/keys'
+import { type Peaks, type Player, type PlayerState, spotOf as playFrom, Waveform, WaveThumb } from '@/audio'
+import { usePeaks } from '@/judging/api'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { age, length } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import { type CameBack, type Change, type Finding, useRecheck } from './api'
+import classes from './CameBack.module.css'
+import { spotOf, wordsOf, worstFirst } from './words'
+
+interface CameBackProps {
+  projectId: string
+  items: readonly CameBack[]
+  player: Player
+  playing: PlayerState
+  /** Choose a file that goes to this cue. */
+  onSendOwn: (cueId: string) => void
+}
+
+const changesOf = (item: CameBack) => item.changes as unknown as Change[]
+const findingsOf = (item: CameBack) => worstFirst(item.findings as unknown as Finding[])
+const thumbOf = ({ thumb }: CameBack): Peaks | null => thumb as unknown as Peaks | null
+
+/** Hear a take, from a place in it where one is given. */
+export function hear(player: Player, id: string, url: string, fromS?: number): void {
+  void player.select({ id, url })
+  void player.play(fromS)
+}
+
+/** What is with the designer again: one open with its marks, the others a line each. */
+export function CameBackCard({ projectId, items, player, playing, onSendOwn }: CameBackProps) {
+  const [openId, setOpenId] = useState<string | null>(null)
+  const index = Math.max(
+    0,
+    items.findIndex(({ take_id }) => take_id === openId),
+  )
+  const open = items[index]
+  const move = (by: number) => {
+    const next = items[(index + by + items.length) % items.length]
+    if (next) setOpenId(next.take_id)
+  }
+  const several = items.length > 1
+  useHotkeys([
+    { keys: 'j', label: 'Next that came back', group: 'Desk', run: () => move(1), disabled: !several },
+    { keys: 'k', label: 'The one before', group: 'Desk', run: () => move(-1), disabled: !several },
+  ])
+  return (
+    <Card aria-labelledby="came-back">
+      <CardHead
+        id="came-back"
+        title="Came back"
+        count={items.length > 0 ? items.length : undefined}
+        end={<span className="wide-only">returns by the checker use up no round</span>}
+      />
+      {open === undefined && (
+        <div className={classes.empty}>
+          <EmptyState head="Nothing came back." level={3}>
+            What the checker returns, and what the approver wants changed, stands here first.
+          </EmptyState>
+        </div>
+      )}
+      {items.map((item) =>
+        item === open ? (
+          <OpenTake
+            key={item.take_id}
+            projectId={projectId}
+            item={item}
+            player={player}
+            playing={playing}
+            onSendOwn={onSendOwn}
+          />
+        ) : (
+          <ClosedTake key={item.take_id} item={item} onOpen={() => setOpenId(item.take_id)} />
+        ),
+      )}
+    </Card>
+  )
+}
+
+function Name({ item }: { item: CameBack }) {
+  return <>{item.cue?.name ?? item.file_name}</>
+}
+
+interface OpenTakeProps extends Omit<CameBackProps, 'items'> {
+  item: CameBack
+}
+
+function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps) {
+  const { cue, number, variation, since, status, preview_url: url, take_id: id } = item
+  const findings = findingsOf(item)
+  const changes = changesOf(item)
+  const recheck = useRecheck(projectId)
+  const sounds = playing.sourceId === id && playing.status === 'playing'
+  const toggle = () => {
+    if (url === null) return
+    if (sounds) player.pause()
+    else hear(player, id, url)
+  }
+  useHotkeys([{ keys: 'Space', label: 'Play, pause', group: 'Desk', run: toggle, disabled: url === null }])
+  return (
+    <article className={classes.open} aria-labelledby={`back-${id}`}>
+      <div className={classes.head}>
+        <h3 id={`back-${id}`} className="title">
+          <Name item={item} />
+        </h3>
+        <State kind={status} pill />
+        <span className="small dim">
+          {cue && <span className="mono">{cue.label}</span>}
+          {variation > 1 && `, _${String(variation).padStart(2, '0')}`}
+          {number !== null && `, version ${number}`}, {age(since)} ago
+        </span>
+      </div>
+      {findings.length > 0 && (
+        <ul className={classes.findings} aria-label="What the check found">
+          {findings.map((finding) => (
+            <FindingRow
+              key={`${finding.code} ${finding.start_s}`}
+              finding={finding}
+              onHear={
+                url === null || finding.start_s === null
+                  ? undefined
+                  : () => hear(player, id, url, playFrom(finding.start_s ?? 0))
+              }
+            />
+          ))}
+        </ul>
+      )}
+      {changes.length > 0 && (
+        <ol className={classes.changes} aria-label="What is to change">
+          {changes.map((change, index) => (
+            <li key={index}>
+              <span className={`${classes.pin} tone-change`} aria-hidden="true">
+                {index + 1}
+              </span>
+              <span className="lead grow">“{change.text}”</span>
+              {change.start_s !== null && (
+                <button
+                  type="button"
+                  className="link mono small mid nowrap"
+                  disabled={url === null}
+                  onClick={() => url !== null && hear(player, id, url, playFrom(change.start_s ?? 0))}
+                >
+                  {spotOf(change.start_s, change.end_s)}
+                </button>
+              )}
+            </li>
+          ))}
+        </ol>
+      )}
+      {item.round !== null && <p className="small mid">Round {item.round}.</p>}
+      {status === 'unjudged' && (
+        <p className={classes.fault}>
+          The check itself broke three times. That is our fault; nothing is wrong with your file, and no round counts.
+        </p>
+      )}
+      <Wave item={item} findings={findings} changes={changes} player={player} isHeard={playing.sourceId === id} />
+      {playing.error !== null && playing.sourceId === id && (
+        <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
+      )}
+      {recheck.error instanceof ApiProblem && <ProblemNote detail={recheck.error.detail} fix={recheck.error.fix} />}
+      <div className={classes.actions}>
+        {status === 'unjudged' && (
+          <Button variant="primary" icon="turn" onClick={() => recheck.mutate(id)} disabled={recheck.isPending}>
+            Check it again
+          </Button>
+        )}
+        {cue && (
+          <HotkeyButton
+            variant={status === 'unjudged' ? 'plain' : 'primary'}
+            icon="upload"
+            keys="s"
+            keyLabel="Send my own for what came back"
+            keyGroup="Desk"
+            onPress={() => onSendOwn(cue.id)}
+          >
+            Send my own
+          </HotkeyButton>
+        )}
+        {url !== null && (
+          <Button icon={sounds ? 'pause' : 'play'} keys="Space" onClick={toggle}>
+            {sounds ? 'Pause' : 'Play'}
+          </Button>
+        )}
+        <span className={`small mid ${classes.follows}`}>
+          {number !== null &&
+            `What you send becomes version ${number + 1}, whatever its file is called; version ${number} stays as it is.`}
+        </span>
+      </div>
+    </article>
+  )
+}
+
+function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void }) {
+  const { head, rest, where } = wordsOf(finding)
+  const isError = finding.severity === 'error'
+  return (
+    <li className={`${classes.finding} tone-${isError ? 'bad' : 'warn'}`}>
+      <span className={classes.icon}>
+        <Icon name={isError ? 'back' : 'triangle'} />
+      </span>
+      <span className="strong toned">
+        <span className="visually-hidden">{isError ? 'Error: ' : 'Warning: '}</span>
+        {head}
+      </span>
+      <span className={`mid ${classes.rest}`}>
+        {rest}{' '}
+        {where !== '' &&
+          (onHear ? (
+            <button type="button" className={`link mono small ${classes.where}`} onClick={onHear}>
+              <span className="visually-hidden">Hear it at </span>
+              {where}
+            </button>
+          ) : (
+            <span className="mono small nowrap">{where}</span>
+          ))}
+      </span>
+      <a className="link small mid" href={`/checks/${finding.check}`} target="_blank" rel="noreferrer">
+        {finding.check}
+        <span className="visually-hidden">, what this check is, in a new tab</span>
+      </a>
+    </li>
+  )
+}
+
+interface WaveProps {
+  item: CameBack
+  findings: readonly Finding[]
+  changes: readonly Change[]
+  player: Player
+  isHeard: boolean
+}
+
+function Wave({ item, findings, changes, player, isHeard }: WaveProps) {
+  const { take_id: id, duration_s: durationS, preview_url: url } = item
+  const peaks = usePeaks(item.peaks_url)
+  if (durationS === null || url === null) {
+    return (
+      <p className="small mid">There is no picture of this file: it could not be read as a sound, or is being drawn.</p>
+    )
+  }
+  const from = (s: number) => hear(player, id, url, s)
+  return (
+    <div className={classes.wave}>
+      <Waveform
+        label={item.cue?.name ?? item.file_name}
+        peaks={peaks}
+        durationS={durationS}
+        heightPx={104}
+        limitDbfs={item.limit_dbfs ?? undefined}
+        clock={isHeard ? player : undefined}
+        playheadS={0}
+        onSeek={(s) => {
+          void player.select({ id, url })
+          player.seek(s)
+        }}
+        onMark={(fromS) => from(fromS)}
+        findings={findings
+          .filter(({ start_s }) => start_s !== null)
+          .map((finding, index) => ({
+            id: `${finding.code} ${index}`,
+            severity: finding.severity,
+            label: wordsOf(finding).head,
+            startS: finding.start_s ?? 0,
+            endS: finding.end_s ?? undefined,
+          }))}
+        comments={changes.flatMap(({ start_s, end_s }, index) =>
+          start_s === null
+            ? []
+            : [{ id: String(index), number: index + 1, startS: start_s, endS: end_s === null ? undefined : end_s }],
+        )}
+      />
+    </div>
+  )
+}
+
+function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
+  const changes = changesOf(item)
+  const [first] = findingsOf(item)
+  return (
+    <div className={classes.mini}>
+      <div>
+        <p className="strong">
+          <Name item={item} />
+        </p>
+        <State kind={item.status} />
+      </div>
+      <div className={classes.said}>
+        <span className={classes.thumb}>
+          <WaveThumb peaks={thumbOf(item)} heightPx={32} />
+          {item.duration_s !== null &&
+            changes.map(
+              ({ start_s }, index) =>
+                start_s !== null && (
+                  <i
+                    key={index}
+                    className={classes.note}
+                    style={{ left: `${(start_s / (item.duration_s ?? 1)) * 100}%` }}
+                  />
+                ),
+            )}
+        </span>
+        <p className="mid grow">
+          {changes[0] ? `“${changes[0].text}”` : first ? `${wordsOf(first).head}. ${wordsOf(first).rest}` : ''}{' '}
+          {item.duration_s !== null && <span className="small dim nowrap">{length(item.duration_s)}</span>}
+        </p>
+      </div>
+      <Button onClick={onOpen}>
+        Open <span className="visually-hidden">{item.cue?.name ?? item.file_name}</span>
+      </Button>
+    </div>
+  )
+}

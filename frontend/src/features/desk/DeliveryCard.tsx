@@ -1,0 +1,187 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { type ReactNode, useEffect, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { HotkeyButton } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { bytesOf, plural, remaining } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { useUploads } from '@/uploads'
+
+import { type Delivery, openDeliveryQuery, useCloseDelivery, useDelivery, useRecheck, useSaveNote } from './api'
+import classes from './Delivery.module.css'
+import { DeliveryLines } from './DeliveryLines'
+import type { DeliveryUploads } from './deliveryUploads'
+import { type DeliveryRows, isGoing, rowsOf } from './rows'
+
+interface DeliveryCardProps {
+  projectId: string
+  uploads: DeliveryUploads
+  cueLabel: (cueId: string) => string
+  onChoose: () => void
+  onChooseFolder: () => void
+  /** Why the files could not be taken at all. */
+  problem: unknown
+  /** What waits for its cue. */
+  children: ReactNode
+}
+
+/** Where files go in: what is on its way, what became of it, and the note that goes with it. */
+export function DeliveryCard({
+  projectId,
+  uploads,
+  cueLabel,
+  onChoose,
+  onChooseFolder,
+  problem,
+  children,
+}: DeliveryCardProps) {
+  const { queue } = uploads
+  const sending = useUploads(queue)
+  const { data: delivery } = useQuery(openDeliveryQuery(projectId))
+  const { data: detail } = useDelivery(delivery?.id)
+  const recheck = useRecheck(projectId)
+  const rows = rowsOf(sending.uploads, detail, uploads.takeOf, cueLabel)
+  const going = sending.uploads.some(isGoing)
+  const empty = rows.open.length + rows.done.length === 0
+  const refused = [problem, recheck.error].find((error) => error instanceof ApiProblem)
+
+  return (
+    <Card aria-labelledby="delivery">
+      <CardHead
+        id="delivery"
+        title={delivery ? `Delivery ${delivery.number}` : 'Deliver'}
+        note={<span role="status">{sumsOf(sending.figures, going, rows)}</span>}
+        end={
+          <>
+            {!empty && <span className="wide-only">drop files, folders or a ZIP anywhere</span>}
+            {going && (
+              <Button
+                variant="quiet"
+                icon={sending.paused ? 'play' : 'pause'}
+                onClick={() => (sending.paused ? queue.resume() : queue.pause())}
+              >
+                {sending.paused ? 'Go on' : 'Pause'}
+              </Button>
+            )}
+            {!empty && (
+              <>
+                <Button variant="quiet" onClick={onChooseFolder}>
+                  Folder
+                </Button>
+                <HotkeyButton icon="upload" keys="n" keyLabel="Deliver files" keyGroup="Desk" onPress={onChoose}>
+                  Choose files
+                </HotkeyButton>
+              </>
+            )}
+          </>
+        }
+      />
+      {refused instanceof ApiProblem && (
+        <div className={classes.problem}>
+          <ProblemNote detail={refused.detail} fix={refused.fix} />
+        </div>
+      )}
+      {empty && (
+        <div className={classes.drop}>
+          <p>
+            <span className="strong">Drop files, a folder or a ZIP anywhere on this page.</span>{' '}
+            <span className="mid">
+              The name says which cue a file is for; what no name fits waits here until you say. A line that drops loses
+              nothing.
+            </span>
+          </p>
+          <span className={classes.choose}>
+            <HotkeyButton
+              variant="primary"
+              icon="upload"
+              keys="n"
+              keyLabel="Deliver files"
+              keyGroup="Desk"
+              onPress={onChoose}
+            >
+              Choose files
+            </HotkeyButton>
+            <Button onClick={onChooseFolder}>Choose a folder</Button>
+          </span>
+        </div>
+      )}
+      <DeliveryLines
+        rows={rows}
+        onStop={(id) => queue.stop(id)}
+        onDismiss={(id) => queue.dismiss(id)}
+        onRecheck={(takeId) => recheck.mutate(takeId)}
+      />
+      {children}
+      {delivery && <Foot key={delivery.id} projectId={projectId} delivery={delivery} going={going} />}
+    </Card>
+  )
+}
+
+function sumsOf(
+  figures: { sentBytes: number; totalBytes: number; secondsLeft: number | null },
+  going: boolean,
+  { open, done }: DeliveryRows,
+): string {
+  const checking = open.filter(({ state }) => state === 'checking').length
+  const parts = [
+    going ? bytesOf(figures.sentBytes, figures.totalBytes) : '',
+    going && figures.secondsLeft !== null ? `${remaining(figures.secondsLeft)} left` : '',
+    checking > 0 ? `${checking} being checked` : '',
+    !going && done.length + open.length > 0 ? plural(done.length + open.length, 'file') : '',
+  ]
+  return parts.filter(Boolean).join(', ')
+}
+
+function Foot({ projectId, delivery, going }: { projectId: string; delivery: Delivery; going: boolean }) {
+  const [note, setNote] = useState(delivery.note)
+  const save = useSaveNote(projectId)
+  const close = useCloseDelivery(projectId)
+  const [asked, setAsked] = useState(false)
+  useEffect(() => {
+    if (!going) setAsked(false)
+  }, [going])
+  const keep = async () => {
+    if (note.trim() === delivery.note) return
+    await save.mutateAsync({ deliveryId: delivery.id, note: note.trim() })
+  }
+  const finish = async () => {
+    if (going && !asked) {
+      setAsked(true)
+      return
+    }
+    try {
+      await keep()
+      await close.mutateAsync(delivery.id)
+      showToast(`Delivery ${delivery.number} is closed. The next file opens a new one.`)
+    } catch {
+      // The refusal stands below the field.
+    }
+  }
+  const error = save.error ?? close.error
+  return (
+    <form
+      className={classes.foot}
+      onSubmit={(event) => {
+        event.preventDefault()
+        void keep().catch(() => undefined)
+      }}
+    >
+      <TextInput
+        className="grow"
+        label={`Note to delivery ${delivery.number}`}
+        placeholder="What is in it, and what to listen for"
+        value={note}
+        onChange={(event) => setNote(event.currentTarget.value)}
+        onBlur={() => void keep().catch(() => undefined)}
+        error={error instanceof ApiProblem ? error.detail : undefined}
+        description={save.isSuccess && note.trim() === delivery.note ? 'Kept.' : undefined}
+        inputWrapperOrder={['label', 'input', 'description', 'error']}
+      />
+      <Button onClick={() => void finish()}>{asked ? 'Close it; the rest comes late' : 'Nothing more to come'}</Button>
+    </form>
+  )
+}

@@ -1,0 +1,215 @@
+import { useQueryClient } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useTitle } from '@/app/title'
+import { usePlayer } from '@/audio'
+import { meQuery } from '@/judging/api'
+import { EmptyState } from '@/ui/EmptyState'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { filesOfField, type Picked, useLeaveWarning, usePageDrop, useUploads } from '@/uploads'
+
+import { useCues, useDesk, useUnmatched, type Desk } from './api'
+import { CameBackCard } from './CameBackCard'
+import { DeliveryCard } from './DeliveryCard'
+import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
+import classes from './Desk.module.css'
+import { AskedCard, ToMakeCard, WithApproverCard } from './SideCards'
+import { UnmatchedTray } from './UnmatchedTray'
+import { deskLine } from './words'
+
+function useDeliveryUploads(projectId: string): { uploads: DeliveryUploads | null; error: unknown } {
+  const client = useQueryClient()
+  const [uploads, setUploads] = useState<DeliveryUploads | null>(null)
+  const [error, setError] = useState<unknown>(null)
+  useEffect(() => {
+    let left = false
+    const start = async () => {
+      try {
+        const me = await client.ensureQueryData(meQuery)
+        const found = await uploadsOf(client, projectId, me.person.id)
+        if (!left) setUploads(found)
+      } catch (refusal) {
+        if (!left) setError(refusal)
+      }
+    }
+    setUploads(null)
+    setError(null)
+    void start()
+    return () => {
+      left = true
+    }
+  }, [client, projectId])
+  return { uploads, error }
+}
+
+/** A designer's desk in one project: what came back, what goes in, what is still to make. */
+export function DeskPage() {
+  useTitle('Desk')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/desk' })
+  const { data: desk, error } = useDesk(projectId)
+  const { uploads, error: noUploads } = useDeliveryUploads(projectId)
+  const problem = error ?? noUploads
+  if (problem) {
+    const refusal = problem instanceof ApiProblem ? problem : null
+    return (
+      <div className="page">
+        <h1>Your desk</h1>
+        {refusal?.status === 403 ? (
+          <EmptyState head="You have no desk in this project.">
+            The desk is for its sound designers. You are of the team: Today shows what waits for you.
+          </EmptyState>
+        ) : (
+          <ProblemNote detail={refusal?.detail ?? 'The desk could not be read.'} fix={refusal?.fix} />
+        )}
+      </div>
+    )
+  }
+  if (desk === undefined || uploads === null) {
+    return (
+      <div className="page">
+        <h1>Your desk</h1>
+      </div>
+    )
+  }
+  return <OpenDesk key={projectId} projectId={projectId} desk={desk} uploads={uploads} />
+}
+
+function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk; uploads: DeliveryUploads }) {
+  const [player, playing] = usePlayer()
+  const { data: unmatched = [] } = useUnmatched(projectId)
+  const { data: cues } = useCues(projectId)
+  const { uploads: sending } = useUploads(uploads.queue)
+  const [problem, setProblem] = useState<unknown>(null)
+  useLeaveWarning(sending)
+
+  const add = useCallback(
+    async (picked: readonly Picked[], cueId: string | null = null) => {
+      setProblem(null)
+      try {
+        await uploads.add(picked, cueId)
+      } catch (refusal) {
+        setProblem(refusal)
+      }
+    },
+    [uploads],
+  )
+  const onPageDrop = useCallback((picked: Picked[]) => void add(picked), [add])
+  const over = usePageDrop(onPageDrop)
+  const chooser = useFileChooser(add)
+  const labels = useMemo(() => new Map(cues?.map(({ id, label }) => [id, label])), [cues])
+
+  return (
+    <div className="page">
+      <div className={classes.head}>
+        <div>
+          <h1>Your desk</h1>
+          <p className="mid">{deskLine(desk)}</p>
+        </div>
+        <div className="wide-only">
+          <KeysLine
+            keys={[
+              { keys: ['n'], label: 'deliver files' },
+              { keys: ['Space'], label: 'play' },
+              { keys: ['?'], label: 'all keys' },
+            ]}
+          />
+        </div>
+      </div>
+      {chooser.fields}
+      <div className={`columns ${classes.columns}`}>
+        <div className="stack">
+          <CameBackCard
+            projectId={projectId}
+            items={desk.came_back}
+            player={player}
+            playing={playing}
+            onSendOwn={chooser.choose}
+          />
+          <DeliveryCard
+            projectId={projectId}
+            uploads={uploads}
+            cueLabel={(cueId) => labels.get(cueId) ?? ''}
+            onChoose={() => chooser.choose(null)}
+            onChooseFolder={chooser.chooseFolder}
+            problem={problem}
+          >
+            <UnmatchedTray projectId={projectId} takes={unmatched} player={player} playing={playing} />
+          </DeliveryCard>
+        </div>
+        <aside className="stack" aria-label="Beside the deliveries">
+          <ToMakeCard
+            projectId={projectId}
+            toMake={desk.to_make}
+            onChoose={chooser.choose}
+            onDrop={(picked, cueId) => void add(picked, cueId)}
+          />
+          <WithApproverCard desk={desk} />
+          <AskedCard
+            projectId={projectId}
+            questions={desk.questions}
+            cueId={desk.came_back[0]?.cue?.id ?? desk.to_make[0]?.cue.id ?? null}
+          />
+        </aside>
+      </div>
+      {over && (
+        <p className={`${classes.over} on-ink`} role="status">
+          Let go: files, folders or a ZIP go into the delivery. On a cue of “To make” they are for that cue.
+        </p>
+      )}
+    </div>
+  )
+}
+
+interface Chooser {
+  fields: React.ReactNode
+  /** Choose files; with a cue they are for it, whatever they are called. */
+  choose: (cueId: string | null) => void
+  chooseFolder: () => void
+}
+
+/** The browser's own windows for choosing files and folders. */
+function useFileChooser(add: (picked: readonly Picked[], cueId: string | null) => Promise<void>): Chooser {
+  const files = useRef<HTMLInputElement>(null)
+  const folder = useRef<HTMLInputElement>(null)
+  const cue = useRef<string | null>(null)
+  const take = (field: HTMLInputElement) => {
+    void add(filesOfField(field.files ?? []), cue.current)
+    // The same file may be chosen twice running.
+    field.value = ''
+  }
+  const fields = (
+    <span className="visually-hidden">
+      <input
+        ref={files}
+        type="file"
+        multiple
+        tabIndex={-1}
+        aria-label="Files to deliver"
+        onChange={(event) => take(event.currentTarget)}
+      />
+      <input
+        ref={folder}
+        type="file"
+        multiple
+        tabIndex={-1}
+        aria-label="Folder to deliver"
+        onChange={(event) => take(event.currentTarget)}
+        {...{ webkitdirectory: '' }}
+      />
+    </span>
+  )
+  return {
+    fields,
+    choose: (cueId) => {
+      cue.current = cueId
+      files.current?.click()
+    },
+    chooseFolder: () => {
+      cue.current = null
+      folder.current?.click()
+    },
+  }
+}

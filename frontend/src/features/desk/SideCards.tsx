@@ -1,0 +1,270 @@
+import { Select, Textarea } from '@mantine/core'
+import { type DragEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { HotkeyButton } from '@/app/keys'
+import { ShellLink } from '@/app/shell/ShellLink'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { age, length, plural } from '@/ui/format'
+import { State } from '@/ui/State'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
+import { filesOfDrop, type Picked } from '@/uploads'
+
+import { type AskedQuestion, type Desk, type ToMake, useAsk, useCues } from './api'
+import classes from './Side.module.css'
+
+const SHOWN_AT_FIRST = 14
+
+interface ToMakeCardProps {
+  projectId: string
+  toMake: readonly ToMake[]
+  onChoose: (cueId: string) => void
+  onDrop: (picked: Picked[], cueId: string) => void
+}
+
+/** What is still to be made; each line takes a drop for its own cue. */
+export function ToMakeCard({ projectId, toMake, onChoose, onDrop }: ToMakeCardProps) {
+  const [all, setAll] = useState(false)
+  const shown = all ? toMake : toMake.slice(0, SHOWN_AT_FIRST)
+  return (
+    <Card aria-labelledby="to-make">
+      <CardHead
+        id="to-make"
+        title="To make"
+        count={toMake.length > 0 ? toMake.length : undefined}
+        end={toMake.length > 0 && <span className="wide-only">drop a file on its cue</span>}
+      />
+      {toMake.length === 0 && <p className={`mid ${classes.plain}`}>Every cue of the list has its files.</p>}
+      <ul aria-labelledby="to-make">
+        {shown.map((one) => (
+          <ToMakeRow
+            key={one.cue.id}
+            projectId={projectId}
+            one={one}
+            onChoose={() => onChoose(one.cue.id)}
+            onDrop={(picked) => onDrop(picked, one.cue.id)}
+          />
+        ))}
+      </ul>
+      {toMake.length > shown.length && (
+        <p className={classes.plain}>
+          <button type="button" className="link small mid" onClick={() => setAll(true)}>
+            Show all {toMake.length}
+          </button>
+        </p>
+      )}
+    </Card>
+  )
+}
+
+function standing({ status, state, variations, missing }: ToMake) {
+  if (state === 'concept') return <State kind="warning">Concept</State>
+  if (status === 'question') return <State kind="question" />
+  if (status === 'placeholder') return <State kind="placeholder" />
+  if (variations > 1) return <span className="small mid nowrap">{`${missing} of ${variations} missing`}</span>
+  return <State kind="to_make" />
+}
+
+function factsOf({ category, use, duration_s, loop, variations, state }: ToMake): string {
+  if (state === 'concept') return 'not settled; ask before you start'
+  const facts = [
+    use || category,
+    duration_s === null ? '' : length(duration_s),
+    loop ? 'loop' : '',
+    variations > 1 ? `set of ${variations}` : '',
+  ]
+  return facts.filter(Boolean).join(', ')
+}
+
+interface RowProps {
+  projectId: string
+  one: ToMake
+  onChoose: () => void
+  onDrop: (picked: Picked[]) => void
+}
+
+function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
+  const [over, setOver] = useState(false)
+  const { cue } = one
+  const take = (event: DragEvent) => {
+    setOver(false)
+    if (!event.dataTransfer.types.includes('Files')) return
+    event.preventDefault()
+    void filesOfDrop(event.dataTransfer).then(onDrop)
+  }
+  return (
+    // The button in the row does the same without a drag.
+    // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
+    <li
+      className={classes.make}
+      data-over={over || undefined}
+      onDragEnter={() => setOver(true)}
+      onDragOver={(event) => event.preventDefault()}
+      onDragLeave={(event) => {
+        if (!event.currentTarget.contains(event.relatedTarget as Node | null)) setOver(false)
+      }}
+      onDrop={take}
+    >
+      <ShellLink className={`strong ${classes.cue}`} path={`/projects/${projectId}/sound-list/cues/${cue.id}`}>
+        {cue.name}
+      </ShellLink>
+      {over ? <span className="small strong">It is for {cue.name}</span> : standing(one)}
+      <span className="small dim">{factsOf(one)}</span>
+      <Button
+        square
+        variant="quiet"
+        icon="upload"
+        className={classes.send}
+        aria-label={`Choose files for ${cue.name}`}
+        onClick={onChoose}
+      />
+    </li>
+  )
+}
+
+/** What the designer need not think of now. */
+export function WithApproverCard({ desk }: { desk: Desk }) {
+  const { with_approver: cues, with_approver_files: files, accepted, cues: all } = desk
+  return (
+    <Card aria-labelledby="with-approver">
+      <CardHead id="with-approver" title="With the approver" end={`${accepted} of ${all} accepted`} />
+      <div className={classes.due}>
+        {cues.length === 0 ? (
+          <span className="mid">Nothing waits for a verdict.</span>
+        ) : (
+          <>
+            <span className="mid">{cues.map(({ name }) => name).join(', ')}</span>
+            <State kind="to_review">
+              {plural(cues.length, 'cue')}, {plural(files, 'file')}
+            </State>
+          </>
+        )}
+      </div>
+    </Card>
+  )
+}
+
+interface AskedCardProps {
+  projectId: string
+  questions: readonly AskedQuestion[]
+  /** The cue in the hand, which a question is about unless told otherwise. */
+  cueId: string | null
+}
+
+/** What was asked, what was answered, and the way to ask. */
+export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
+  const [asking, setAsking] = useState(false)
+  const open = questions.filter(({ answer }) => answer === null).length
+  const newest = questions.toSorted((a, b) => b.asked_at.localeCompare(a.asked_at))
+  return (
+    <Card aria-labelledby="asked">
+      <CardHead
+        id="asked"
+        title="You asked"
+        note={open > 0 ? `${open} open` : undefined}
+        end={
+          !asking && (
+            <HotkeyButton
+              icon="question"
+              variant="quiet"
+              keys="q"
+              keyLabel="Ask about a cue"
+              keyGroup="Desk"
+              onPress={() => setAsking(true)}
+            >
+              Ask
+            </HotkeyButton>
+          )
+        }
+      />
+      {asking && <AskForm projectId={projectId} cueId={cueId} onDone={() => setAsking(false)} />}
+      {!asking && newest.length === 0 && (
+        <p className={`mid ${classes.plain}`}>Nothing yet. What falls, how heavy, where: an answer joins the cue.</p>
+      )}
+      <ul aria-labelledby="asked">
+        {newest.map(({ id, cue, text, asked_at, answer }) => (
+          <li key={id} className={classes.question}>
+            <p>“{text}”</p>
+            <p className="small dim">
+              {cue.name}, {age(asked_at)} ago{answer === null ? '; the studio’s turn' : ''}
+            </p>
+            {answer !== null && <p className={classes.answer}>{answer}</p>}
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: string | null; onDone: () => void }) {
+  const { data: cues } = useCues(projectId)
+  const [chosen, setChosen] = useState(cueId)
+  const [text, setText] = useState('')
+  const [missing, setMissing] = useState<{ cue?: string; text?: string }>({})
+  const ask = useAsk(projectId)
+  const cueField = useFocusOnMount<HTMLInputElement>(cueId === null)
+  const textField = useFocusOnMount<HTMLTextAreaElement>(cueId !== null)
+  const send = () => {
+    const lacks = {
+      cue: chosen === null ? 'Say which cue it is about.' : undefined,
+      text: text.trim() === '' ? 'Write what you must know.' : undefined,
+    }
+    setMissing(lacks)
+    if (chosen === null || lacks.text !== undefined || ask.isPending) return
+    ask.mutate(
+      { cueId: chosen, text: text.trim() },
+      {
+        onSuccess: ({ cue_name }) => {
+          showToast(`Asked about ${cue_name}. The answer comes here and by mail.`)
+          onDone()
+        },
+      },
+    )
+  }
+  const refusal = ask.error instanceof ApiProblem ? ask.error : null
+  return (
+    <form
+      className={classes.ask}
+      onSubmit={(event) => {
+        event.preventDefault()
+        send()
+      }}
+      noValidate
+    >
+      <Select
+        label="Cue"
+        searchable
+        data={cues?.map(({ id, label, name }) => ({ value: id, label: `${label} ${name}` })) ?? []}
+        value={chosen}
+        onChange={setChosen}
+        error={missing.cue}
+        ref={cueField}
+        comboboxProps={{ transitionProps: { duration: 0 } }}
+      />
+      <Textarea
+        label="Question"
+        autosize
+        minRows={2}
+        maxLength={2000}
+        value={text}
+        onChange={(event) => setText(event.currentTarget.value)}
+        error={missing.text ?? refusal?.of('text')?.message ?? refusal?.detail}
+        ref={textField}
+        onKeyDown={(event) => {
+          if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) send()
+          if (event.key === 'Escape') onDone()
+        }}
+      />
+      <div className={classes.askFoot}>
+        <Button variant="quiet" onClick={onDone}>
+          Not now
+        </Button>
+        <Button type="submit" variant="primary">
+          Ask the studio
+        </Button>
+      </div>
+    </form>
+  )
+}

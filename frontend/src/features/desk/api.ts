@@ -1,0 +1,201 @@
+import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { deskQuery } from '@/app/desk'
+import type { FileKind } from '@/uploads'
+
+import { acceptedKinds } from './accepted'
+
+type Schemas = components['schemas']
+export type Desk = Schemas['Desk']
+export type CameBack = Schemas['CameBack']
+export type ToMake = Schemas['ToMake']
+export type AskedQuestion = Schemas['AskedQuestion']
+export type Finding = Schemas['FindingRead']
+export type Take = Schemas['TakeRead']
+export type Guess = Schemas['CueGuess']
+export type Delivery = Schemas['DeliveryRead']
+export type DeliveryDetail = Schemas['DeliveryDetail']
+export type Archive = Schemas['ArchiveRead']
+export type TakeSounds = Schemas['TakeSoundsRead']
+export type Cue = Schemas['CueRead']
+export type Thumb = Schemas['ThumbRead']
+
+/** A change that was asked for, and where in the sound. */
+export interface Change {
+  text: string
+  start_s: number | null
+  end_s: number | null
+}
+
+const POLL_MS = 1000
+/** Asking for a thousand rows every second would keep the server from checking them. */
+const SLOW_POLL_MS = 4000
+const MANY = 200
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+
+export const keys = {
+  deliveries: (projectId: string) => ['deliveries', projectId] as const,
+  delivery: (deliveryId: string) => ['delivery', deliveryId] as const,
+  unmatched: (projectId: string) => ['unmatched', projectId] as const,
+  sounds: (takeId: string) => ['take-sounds', takeId] as const,
+}
+
+export const useDesk = (projectId: string) =>
+  useQuery({
+    ...deskQuery(projectId),
+    refetchInterval: ({ state: { data } }) => (data && data.checking > 0 ? POLL_MS : false),
+  })
+
+/** The delivery that files go into now: the newest one that is not closed. */
+export const openDeliveryQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.deliveries(projectId),
+    queryFn: async () => {
+      const { items } = await answered(
+        api.GET('/v1/projects/{project_id}/deliveries', {
+          params: { path: { project_id: projectId }, query: { limit: 1 } },
+        }),
+      )
+      const newest = items[0]
+      return newest && newest.closed_at === null ? newest : null
+    },
+  })
+
+export const openDelivery = (projectId: string): Promise<Delivery> =>
+  answered(api.POST('/v1/projects/{project_id}/deliveries', { ...inProject(projectId), body: { note: '' } }))
+
+const isMoving = (detail: DeliveryDetail): boolean =>
+  detail.takes.some(({ state }) => state === 'received') || detail.archives.some(({ state }) => state === 'received')
+
+export const useDelivery = (deliveryId: string | undefined) =>
+  useQuery({
+    queryKey: keys.delivery(deliveryId ?? ''),
+    queryFn: () =>
+      answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId ?? '' } } })),
+    enabled: deliveryId !== undefined,
+    refetchInterval: ({ state: { data } }) =>
+      data && isMoving(data) ? (data.takes.length > MANY ? SLOW_POLL_MS : POLL_MS) : false,
+  })
+
+export const addTake = (deliveryId: string, body: Schemas['TakeAdd']) =>
+  answered(api.POST('/v1/deliveries/{delivery_id}/takes', { params: { path: { delivery_id: deliveryId } }, body }))
+
+export const addArchive = (deliveryId: string, body: Schemas['ArchiveAdd']) =>
+  answered(api.POST('/v1/deliveries/{delivery_id}/archives', { params: { path: { delivery_id: deliveryId } }, body }))
+
+export function useSaveNote(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ deliveryId, note }: { deliveryId: string; note: string }) =>
+      answered(
+        api.PATCH('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } }, body: { note } }),
+      ),
+    onSuccess: (saved) => {
+      client.setQueryData(openDeliveryQuery(projectId).queryKey, saved)
+      void client.invalidateQueries({ queryKey: keys.delivery(saved.id) })
+    },
+  })
+}
+
+export function useCloseDelivery(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (deliveryId: string) =>
+      answered(api.POST('/v1/deliveries/{delivery_id}/close', { params: { path: { delivery_id: deliveryId } } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: keys.deliveries(projectId) }),
+  })
+}
+
+/** Files whose name says of no cue that it is theirs. */
+export const useUnmatched = (projectId: string) =>
+  useQuery({
+    queryKey: keys.unmatched(projectId),
+    queryFn: async () => {
+      const { items } = await answered(
+        api.GET('/v1/projects/{project_id}/takes', {
+          params: { path: { project_id: projectId }, query: { unmatched: true, limit: 200 } },
+        }),
+      )
+      return items
+    },
+  })
+
+export function useMatch(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ take, cueId, variation }: { take: Take; cueId: string; variation?: number }) =>
+      answered(
+        api.PUT('/v1/takes/{take_id}/match', {
+          params: { path: { take_id: take.id } },
+          body: { cue_id: cueId, variation },
+        }),
+      ),
+    onSettled: () => refresh(client, projectId),
+  })
+}
+
+export function useRecheck(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (takeId: string) =>
+      answered(api.POST('/v1/takes/{take_id}/recheck', { params: { path: { take_id: takeId } } })),
+    onSettled: () => refresh(client, projectId),
+  })
+}
+
+/** What can be seen and heard of one take; asked again while it is being drawn. */
+export const useSounds = (takeId: string) =>
+  useQuery({
+    queryKey: keys.sounds(takeId),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', { params: { path: { take_id: takeId } } })),
+    refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? POLL_MS : false),
+  })
+
+export const useCues = (projectId: string, enabled = true) =>
+  useQuery({
+    queryKey: ['sound-list', projectId, 'to choose from'],
+    queryFn: async () => {
+      const { cues } = await answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId)))
+      return cues.filter(({ cut_at }) => cut_at === null)
+    },
+    enabled,
+  })
+
+/** What kinds of file some category of the spec takes: only what none takes is stopped in the browser. */
+export const acceptedKindsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['accepted-kinds', projectId],
+    queryFn: async (): Promise<FileKind[]> => {
+      const { tables } = await answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId)))
+      return acceptedKinds(tables)
+    },
+    staleTime: 60_000,
+  })
+
+export function useAsk(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ cueId, text }: { cueId: string; text: string }) =>
+      answered(api.POST('/v1/cues/{cue_id}/questions', { params: { path: { cue_id: cueId } }, body: { text } })),
+    onSuccess: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: deskQuery(projectId).queryKey }),
+        client.invalidateQueries({ queryKey: ['sound-list', projectId] }),
+      ]),
+  })
+}
+
+/** Ask anew for everything that an arriving or matched file changes. */
+export async function refresh(client: QueryClient, projectId: string): Promise<void> {
+  const touched = [
+    deskQuery(projectId).queryKey,
+    keys.deliveries(projectId),
+    keys.unmatched(projectId),
+    ['delivery'],
+    ['standing', projectId],
+  ]
+  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+}

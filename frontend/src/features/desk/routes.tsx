@@ -1,0 +1,24 @@
+import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
+
+import { lastProject } from '@/app/lastProject'
+import { shellRoute } from '@/app/roots'
+import { meQuery } from '@/judging/api'
+
+export const deskRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/desk',
+    beforeLoad: async ({ context }) => {
+      const { projects } = await context.queryClient.ensureQueryData(meQuery)
+      const mine = projects.filter(({ part }) => part === 'designer')
+      const project = mine.find(({ id }) => id === lastProject()) ?? mine[0]
+      if (project) throw redirect({ to: '/projects/$projectId/desk', params: { projectId: project.id }, replace: true })
+    },
+    component: lazyRouteComponent(() => import('./NoDeskPage'), 'NoDeskPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/desk',
+    component: lazyRouteComponent(() => import('./DeskPage'), 'DeskPage'),
+  }),
+]

@@ -1,0 +1,171 @@
+import { bytes, bytesOf, figure, plural } from '@/ui/format'
+import type { StateKind } from '@/ui/State'
+import type { Upload } from '@/uploads'
+
+import type { Archive, DeliveryDetail, Take } from './api'
+
+/** One line of the delivery, whatever it stands for. */
+export interface DeliveryRow {
+  id: string
+  name: string
+  /** The cue's number, once it is known. */
+  label: string
+  state: StateKind
+  /** The share that is here, while something is on its way. */
+  share: number | null
+  /** What stands beside the bar, or instead of it. */
+  detail: string
+  /** What can be done with the row. */
+  does: 'stop' | 'dismiss' | 'recheck' | null
+  uploadId?: string
+  takeId?: string
+}
+
+const GOING: readonly Upload['state'][] = ['waiting', 'sending', 'line_lost', 'paused']
+
+export const isGoing = ({ state }: Upload): boolean => GOING.includes(state)
+
+function wordsOf(upload: Upload): string {
+  const { sentBytes, resumedAtBytes, file, state } = upload
+  if (state === 'line_lost') {
+    return `The line dropped at ${bytesOf(sentBytes, file.size)}. It goes on by itself from there.`
+  }
+  const share = file.size > 0 ? (sentBytes / file.size) * 100 : 0
+  const resumed = resumedAtBytes === null ? ` of ${bytes(file.size)}` : `, resumed at ${bytes(resumedAtBytes)}`
+  return sentBytes === 0 ? bytes(file.size) : `${figure(Math.floor(share))} %${resumed}`
+}
+
+/** "the same sound as version 2 of radar_ping; nothing to check again". */
+export const sameAs = ({ cue, number }: Take): string =>
+  cue === null
+    ? 'the same file is here already and has no cue yet'
+    : `the same sound as version ${number} of ${cue.name}; nothing to check again`
+
+function ofUpload(upload: Upload, cueLabel: (cueId: string) => string, take: Take | undefined): DeliveryRow | null {
+  const base = {
+    id: upload.id,
+    uploadId: upload.id,
+    name: upload.path,
+    label: upload.cueId === null ? '' : cueLabel(upload.cueId),
+    share: null,
+  }
+  switch (upload.state) {
+    case 'waiting':
+    case 'sending':
+    case 'line_lost':
+    case 'paused':
+      return {
+        ...base,
+        state: upload.state,
+        share: upload.file.size > 0 ? upload.sentBytes / upload.file.size : 0,
+        detail: wordsOf(upload),
+        does: 'stop',
+      }
+    case 'not_sent':
+      return { ...base, state: 'not_sent', detail: upload.reason ?? 'It was refused.', does: 'dismiss' }
+    case 'already_here':
+      return { ...base, state: 'already_here', detail: 'in this delivery already; not sent twice', does: 'dismiss' }
+    case 'finished':
+      if (take === undefined || !take.already_here) return null
+      return {
+        ...base,
+        label: take.cue?.label ?? '',
+        state: 'already_here',
+        detail: sameAs(take),
+        does: 'dismiss',
+      }
+    case 'stopped':
+      return null
+  }
+}
+
+const TAKE_STATES = {
+  received: 'checking',
+  conforming: 'conforming',
+  returned: 'returned',
+  unjudged: 'unjudged',
+  approved: 'approved',
+  change_requested: 'change_requested',
+  set_aside: 'set_aside',
+} as const satisfies Record<Take['state'], StateKind>
+
+function ofTake(take: Take): DeliveryRow {
+  const version = take.number === null ? '' : `version ${take.number}, `
+  const late = take.late ? ', after the delivery was closed' : ''
+  return {
+    id: take.id,
+    takeId: take.id,
+    name: take.file_name,
+    label: take.cue?.label ?? '',
+    state: take.cue === null && take.state !== 'received' ? 'unmatched' : TAKE_STATES[take.state],
+    share: take.state === 'received' ? 1 : null,
+    detail:
+      take.state === 'unjudged'
+        ? 'The check itself broke three times. That is our fault; nothing is wrong with the file.'
+        : take.state === 'received'
+          ? `${bytes(take.master_bytes)}, all here${late}`
+          : `${version}${bytes(take.master_bytes)}${late}`,
+    does: take.state === 'unjudged' ? 'recheck' : null,
+  }
+}
+
+function ofArchive(archive: Archive): DeliveryRow[] {
+  const taken = archive.entries.filter((entry) => entry.taken).length
+  const head: DeliveryRow = {
+    id: archive.id,
+    name: archive.file_name,
+    label: 'ZIP',
+    state: archive.state === 'received' ? 'checking' : archive.state === 'refused' ? 'refused' : 'passed',
+    share: archive.state === 'received' ? 1 : null,
+    detail:
+      archive.state === 'received'
+        ? `${bytes(archive.archive_bytes)}, all here; it is being unpacked`
+        : archive.state === 'refused'
+          ? archive.message
+          : `${plural(taken, 'file')} unpacked`,
+    does: null,
+  }
+  const left = archive.entries.filter((entry) => !entry.taken || entry.reason !== null)
+  return [
+    head,
+    ...left.map((entry) => ({
+      id: `${archive.id} ${entry.path}`,
+      name: entry.path,
+      label: 'ZIP',
+      state: entry.taken ? ('already_here' as const) : ('not_sent' as const),
+      share: null,
+      detail: entry.reason ?? 'It was left out.',
+      does: null,
+    })),
+  ]
+}
+
+const DONE: readonly StateKind[] = ['conforming', 'approved', 'set_aside', 'change_requested', 'passed']
+
+export interface DeliveryRows {
+  /** What is on its way, or wants to be seen. */
+  open: DeliveryRow[]
+  /** What needs nobody here any more. */
+  done: DeliveryRow[]
+}
+
+/** Everything of a delivery in one list: what the browser sends, then what the server has, the newest first. */
+export function rowsOf(
+  uploads: readonly Upload[],
+  detail: DeliveryDetail | undefined,
+  takeOf: (uploadId: string) => Take | undefined,
+  cueLabel: (cueId: string) => string,
+): DeliveryRows {
+  const sent = uploads.flatMap((upload) => ofUpload(upload, cueLabel, takeOf(upload.id)) ?? [])
+  const here = detail
+    ? [
+        ...detail.archives.flatMap(ofArchive),
+        ...detail.takes.toSorted((a, b) => b.received_at.localeCompare(a.received_at)).map(ofTake),
+      ]
+    : []
+  const all = [...sent, ...here.filter(({ state }) => state !== 'unmatched')]
+  return {
+    open: all.filter(({ state }) => !DONE.includes(state)),
+    done: all.filter(({ state }) => DONE.includes(state)),
+  }
+}

@@ -1,0 +1,55 @@
+import { figure, place, plural, range } from '@/ui/format'
+import { capital, sentence, spelled } from '@/judging/words'
+
+import type { Desk, Finding } from './api'
+
+export interface FindingWords {
+  /** What was measured, figure and all. */
+  head: string
+  /** The limit, and what to do. */
+  rest: string
+  /** Where in the sound. */
+  where: string
+}
+
+const ended = (text: string): string => (text === '' || /[.!?]$/.test(text) ? text : `${text}.`)
+
+/** What a finding says, taken apart: up to the first comma or bracket it is the figure, after it the limit. */
+export function wordsOf({ message, fix, start_s, end_s }: Finding): FindingWords {
+  const said = sentence(message)
+  const cut = said.search(/, | \(/)
+  const head = cut < 0 ? said : said.slice(0, cut)
+  const limit = cut < 0 ? '' : said.slice(cut).replace(/^, /, '').trim()
+  const rest = [ended(capital(limit)), ended(sentence(fix))].filter(Boolean).join(' ')
+  return { head, rest, where: spotOf(start_s, end_s) }
+}
+
+/** "0.416 s", "0.000–0.412 s", or nothing where it is about the whole file. */
+export function spotOf(startS: number | null, endS: number | null): string {
+  if (startS === null) return ''
+  return endS === null || endS - startS < 0.001 ? place(startS) : range(startS, endS)
+}
+
+/** Errors before warnings, then as the sound goes. */
+export const worstFirst = (findings: readonly Finding[]): Finding[] =>
+  findings.toSorted(
+    (a, b) =>
+      Number(b.severity === 'error') - Number(a.severity === 'error') ||
+      (a.start_s ?? Infinity) - (b.start_s ?? Infinity),
+  )
+
+/** What waits, in one sentence. */
+export function deskLine(desk: Desk): string {
+  const parts: string[] = []
+  const { came_back: back, unmatched, to_make: toMake, checking } = desk
+  if (back.length > 0) parts.push(`${spelled(back.length)} came back`)
+  if (unmatched > 0) parts.push(`${spelled(unmatched)} ${unmatched === 1 ? 'file has' : 'files have'} no cue yet`)
+  if (checking > 0) parts.push(`${spelled(checking)} ${checking === 1 ? 'is' : 'are'} being checked`)
+  if (toMake.length > 0) parts.push(`${plural(toMake.length, 'cue')} to make`)
+  if (parts.length === 0) {
+    return desk.cues === 0
+      ? 'The list is empty. You hear by mail when there is something to make.'
+      : `Nothing waits for you: ${figure(desk.accepted)} of ${plural(desk.cues, 'cue')} accepted.`
+  }
+  return ended(capital(parts.join(', ')))
+}

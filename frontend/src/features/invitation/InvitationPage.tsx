@@ -1,0 +1,189 @@
+import { useQuery } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+import { useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { ShellLink } from '@/app/shell/ShellLink'
+import { useTitle } from '@/app/title'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { type Column, DataTable } from '@/ui/DataTable'
+import { EmptyState } from '@/ui/EmptyState'
+import { day, length, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import { type Invitation, invitationQuery, type PreviewCue, visitorQuery } from './api'
+import classes from './Invitation.module.css'
+import { StartForm } from './StartForm'
+import { factsOf, KIND_WORDS, shapeOf, sumOf } from './words'
+
+/** What a mailed link shows: the project, its list and how sounds must come, before any account. */
+export function InvitationPage() {
+  useTitle('Invitation')
+  const { secret } = useParams({ from: '/guest/invitation/$secret' })
+  const { data: invitation, error } = useQuery(invitationQuery(secret))
+  if (error) {
+    const refusal = error instanceof ApiProblem ? error : null
+    return (
+      <div className="page page-narrow">
+        <h1>Invitation</h1>
+        <ProblemNote
+          detail={refusal?.detail ?? 'The invitation could not be read.'}
+          fix={refusal?.fix || 'Ask whoever invited you for a new link.'}
+        />
+      </div>
+    )
+  }
+  if (invitation === undefined) return <div className="page" aria-busy="true" />
+  return <Shown secret={secret} invitation={invitation} />
+}
+
+function Shown({ secret, invitation }: { secret: string; invitation: Invitation }) {
+  const { project, studio_name: studio, invited_by_name: inviter, kind, note, cues, spec, expires_at } = invitation
+  const { data: visitor } = useQuery(visitorQuery)
+  const [starting, setStarting] = useState(false)
+  const startRef = useRef<HTMLDivElement>(null)
+  const sum = sumOf(cues)
+  const isIn = invitation.accepted && visitor?.email === invitation.email
+  const desk = visitor?.projects.find(({ name, studio_name }) => name === project.name && studio_name === studio)
+  const start = () => {
+    setStarting(true)
+    requestAnimationFrame(() => startRef.current?.scrollIntoView({ block: 'nearest' }))
+  }
+
+  return (
+    <div className="page">
+      <div className={classes.head}>
+        <div>
+          <h1>{project.name}</h1>
+          <p className="mid">
+            {inviter} of {studio} invites you {KIND_WORDS[kind]}.
+          </p>
+          {project.description && <p className={classes.text}>{project.description}</p>}
+        </div>
+        {isIn && desk ? (
+          <ButtonLink component={ShellLink} variant="primary" icon="tray" path={`/projects/${desk.id}/desk`}>
+            Open the desk
+          </ButtonLink>
+        ) : (
+          !starting && (
+            <Button variant="primary" icon="upload" className={classes.start} onClick={start}>
+              Start delivering
+            </Button>
+          )
+        )}
+      </div>
+      {note && (
+        <blockquote className={classes.note}>
+          <p className="lead">{note}</p>
+          <footer className="small dim">{inviter}</footer>
+        </blockquote>
+      )}
+      {starting && (
+        <div ref={startRef}>
+          <StartForm
+            secret={secret}
+            invitation={invitation}
+            visitor={visitor ?? null}
+            onBack={() => setStarting(false)}
+          />
+        </div>
+      )}
+      <div className={`columns ${classes.columns}`}>
+        <Card aria-labelledby="list">
+          <CardHead
+            id="list"
+            title="Sound list"
+            note={`${plural(sum.cues, 'cue')}, ${plural(sum.files, 'file')}`}
+            end={sum.settled < sum.cues && `${sum.cues - sum.settled} not settled yet`}
+          />
+          {cues.length === 0 ? (
+            <div className={classes.empty}>
+              <EmptyState head="The list is empty yet." level={3}>
+                You hear by mail when there is something to make.
+              </EmptyState>
+            </div>
+          ) : (
+            <DataTable
+              label="Sound list"
+              columns={COLUMNS}
+              groups={[{ id: 'all', rows: cues }]}
+              keyOf={({ number }) => String(number)}
+            />
+          )}
+        </Card>
+        <div className="stack">
+          <Card aria-labelledby="spec">
+            <CardHead id="spec" title="How files must come" note={spec.name} />
+            <dl className={classes.facts}>
+              {factsOf(spec).map(({ term, text }) => (
+                <div key={term}>
+                  <dt>{term}</dt>
+                  <dd>{text}</dd>
+                </div>
+              ))}
+            </dl>
+            <p className={`small mid ${classes.foot}`}>
+              What does not fit comes back at once with what was found and what to do. That uses up no round.
+            </p>
+          </Card>
+          <p className="small dim">The link works until {day(expires_at)}. Whoever holds it sees this page.</p>
+        </div>
+      </div>
+    </div>
+  )
+}
+
+const COLUMNS: Column<PreviewCue>[] = [
+  {
+    id: 'number',
+    head: 'No.',
+    width: '76px',
+    cell: ({ label }) => <span className="mono dim">{label}</span>,
+  },
+  {
+    id: 'name',
+    head: 'Name',
+    width: '22%',
+    narrow: 'name',
+    rowHead: true,
+    cell: ({ name, state }) => <span className={state === 'cut' ? 'struck' : 'strong'}>{name}</span>,
+  },
+  { id: 'category', head: 'Category', width: '90px', cell: ({ category }) => <span className="mid">{category}</span> },
+  {
+    id: 'use',
+    head: 'Use and description',
+    narrow: 'stands',
+    cell: ({ use, description }) => (
+      <span className="mid" title={description || undefined}>
+        {[use, description].filter(Boolean).join('. ')}
+      </span>
+    ),
+  },
+  {
+    id: 'length',
+    head: 'Length',
+    width: '72px',
+    numeric: true,
+    cell: ({ duration_s }) => (duration_s === null ? '' : length(duration_s)),
+  },
+  {
+    id: 'set',
+    head: 'Set, loop',
+    width: '104px',
+    narrow: 'set',
+    cell: (cue) => <span className="small mid">{shapeOf(cue)}</span>,
+  },
+  {
+    id: 'state',
+    head: 'Settled',
+    width: '104px',
+    narrow: 'state',
+    cell: ({ state }) => {
+      if (state === 'concept') return <State kind="warning">Concept</State>
+      if (state === 'cut') return <State kind="cut" />
+      return <span className="small mid">{state === 'locked' ? 'Locked' : 'Prototype'}</span>
+    },
+  },
+]

@@ -1,0 +1,112 @@
+import { PasswordInput, TextInput } from '@mantine/core'
+import { useRouter } from '@tanstack/react-router'
+import type { FormEvent } from 'react'
+
+import { ApiProblem } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
+
+import { type Invitation, useAccept } from './api'
+import classes from './Invitation.module.css'
+
+interface StartFormProps {
+  secret: string
+  invitation: Invitation
+  visitor: components['schemas']['Me'] | null
+  onBack: () => void
+}
+
+const capitalised = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
+
+/** The account, asked for only now: so that files, verdicts and money have an owner. */
+export function StartForm({ secret, invitation, visitor, onBack }: StartFormProps) {
+  const router = useRouter()
+  const accept = useAccept(secret)
+  const { email, has_account: hasAccount, project } = invitation
+  const isThem = visitor?.email === email
+  const nameField = useFocusOnMount<HTMLInputElement>(!hasAccount)
+  const passwordField = useFocusOnMount<HTMLInputElement>(hasAccount)
+  const refusal = accept.error instanceof ApiProblem ? accept.error : null
+  const against = (field: string) => {
+    const message = refusal?.of(field)?.message
+    return message && capitalised(message)
+  }
+  const send = (event: FormEvent<HTMLFormElement>) => {
+    event.preventDefault()
+    if (accept.isPending) return
+    const data = new FormData(event.currentTarget)
+    const typed = (name: string) => {
+      const value = data.get(name)
+      return typeof value === 'string' ? value : ''
+    }
+    accept.mutate(
+      { name: hasAccount || isThem ? null : typed('name'), password: isThem ? null : typed('password') },
+      {
+        onSuccess: ({ project_id: projectId }) =>
+          void router.navigate({ to: '/projects/$projectId/desk', params: { projectId } }),
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="start" className={classes.form}>
+      <CardHead
+        id="start"
+        title={isThem ? `Start on ${project.name}` : hasAccount ? 'Sign in to start' : 'An account to start'}
+      />
+      <form onSubmit={send} noValidate>
+        <p className="mid">
+          {isThem
+            ? `You are signed in as ${visitor.person.name}.`
+            : hasAccount
+              ? `${email} has an account here already.`
+              : `For ${email}, so that what you deliver is yours and the answers reach you.`}
+        </p>
+        {!hasAccount && !isThem && (
+          <TextInput
+            name="name"
+            label="Your name"
+            autoComplete="name"
+            required
+            withAsterisk={false}
+            ref={nameField}
+            error={against('name')}
+          />
+        )}
+        {!isThem && (
+          <>
+            <input type="hidden" name="username" autoComplete="username" value={email} />
+            <PasswordInput
+              name="password"
+              label={hasAccount ? 'Password' : 'New password'}
+              description={hasAccount ? undefined : '10 characters or more.'}
+              autoComplete={hasAccount ? 'current-password' : 'new-password'}
+              required
+              withAsterisk={false}
+              ref={passwordField}
+              error={against('password')}
+              visibilityToggleButtonProps={{ 'aria-label': 'Show the password' }}
+            />
+          </>
+        )}
+        {refusal && refusal.errors.length === 0 && (
+          <ProblemNote detail={capitalised(refusal.detail)} fix={refusal.fix && capitalised(refusal.fix)} />
+        )}
+        <div className={classes.actions}>
+          <Button type="submit" variant="primary" aria-busy={accept.isPending}>
+            {isThem
+              ? 'Go to the desk'
+              : hasAccount
+                ? 'Sign in and go to the desk'
+                : 'Make the account and go to the desk'}
+          </Button>
+          <Button variant="quiet" onClick={onBack}>
+            Look at the list first
+          </Button>
+        </div>
+      </form>
+    </Card>
+  )
+}

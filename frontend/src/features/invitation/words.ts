@@ -1,0 +1,66 @@
+import { channels, figure, length, rate } from '@/ui/format'
+
+import type { Invitation, PreviewCue, Spec } from './api'
+
+export interface Fact {
+  term: string
+  text: string
+}
+
+const listed = (items: readonly string[]): string =>
+  items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} or ${items.at(-1)}`
+
+const CONTAINERS: Record<string, string> = { wav: 'WAV', rf64: 'RF64', flac: 'FLAC' }
+
+function lengthsOf({ min, max }: Spec['accept']['duration_s']): string | null {
+  if (min !== null && max !== null) return `${length(min)} to ${length(max)}`
+  if (min !== null) return `${length(min)} or longer`
+  return max === null ? null : `${length(max)} or shorter`
+}
+
+function loudnessOf({ min, max }: Spec['limits']['loudness_lufs']): string | null {
+  if (min !== null && max !== null) return `${figure(min, 1)} to ${figure(max, 1)} LUFS`
+  if (min !== null) return `${figure(min, 1)} LUFS or louder`
+  return max === null ? null : `${figure(max, 1)} LUFS or softer`
+}
+
+/** How sounds must come, in lines; what the spec leaves open is left out. */
+export function factsOf({ accept, limits, naming, engine, categories }: Spec): Fact[] {
+  const level = (value: number | null, unit: string) => (value === null ? null : `${figure(value, 1)} ${unit} at most`)
+  const said: [string, string | null][] = [
+    ['Container', accept.containers && listed(accept.containers.map((one) => CONTAINERS[one] ?? one.toUpperCase()))],
+    ['Rate', accept.sample_rates_hz && listed(accept.sample_rates_hz.map(rate))],
+    ['Depth', accept.bit_depths && `${listed(accept.bit_depths.map(String))} bit`],
+    ['Channels', accept.channels && listed(accept.channels.map(channels))],
+    ['Length', lengthsOf(accept.duration_s)],
+    ['Sample peak', level(limits.sample_peak_dbfs, 'dBFS')],
+    ['True peak', level(limits.true_peak_dbtp, 'dBTP')],
+    ['Loudness', loudnessOf(limits.loudness_lufs)],
+    ['Silence first', limits.head_silence_ms === null ? null : `${figure(limits.head_silence_ms)} ms at most`],
+    ['Silence last', limits.tail_silence_ms === null ? null : `${figure(limits.tail_silence_ms)} ms at most`],
+    ['Names', naming.extension && `as in the list, ending in ${naming.extension}`],
+    ['The game adds', engine.adds.length > 0 ? `${engine.adds.join(', ')}; leave it out of the files` : null],
+    ['Own rules for', categories.length > 0 ? categories.join(', ') : null],
+  ]
+  return said.flatMap(([term, text]) => (text ? [{ term, text }] : []))
+}
+
+export const KIND_WORDS: Record<Invitation['kind'], string> = {
+  advisory: 'to advise, before anything is ordered',
+  contract: 'to make its sounds, by contract',
+  'in-house': 'to make its sounds, in-house',
+}
+
+/** "set of 4, loop", or nothing for a single one-shot. */
+export const shapeOf = ({ variations, loop }: PreviewCue): string =>
+  [variations > 1 ? `set of ${variations}` : '', loop ? 'loop' : ''].filter(Boolean).join(', ')
+
+/** How many sounds and files a list asks for. */
+export function sumOf(cues: readonly PreviewCue[]): { cues: number; files: number; settled: number } {
+  const open = cues.filter(({ state }) => state !== 'cut')
+  return {
+    cues: open.length,
+    files: open.reduce((sum, { variations }) => sum + variations, 0),
+    settled: open.filter(({ state }) => state !== 'concept').length,
+  }
+}
