@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react'
+import { useEffect, useMemo, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { LevelStrip, type Source, SpectrumStrip, TakeCard, usePlayer, Waveform } from '@/audio'
@@ -15,7 +15,6 @@ const TAKES = [
   { letter: 'C', samples: SAMPLES.shieldC, matchGainDb: 1.4, who: 'nobody’s yet' },
 ].map((take) => ({ ...take, peaks: peaksOf(take.samples, 2000), durationS: lengthOf(take.samples) }))
 
-const SPECTRA = TAKES.map(({ samples }) => spectrogramOf(samples))
 const DOOR = peaksOf(SAMPLES.door, 1200)
 
 /** Alternates, wave, strips and transport together, as the review room has them; and a mend's before. */
@@ -35,6 +34,7 @@ export function Stage() {
     TAKES.findIndex(({ letter }) => letter === state.sourceId),
   )
   const take = TAKES[at]
+  const spectrogram = useMemo(() => take && spectrogramOf(take.samples), [take])
   const pick = (index: number) => {
     const source = sources[index]
     if (source) void player.select(source)
@@ -104,7 +104,7 @@ export function Stage() {
           { id: 'c3', number: 3, startS: 0.697 },
         ]}
       />
-      <SpectrumStrip spectrogram={SPECTRA[at] ?? null} durationS={take.durationS} clock={player} />
+      <SpectrumStrip spectrogram={spectrogram ?? null} durationS={take.durationS} clock={player} />
       <LevelStrip peaks={take.peaks} durationS={take.durationS} clock={player} />
       <div className={classes.transport}>
         <Button

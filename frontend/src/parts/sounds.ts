@@ -59,14 +59,14 @@ export function peaksOf(samples: Float32Array, points: number): Peaks {
   return peaks
 }
 
-/** Loudness of 96 bands, 60 Hz to 20 kHz, by one filter a band. */
-export function spectrogramOf(samples: Float32Array, columns = 300, rows = 96): Spectrogram {
+/** Loudness of 64 bands, 60 Hz to 20 kHz, by one filter a band. */
+export function spectrogramOf(samples: Float32Array, columns = 160, rows = 64): Spectrogram {
   const values = new Uint8Array(columns * rows)
   for (let column = 0; column < columns; column += 1) {
     const middle = Math.floor(((column + 0.5) * samples.length) / columns)
     for (let row = 0; row < rows; row += 1) {
       const hz = 20_000 * (60 / 20_000) ** (row / (rows - 1))
-      const width = Math.min(512, Math.ceil((RATE / hz) * 6))
+      const width = Math.min(320, Math.ceil((RATE / hz) * 6))
       let real = 0
       let imaginary = 0
       for (let offset = 0; offset < width; offset += 1) {

@@ -1,8 +1,9 @@
-import { Modal, Switch } from '@mantine/core'
+import { Switch } from '@mantine/core'
 
 import { Key } from '@/ui/Key'
 
-import { KeyScope, useKeysSwitch, useListedHotkeys } from '../keys'
+import { Dialog } from '../Dialog'
+import { useKeysSwitch, useListedHotkeys } from '../keys'
 import classes from './KeysSheet.module.css'
 
 /** Every key that works on this page, and the switch that turns single keys off. */
@@ -15,45 +16,34 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
     groups.set(group, [...(groups.get(group) ?? []), hotkey])
   }
   return (
-    <Modal
-      opened={opened}
-      onClose={onClose}
-      title="All keys"
-      size={620}
-      transitionProps={{ duration: 0 }}
-      closeButtonProps={{ 'aria-label': 'Close' }}
-    >
-      {opened && (
-        <KeyScope>
-          <div className={classes.groups}>
-            {[...groups].map(([group, keys]) => (
-              <section key={group} aria-label={group}>
-                <h3>{group}</h3>
-                <dl className={classes.keys}>
-                  {keys.map(({ keys: key, label }) => (
-                    <div key={`${key} ${label}`} className={classes.line}>
-                      <dt>
-                        <span className="visually-hidden">{key}</span>
-                        <span className={classes.caps}>
-                          <Key keys={key} />
-                        </span>
-                      </dt>
-                      <dd>{label}</dd>
-                    </div>
-                  ))}
-                </dl>
-              </section>
-            ))}
-          </div>
-          <Switch
-            mt="lg"
-            checked={on}
-            onChange={(event) => setOn(event.currentTarget.checked)}
-            label="Single keys work"
-            description="Off: only Escape, and keys with Ctrl or Cmd, do something."
-          />
-        </KeyScope>
-      )}
-    </Modal>
+    <Dialog title="All keys" opened={opened} onClose={onClose} size={620}>
+      <div className={classes.groups}>
+        {[...groups].map(([group, keys]) => (
+          <section key={group} aria-label={group}>
+            <h3>{group}</h3>
+            <dl className={classes.keys}>
+              {keys.map(({ keys: key, label }) => (
+                <div key={`${key} ${label}`} className={classes.line}>
+                  <dt>
+                    <span className="visually-hidden">{key}</span>
+                    <span className={classes.caps}>
+                      <Key keys={key} />
+                    </span>
+                  </dt>
+                  <dd>{label}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+      <Switch
+        mt="lg"
+        checked={on}
+        onChange={(event) => setOn(event.currentTarget.checked)}
+        label="Single keys work"
+        description="Off: only Escape, and keys with Ctrl or Cmd, do something."
+      />
+    </Dialog>
   )
 }

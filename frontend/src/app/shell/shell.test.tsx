@@ -1,0 +1,149 @@
+import { QueryClient } from '@tanstack/react-query'
+import { createMemoryHistory, createRoute, createRouter, RouterProvider } from '@tanstack/react-router'
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { beforeEach, expect, test, vi } from 'vitest'
+
+import { draw } from '@/test/draw'
+
+import { nowhereRoute, rootRoute, shellRoute } from '../roots'
+import type { ShellData } from '../session'
+import { useTitle } from '../title'
+import { screensOf } from './screens'
+
+const PRODUCER: ShellData = {
+  person: { name: 'Producer', role: 'Producer' },
+  side: 'studio',
+  project: { id: 'p1', name: 'Shield Wing' },
+  projects: [
+    { id: 'p1', name: 'Shield Wing' },
+    { id: 'p2', name: 'Deep Field' },
+  ],
+  counts: { review: 4 },
+  signOut: vi.fn(),
+}
+const DESIGNER: ShellData = {
+  ...PRODUCER,
+  person: { name: 'Sound designer', role: 'Sound designer' },
+  side: 'designer',
+  counts: { desk: 3 },
+}
+
+function Page({ name }: { name: string }) {
+  useTitle(name)
+  return (
+    <div className="page">
+      <h1>{name}</h1>
+    </div>
+  )
+}
+
+function page(path: string, name: string) {
+  return createRoute({ getParentRoute: () => shellRoute, path, component: () => <Page name={name} /> })
+}
+
+async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn = () => Promise.resolve()) {
+  const tree = rootRoute.addChildren([
+    shellRoute.addChildren([
+      page('/projects/$projectId/today', 'Today'),
+      page('/projects/$projectId/sound-list', 'Sound list'),
+      page('/desk', 'Desk'),
+      createRoute({
+        getParentRoute: () => shellRoute,
+        path: '/broken',
+        component: () => {
+          throw new Error('a figure was missing')
+        },
+      }),
+      nowhereRoute,
+    ]),
+  ])
+  const router = createRouter({
+    routeTree: tree,
+    history: createMemoryHistory({ initialEntries: [at] }),
+    context: { queryClient: new QueryClient(), session: { useShell: () => data, ensureSignedIn } },
+  })
+  // The app's own router is registered by type; this one has fewer pages.
+  draw(<RouterProvider router={router as never} />)
+  await screen.findByRole('main')
+  return router
+}
+
+beforeEach(() => {
+  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
+})
+
+const tabs = () => within(screen.getByRole('navigation', { name: 'Screens' })).getAllByRole('link')
+
+test('the studio has Today, Sound list, Review and Project; what waits is beside its tab', async () => {
+  await open(PRODUCER)
+  expect(tabs().map((tab) => tab.textContent)).toEqual(['Today', 'Sound list', 'Review4 waiting', 'Project'])
+  expect(tabs()[0]).toHaveAttribute('aria-current', 'page')
+  expect(tabs()[3]).not.toHaveAttribute('aria-current')
+})
+
+test('a designer has a Desk, Sound list and Project', async () => {
+  await open(DESIGNER, '/desk')
+  expect(tabs().map((tab) => tab.textContent)).toEqual(['Desk3 waiting', 'Sound list', 'Project'])
+})
+
+test('without a project there is one place to find one', () => {
+  const paths = screensOf({ ...PRODUCER, project: null }).map(({ path }) => path)
+  expect(paths).toEqual(['/today', '/projects'])
+  expect(screensOf({ ...PRODUCER, person: null })).toEqual([])
+})
+
+test('g l goes to the list; the head takes the focus and the title follows', async () => {
+  await open(PRODUCER)
+  await waitFor(() => expect(document.title).toBe('Today · Shield Wing · Soundlist'))
+  await userEvent.keyboard('gl')
+  const head = await screen.findByRole('heading', { name: 'Sound list', level: 1 })
+  await waitFor(() => expect(head).toHaveFocus())
+  expect(document.title).toBe('Sound list · Shield Wing · Soundlist')
+})
+
+test('the first stop of the keyboard leads past the bar', async () => {
+  await open(PRODUCER)
+  await userEvent.tab()
+  expect(screen.getByRole('link', { name: 'To the page' })).toHaveFocus()
+  expect(screen.getByRole('link', { name: 'To the page' })).toHaveAttribute('href', '#main')
+  expect(screen.getByRole('main')).toHaveAttribute('id', 'main')
+})
+
+test('the palette goes to another project', async () => {
+  const router = await open(PRODUCER)
+  await userEvent.keyboard('{Control>}k{/Control}')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Find or do' }), 'deep')
+  await userEvent.keyboard('{Enter}')
+  await waitFor(() => expect(router.state.location.pathname).toBe('/projects/p2'))
+})
+
+test('the menu says who one is, and lets one out', async () => {
+  await open(PRODUCER)
+  await userEvent.click(screen.getByRole('button', { name: /^Producer/ }))
+  await userEvent.click(await screen.findByRole('menuitem', { name: 'Sign out' }))
+  expect(PRODUCER.signOut).toHaveBeenCalledOnce()
+})
+
+test('an address that nobody knows keeps the frame and the ways on', async () => {
+  await open(PRODUCER, '/no/such/place')
+  expect(screen.getByRole('heading', { name: 'Nothing stands at this address.', level: 1 })).toBeInTheDocument()
+  expect(screen.getByRole('link', { name: 'All projects' })).toHaveAttribute('href', '/projects')
+  expect(tabs()).toHaveLength(4)
+})
+
+test('a page that breaks says so and can be tried again', async () => {
+  vi.spyOn(console, 'error').mockImplementation(() => undefined)
+  await open(PRODUCER, '/broken')
+  const alert = await screen.findByRole('alert')
+  expect(alert).toHaveTextContent('This page did not open.')
+  expect(alert).toHaveTextContent('a figure was missing')
+  expect(within(alert).getByRole('button', { name: 'Try again' })).toBeInTheDocument()
+})
+
+test('before anyone is let in, nothing of the page is shown', async () => {
+  vi.spyOn(console, 'error').mockImplementation(() => undefined)
+  await open(PRODUCER, '/projects/p1/today', () => Promise.reject(new Error('the server is away')))
+  expect(await screen.findByRole('alert')).toHaveTextContent('This page did not open.')
+  expect(screen.queryByRole('heading', { name: 'Today' })).not.toBeInTheDocument()
+})
