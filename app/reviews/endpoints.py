@@ -10,7 +10,7 @@ from app.accounts.rules import Actor, Sight
 from app.deliveries.errors import TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, problems
 from app.projects.errors import DeciderNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import review_room, service
+from app.reviews import comments, review_room, sendings, service
 from app.reviews.errors import (
     AlreadyAccepted,
     AlreadySent,
@@ -126,7 +126,7 @@ def list_change_requests(
     actor: Actor = allows(Sight.PROJECT),
 ) -> Page[ChangeRequestRead]:
     """Return drafts (the team's alone) or sent change requests, newest first."""
-    return service.change_requests(session, actor, project_id, state=state, cursor=cursor)
+    return sendings.change_requests(session, actor, project_id, state=state, cursor=cursor)
 
 
 @router.delete(
@@ -136,7 +136,7 @@ def list_change_requests(
 )
 def drop_change_request(change_request_id: UUID, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> None:
     """Drop a draft."""
-    service.drop_change_request(session, actor, change_request_id)
+    sendings.drop_change_request(session, actor, change_request_id)
 
 
 @router.post(
@@ -149,13 +149,13 @@ def send_change_requests(
     project_id: UUID, body: SendingAdd, session: DbSession, actor: Actor = allows(Sight.DECIDER)
 ) -> SendingRead:
     """Send all drafts together; one sending counts one round for each cue or set it names."""
-    return service.send_changes(session, actor, project_id, note=body.note)
+    return sendings.send_changes(session, actor, project_id, note=body.note)
 
 
 @router.get("/takes/{take_id}/comments", response_model=list[CommentRead], responses=problems(TakeNotFound))
 def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[CommentRead]:
     """Return the advice on a take, oldest first."""
-    return service.take_comments(session, actor, take_id)
+    return comments.take_comments(session, actor, take_id)
 
 
 @router.post(
@@ -168,7 +168,7 @@ def add_comment(
     take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> CommentRead:
     """Write advice on a take, at a time in the sound or on the whole of it."""
-    return service.add_comment(session, actor, take_id, text=body.text, start_s=body.start_s, end_s=body.end_s)
+    return comments.add_comment(session, actor, take_id, text=body.text, start_s=body.start_s, end_s=body.end_s)
 
 
 @router.post(
@@ -178,7 +178,7 @@ def add_comment(
 )
 def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CommentRead:
     """Mark advice as seen to."""
-    return service.resolve_comment(session, actor, comment_id)
+    return comments.resolve_comment(session, actor, comment_id)
 
 
 @router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))

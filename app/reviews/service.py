@@ -1,6 +1,5 @@
-"""Verdicts, change requests and their sending, comments, cuts: the steps of a review."""
+"""Verdicts on takes and sets, their undoing, and cuts."""
 
-from collections import defaultdict
 from collections.abc import Sequence
 from uuid import UUID
 
@@ -13,25 +12,20 @@ from app.deliveries.service import change_state, take_for
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.events import publish
-from app.kit.http import Page, cursor_of, uuid_cursor
-from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.projects.service import Standing, standing_in
+from app.projects.errors import ProducerNeeded
+from app.projects.service import Standing
 from app.reviews import queries
 from app.reviews.errors import (
     AlreadyAccepted,
-    AlreadySent,
-    ChangeRequestNotFound,
-    CommentNotFound,
     DecidedSince,
     NoteNeeded,
-    NothingToSend,
     NothingToUndo,
     NotOfThisCue,
     NotReviewable,
     SetIncomplete,
 )
-from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
-from app.reviews.review_room import change_request_read, comment_read
+from app.reviews.models import ChangeRequest, Verdict
+from app.reviews.review_room import change_request_read
 from app.reviews.rules import (
     STATE_WORDS,
     UNDO_WITHIN,
@@ -40,14 +34,9 @@ from app.reviews.rules import (
     ensure_seen,
     ensure_undoable,
     missing_variations,
-    why_not_counted,
 )
 from app.reviews.schemas import (
     ChangeRequestRead,
-    CommentRead,
-    HeldBack,
-    RoundRead,
-    SendingRead,
     SetAccepted,
     TakeStanding,
     VerdictGiven,
@@ -59,7 +48,6 @@ from app.sound_lists.rules import CueState
 from app.sound_lists.service import cue_in_sight
 from app.sound_lists.service import cut_cue as cut_from_list
 
-PAGE_CHANGE_REQUESTS = 200
 GAVE_WAY = "another version was picked"
 STATE_AFTER = {VerdictKind.APPROVE: TakeState.APPROVED, VerdictKind.SET_ASIDE: TakeState.SET_ASIDE}
 
@@ -153,7 +141,7 @@ class _Decision:
         return accepted
 
     def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
-        verdict = _verdict(self._standing, take, kind, note, self.action_id)
+        verdict = new_verdict(self._standing, take, kind, note, self.action_id)
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
         if draft is not None:
@@ -162,7 +150,8 @@ class _Decision:
         self._session.add(verdict)
 
 
-def _verdict(standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID) -> Verdict:
+def new_verdict(standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID) -> Verdict:
+    """Return a verdict to put on record before the take moves."""
     return Verdict(
         studio_id=take.studio_id,
         project_id=take.project_id,
@@ -270,7 +259,7 @@ def _take_back(
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
-        back = _verdict(standing, take, VerdictKind.WITHDRAW, "", action_id)
+        back = new_verdict(standing, take, VerdictKind.WITHDRAW, "", action_id)
         back.withdraws_id = verdict.id
         session.add(back)
         take.state, take.state_since = verdict.state_before, verdict.since_before
@@ -344,151 +333,6 @@ def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
             "nothing was approved"
         )
     return [picks[variation] for variation in range(1, cue.variations + 1)]
-
-
-def change_requests(
-    session: Session, actor: Actor, project_id: UUID, *, state: str, cursor: str | None
-) -> Page[ChangeRequestRead]:
-    """Return drafts or sent change requests, newest first; a designer sees what was sent on their own takes."""
-    standing = standing_in(session, actor, project_id)
-    drafts = state == "draft"
-    if drafts and not standing.is_team:
-        raise TeamNeeded("drafts are the game team's until they are sent")
-    where = [
-        ChangeRequest.project_id == project_id,
-        ChangeRequest.sending_id.is_(None) if drafts else ChangeRequest.sending_id.is_not(None),
-    ]
-    if standing.only_designer_id is not None:
-        where.append(ChangeRequest.take.has(designer_id=standing.only_designer_id))
-    found = queries.change_requests_of(session, *where, after=uuid_cursor(cursor), limit=PAGE_CHANGE_REQUESTS + 1)
-    shown = found[:PAGE_CHANGE_REQUESTS]
-    items = [change_request_read(one, standing.project.cue_prefix) for one in shown]
-    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > len(shown) else None)
-
-
-def drop_change_request(session: Session, actor: Actor, change_request_id: UUID) -> None:
-    """Drop a draft."""
-    request = queries.change_request_by_id(session, change_request_id)
-    if request is None:
-        raise ChangeRequestNotFound(f"no change request {change_request_id}")
-    try:
-        standing = standing_in(session, actor, request.project_id)
-    except ProjectNotFound:
-        raise ChangeRequestNotFound(f"no change request {change_request_id}") from None
-    if standing.only_designer_id is not None and (
-        request.sending_id is None or request.take.designer_id != standing.only_designer_id
-    ):
-        raise ChangeRequestNotFound(f"no change request {change_request_id}")
-    standing.ensure_decider()
-    if request.sending_id is not None:
-        raise AlreadySent("this change request went to its designer; what was sent stays sent")
-    session.delete(request)
-
-
-def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str = "") -> SendingRead:
-    """Send all drafts of a project together: their takes go back, and each cue counts one round at most."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_decider()
-    sendable, held_back = _sorted_drafts(session, project_id)
-    if not sendable:
-        raise NothingToSend(held_back[0].why if held_back else "no change is noted, so there is nothing to send")
-    sending = Sending(studio_id=standing.project.studio_id, project_id=project_id, sent_by=actor.person, note=note)
-    session.add(sending)
-    session.flush()
-    reversals: dict[UUID, list[bool]] = defaultdict(list)
-    action_id = new_id()
-    for draft in sendable:
-        reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
-        session.add(_verdict(standing, draft.take, VerdictKind.REQUEST_CHANGE, draft.text, action_id))
-        change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
-        draft.sending_id = sending.id
-    rounds = _count_rounds(session, sending, reversals)
-    session.flush()
-    session.expire_all()
-    publish(session, "changes.sent", sending_id=sending.id)
-    sent = queries.change_requests_of(session, ChangeRequest.sending_id == sending.id)
-    return SendingRead(
-        id=sending.id,
-        note=sending.note,
-        created_at=sending.created_at,
-        change_requests=[change_request_read(one, standing.project.cue_prefix) for one in reversed(sent)],
-        rounds=[RoundRead.model_validate(one) for one in rounds],
-        held_back=held_back,
-    )
-
-
-def _sorted_drafts(session: Session, project_id: UUID) -> tuple[list[ChangeRequest], list[HeldBack]]:
-    """Return the drafts that can go now, and why the others cannot; their cues are locked."""
-    sendable: list[ChangeRequest] = []
-    held_back: list[HeldBack] = []
-    for cue_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
-        queries.lock_cue(session, cue_id)
-    for draft in queries.drafts_of_project(session, project_id):
-        take = draft.take
-        if take.state in (TakeState.CONFORMING, TakeState.APPROVED):
-            sendable.append(draft)
-        else:
-            why = f"version {take.number} of {take.file_name} {STATE_WORDS[take.state]}; its draft is kept"
-            held_back.append(HeldBack(change_request_id=draft.id, take_id=take.id, why=why))
-    return sendable, held_back
-
-
-def _count_rounds(session: Session, sending: Sending, reversals: dict[UUID, list[bool]]) -> list[Round]:
-    counted = queries.round_counts(session, reversals)
-    rounds = []
-    for cue_id, reversed_ones in reversals.items():
-        why_not = why_not_counted(reversed_ones)
-        rounds.append(
-            Round(
-                studio_id=sending.studio_id,
-                project_id=sending.project_id,
-                cue_id=cue_id,
-                sending_id=sending.id,
-                number=None if why_not else counted.get(cue_id, 0) + 1,
-                why_not_counted=why_not,
-            )
-        )
-    session.add_all(rounds)
-    return rounds
-
-
-def take_comments(session: Session, actor: Actor, take_id: UUID) -> list[CommentRead]:
-    """Return the advice on a take."""
-    take, _ = take_for(session, actor, take_id)
-    return [comment_read(one) for one in queries.comments_on(session, Comment.take_id == take.id)]
-
-
-def add_comment(
-    session: Session, actor: Actor, take_id: UUID, *, text: str, start_s: float | None, end_s: float | None
-) -> CommentRead:
-    """Write advice on a take, at a time in the sound or on the whole of it."""
-    take, standing = take_for(session, actor, take_id)
-    ensure_range(start_s, end_s, queries.duration_of(session, take))
-    comment = Comment(
-        studio_id=take.studio_id,
-        project_id=take.project_id,
-        take_id=take.id,
-        text=text,
-        start_s=start_s,
-        end_s=end_s,
-        written_by=actor.person,
-        decides=standing.is_decider,
-    )
-    session.add(comment)
-    session.flush()
-    session.refresh(comment, ["author"])
-    return comment_read(comment)
-
-
-def resolve_comment(session: Session, actor: Actor, comment_id: UUID) -> CommentRead:
-    """Mark advice as seen to; anyone who sees the take may."""
-    comment = queries.comment_by_id(session, comment_id)
-    if comment is None:
-        raise CommentNotFound(f"no comment {comment_id}")
-    take_for(session, actor, comment.take_id)
-    if comment.resolved_at is None:
-        comment.resolved_at, comment.resolved_by = clock.now(), actor.person
-    return comment_read(comment)
 
 
 def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue:

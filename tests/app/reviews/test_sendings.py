@@ -133,7 +133,7 @@ def test_only_the_decider_sends(stage: Stage) -> None:
 
 
 def test_lists_of_change_requests_have_pages(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.reviews.service.PAGE_CHANGE_REQUESTS", 2)
+    monkeypatch.setattr("app.reviews.sendings.PAGE_CHANGE_REQUESTS", 2)
     for number in range(5):
         stage.draft(stage.take(stage.cue(f"cue_{number}")), f"note {number}")
     path, seen, cursor = f"/v1/projects/{stage.world.project_id}/change-requests", [], None

@@ -20,7 +20,7 @@ from app.kit import clock
 from app.kit.db import new_id
 from app.kit.errors import Conflict
 from app.projects.models import DeciderChange
-from app.reviews import service
+from app.reviews import sendings, service
 from app.reviews.models import ChangeRequest, Verdict
 from app.reviews.queries import accepted_takes
 from app.reviews.rules import VerdictKind
@@ -379,7 +379,7 @@ class Deciding:
         elif action == "undo":
             service.undo_verdict(self.session, self.actor, take.id)
         elif action == "send":
-            service.send_changes(self.session, self.actor, self.stage.world.project_id)
+            sendings.send_changes(self.session, self.actor, self.stage.world.project_id)
         elif action == "accept_set":
             service.accept_set(self.session, self.actor, self.cue_id)
         else:
