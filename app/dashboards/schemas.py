@@ -5,16 +5,11 @@ from typing import Any, Literal
 from uuid import UUID
 
 from app.accounts.rules import Role
+from app.accounts.schemas import PersonBrief
 from app.dashboards.rules import CueStatus
+from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.projects.rules import EngagementKind
-
-
-class PersonBrief(Schema):
-    """Somebody, by name."""
-
-    id: UUID
-    name: str
 
 
 class MyStudio(Schema):
@@ -47,14 +42,6 @@ class Me(Schema):
     email: str
     studios: list[MyStudio]
     projects: list[MyProject]
-
-
-class CueBrief(Schema):
-    """A cue, by number and name."""
-
-    id: UUID
-    label: str
-    name: str
 
 
 class VariationStanding(Schema):

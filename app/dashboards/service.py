@@ -11,17 +11,20 @@ from sqlalchemy.orm import Session
 import audio_checks
 from app.accounts.models import Person
 from app.accounts.rules import Actor, Role
+from app.accounts.schemas import PersonBrief
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.dashboards import queries, schemas
 from app.dashboards.rules import CueStatus, TakeFact, cue_status, variation_status
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.deliveries.schemas import CueBrief
 from app.projects.models import Project
 from app.projects.queries import current_spec, decider_of
 from app.projects.service import Standing, standing_in
 from app.renders.models import Picture
 from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
 
 UNFINISHED = frozenset(
     {CueStatus.TO_MAKE, CueStatus.PLACEHOLDER, CueStatus.QUESTION, CueStatus.PARTLY_ACCEPTED}
@@ -37,7 +40,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     studios = {project.studio_id: project.studio.name for project in projects}
     named = queries.studio_names(session, list(actor.roles))
     return schemas.Me(
-        person=schemas.PersonBrief(id=person.id, name=person.name),
+        person=PersonBrief(id=person.id, name=person.name),
         email=person.email,
         studios=[
             schemas.MyStudio(id=studio_id, name=named[studio_id], roles=sorted(roles))
@@ -61,13 +64,8 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     )
 
 
-def cue_label(project: Project, number: int) -> str:
-    """Return a cue's short name for chat and changelists."""
-    return f"{project.cue_prefix}-{number:03d}"
-
-
-def _brief(project: Project, cue: Cue) -> schemas.CueBrief:
-    return schemas.CueBrief(id=cue.id, label=cue_label(project, cue.number), name=cue.name)
+def _brief(project: Project, cue: Cue) -> CueBrief:
+    return CueBrief(id=cue.id, label=label(project.cue_prefix, cue.number), name=cue.name)
 
 
 def _preview_url(picture: Picture | None) -> str | None:
@@ -249,7 +247,7 @@ def _questions(
             id=question.id,
             cue=_brief(project, cue),
             text=question.text,
-            asked_by=schemas.PersonBrief(id=asker.id, name=asker.name),
+            asked_by=PersonBrief(id=asker.id, name=asker.name),
             asked_at=question.asked_at,
             answer=question.answer,
             answered_at=question.answered_at,

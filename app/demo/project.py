@@ -70,7 +70,7 @@ def _open_studio(runtime: Runtime) -> dict[str, str]:
                 session.flush()
                 if roles:
                     session.add(Membership(studio_id=studio.id, person_id=person.id, roles=[*roles]))
-        people = session.execute(select(Person.name, Person.id)).tuples().all()
+        people = session.execute(select(Person.name, Person.id)).all()
         return {"studio": str(studio.id)} | {name: str(person_id) for name, person_id in people}
 
 

@@ -17,6 +17,7 @@ from app.notifications.rules import counted, finding_line, text_of
 from app.projects.models import Project
 from app.reviews.models import ChangeRequest, Sending
 from app.sound_lists.models import Cue, Question
+from app.sound_lists.rules import label
 
 
 def _page(runtime: Runtime, project: Project, page: str) -> str:
@@ -24,7 +25,7 @@ def _page(runtime: Runtime, project: Project, page: str) -> str:
 
 
 def _label(project: Project, cue: Cue | None) -> str:
-    return f"{project.cue_prefix}-{cue.number:03d} {cue.name}" if cue else "a file without a cue"
+    return f"{label(project.cue_prefix, cue.number)} {cue.name}" if cue else "a file without a cue"
 
 
 def _take_with_place(session: Session, take_id: str) -> tuple[Take, Project, Cue | None]:

@@ -48,17 +48,13 @@ def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequen
 
 def changes_of(session: Session, sending_id: UUID) -> Sequence[tuple[ChangeRequest, Take, Cue]]:
     """Return what was sent together, with the takes and cues it is about."""
-    return (
-        session.execute(
-            select(ChangeRequest, Take, Cue)
-            .join(Take, Take.id == ChangeRequest.take_id)
-            .join(Cue, Cue.id == ChangeRequest.cue_id)
-            .where(ChangeRequest.sending_id == sending_id)
-            .order_by(Cue.number, Take.variation)
-        )
-        .tuples()
-        .all()
-    )
+    return session.execute(
+        select(ChangeRequest, Take, Cue)
+        .join(Take, Take.id == ChangeRequest.take_id)
+        .join(Cue, Cue.id == ChangeRequest.cue_id)
+        .where(ChangeRequest.sending_id == sending_id)
+        .order_by(Cue.number, Take.variation)
+    ).all()
 
 
 def address_of(session: Session, person_id: UUID) -> str:
@@ -94,5 +90,5 @@ def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
         select(Person.email, Membership.roles)
         .join(Membership, Membership.person_id == Person.id)
         .where(Membership.studio_id == studio_id)
-    ).tuples()
+    )
     return {email for email, roles in rows if Role.PRODUCER in roles}

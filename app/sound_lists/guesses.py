@@ -63,7 +63,7 @@ def words_of(name: str) -> list[str]:
 
 
 def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Candidate]) -> list[Likeness]:
-    """Return up to three candidates, the likeliest first; one without any likeness is left out."""
+    """Return three candidates, the likeliest first; where too few are alike, cues that still wait fill up."""
     stem = audio_checks.parse_file_name(file_name).stem
     words = words_of(stem)
     typed = "".join(words)
@@ -77,7 +77,15 @@ def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Can
         for shared, place in ranked
         if (like := _likeness(candidates[place], words, typed, shared, duration_s, stem, closely=place in near))
     ]
-    return sorted(found, key=lambda like: -like.score)[:GUESSES]
+    best = sorted(found, key=lambda like: -like.score)[:GUESSES]
+    taken = {like.key for like in best}
+    others = sorted((one for one in candidates if one.key not in taken), key=lambda one: not one.waits)
+    return best + [_filler(one, stem) for one in others[: GUESSES - len(best)]]
+
+
+def _filler(one: Candidate, stem: str) -> Likeness:
+    reason = "not alike; nothing delivered yet" if one.waits else "not alike"
+    return Likeness(one.key, _variation(stem, one.variations), 0.0, reason)
 
 
 def _shared(words: Iterable[str], others: Sequence[str]) -> list[str]:

@@ -2030,7 +2030,7 @@ export interface components {
              * Format: uuid
              */
             id: string;
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"];
+            cue: components["schemas"]["CueBrief"];
             /** Text */
             text: string;
             asked_by: components["schemas"]["PersonBrief"];
@@ -2078,6 +2078,34 @@ export interface components {
             report: components["schemas"]["CheckReport"];
         };
         /**
+         * BuildBrief
+         * @description One run of the game's CI.
+         */
+        BuildBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /** Files */
+            files: number;
+            /** Rejected */
+            rejected: number;
+            /** Warnings */
+            warnings: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * BuildRead
          * @description One build with its whole report.
          */
@@ -2113,6 +2141,37 @@ export interface components {
             };
         };
         /**
+         * BuildSummary
+         * @description One build, without its report.
+         */
+        BuildSummary: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /** Files */
+            files: number;
+            /**
+             * Rejected
+             * @description Files that are refused: rejected without a waiver, unreadable or unjudged.
+             */
+            rejected: number;
+            /** Warnings */
+            warnings: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * CameBack
          * @description A take that is with the designer again.
          */
@@ -2122,7 +2181,7 @@ export interface components {
              * Format: uuid
              */
             take_id: string;
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"] | null;
+            cue: components["schemas"]["CueBrief"] | null;
             /** Number */
             number: number | null;
             /** Variation */
@@ -2230,7 +2289,10 @@ export interface components {
             verdict: "conforming" | "rejected" | "unreadable" | "unjudged";
             /** Spec Version */
             spec_version: number;
-            /** Is Newest Spec */
+            /**
+             * Is Newest Spec
+             * @description The newest spec asks nothing else of this take.
+             */
             is_newest_spec: boolean;
             /** Tool Version */
             tool_version: string;
@@ -2408,6 +2470,24 @@ export interface components {
             extra?: {
                 [key: string]: string;
             };
+        };
+        /**
+         * CueBrief
+         * @description The cue that a take is for.
+         */
+        CueBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Label
+             * @example SW-014
+             */
+            label: string;
+            /** Name */
+            name: string;
         };
         /**
          * CueCut
@@ -2896,7 +2976,7 @@ export interface components {
             /** To Make */
             to_make: components["schemas"]["ToMake"][];
             /** With Approver */
-            with_approver: components["schemas"]["app__dashboards__schemas__CueBrief"][];
+            with_approver: components["schemas"]["CueBrief"][];
             /** With Approver Files */
             with_approver_files: number;
             /** Accepted */
@@ -3024,7 +3104,7 @@ export interface components {
              * @enum {string}
              */
             kind: "cue" | "comment" | "question";
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"];
+            cue: components["schemas"]["CueBrief"];
             /** Text */
             text: string;
             /** Take Id */
@@ -3636,7 +3716,7 @@ export interface components {
                 [key: string]: number;
             };
             /** Builds */
-            builds: components["schemas"]["app__dashboards__schemas__BuildBrief"][];
+            builds: components["schemas"]["BuildBrief"][];
             /** Palette */
             palette: components["schemas"]["PaletteSound"][];
             /** Lately */
@@ -3669,10 +3749,10 @@ export interface components {
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
         };
-        /** Page[BuildBrief] */
-        Page_BuildBrief_: {
+        /** Page[BuildSummary] */
+        Page_BuildSummary_: {
             /** Items */
-            items: components["schemas"]["app__builds__schemas__BuildBrief"][];
+            items: components["schemas"]["BuildSummary"][];
             /** Next */
             next?: string | null;
         };
@@ -3745,7 +3825,7 @@ export interface components {
          * @description One sound of the palette.
          */
         PaletteSound: {
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"];
+            cue: components["schemas"]["CueBrief"];
             /** Loop */
             loop: boolean;
             /** Thumb */
@@ -4664,7 +4744,7 @@ export interface components {
          * @description One cell of the project's steps.
          */
         Step: {
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"];
+            cue: components["schemas"]["CueBrief"];
             /** Palette */
             palette: boolean;
             status: components["schemas"]["CueStatus"];
@@ -4810,7 +4890,7 @@ export interface components {
             delivery_id: string;
             designer: components["schemas"]["PersonBrief"];
             /** @description Null while it waits in the unmatched tray. */
-            cue: components["schemas"]["app__deliveries__schemas__CueBrief"] | null;
+            cue: components["schemas"]["CueBrief"] | null;
             /** Variation */
             variation: number;
             /**
@@ -4932,7 +5012,7 @@ export interface components {
          * @description A cue that waits for a file from the designer.
          */
         ToMake: {
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"];
+            cue: components["schemas"]["CueBrief"];
             /** Use */
             use: string;
             /** Category */
@@ -4959,7 +5039,7 @@ export interface components {
             /** With Others */
             with_others: components["schemas"]["WithOthers"][];
             /** Builds */
-            builds: components["schemas"]["app__dashboards__schemas__BuildBrief"][];
+            builds: components["schemas"]["BuildBrief"][];
             /** Counts */
             counts: {
                 [key: string]: number;
@@ -5228,7 +5308,7 @@ export interface components {
          * @description What waits for somebody else.
          */
         WithOthers: {
-            cue: components["schemas"]["app__dashboards__schemas__CueBrief"] | null;
+            cue: components["schemas"]["CueBrief"] | null;
             /** File Name */
             file_name: string;
             /**
@@ -5243,98 +5323,6 @@ export interface components {
              * Format: date-time
              */
             since: string;
-        };
-        /**
-         * BuildBrief
-         * @description One build, without its report.
-         */
-        app__builds__schemas__BuildBrief: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /** Label */
-            label: string;
-            /** Commit */
-            commit: string;
-            /** Target */
-            target: string;
-            /** Files */
-            files: number;
-            /**
-             * Rejected
-             * @description Files that are refused: rejected without a waiver, unreadable or unjudged.
-             */
-            rejected: number;
-            /** Warnings */
-            warnings: number;
-            /**
-             * Created At
-             * Format: date-time
-             */
-            created_at: string;
-        };
-        /**
-         * BuildBrief
-         * @description One run of the game's CI.
-         */
-        app__dashboards__schemas__BuildBrief: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /** Label */
-            label: string;
-            /** Commit */
-            commit: string;
-            /** Target */
-            target: string;
-            /** Files */
-            files: number;
-            /** Rejected */
-            rejected: number;
-            /** Warnings */
-            warnings: number;
-            /**
-             * Created At
-             * Format: date-time
-             */
-            created_at: string;
-        };
-        /**
-         * CueBrief
-         * @description A cue, by number and name.
-         */
-        app__dashboards__schemas__CueBrief: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /** Label */
-            label: string;
-            /** Name */
-            name: string;
-        };
-        /**
-         * CueBrief
-         * @description The cue that a take is for.
-         */
-        app__deliveries__schemas__CueBrief: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /**
-             * Label
-             * @example SW-014
-             */
-            label: string;
-            /** Name */
-            name: string;
         };
     };
     responses: never;
@@ -10458,7 +10446,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Page_BuildBrief_"];
+                    "application/json": components["schemas"]["Page_BuildSummary_"];
                 };
             };
             /** @description `team-needed` */
@@ -10511,7 +10499,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["app__builds__schemas__BuildBrief"];
+                    "application/json": components["schemas"]["BuildSummary"];
                 };
             };
             /** @description `team-needed` */

@@ -62,12 +62,17 @@ def test_what_waits_comes_before_its_equal() -> None:
 
 def test_a_name_that_says_nothing_falls_back_on_what_waits() -> None:
     named = {one.key: one.name for one in LIST}
-    assert {named[like.key] for like in likeliest("01.wav", None, LIST)} == {"Victory sting", "Warp in"}
+    assert {named[like.key] for like in likeliest("01.wav", None, LIST)[:2]} == {"Victory sting", "Warp in"}
 
 
-def test_no_likeness_is_no_guess() -> None:
-    assert likeliest("zzzz.wav", None, LIST) == []
-    assert likeliest("anything.wav", 1.0, []) == []
+def test_without_any_likeness_there_are_three_still_and_they_say_so() -> None:
+    guesses = likeliest("zzzz.wav", None, LIST)
+    assert len({like.key for like in guesses}) == 3
+    assert [like.score for like in guesses] == [0, 0, 0]
+    assert all(like.reason.startswith("not alike") for like in guesses)
+    waiting = {one.key for one in LIST if one.waits}
+    assert {like.key for like in guesses[: len(waiting)]} <= waiting
+
 
 
 def test_never_more_than_three() -> None:
