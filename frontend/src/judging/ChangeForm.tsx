@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react'
+import { type KeyboardEvent, useId, useLayoutEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
@@ -48,7 +48,8 @@ export function ChangeForm({ what, positionS, range, saving, problem, onSave, on
   const field = useRef<HTMLInputElement>(null)
   const errorId = useId()
 
-  useEffect(() => field.current?.focus(), [])
+  // Before the next key: whoever types on at once must not decide anything with it.
+  useLayoutEffect(() => field.current?.focus(), [])
   useHotkeys([{ keys: 'Escape', label: 'Close without noting a change', group: 'Review', run: onClose }])
 
   const toggle = (reason: string) => {

@@ -1,4 +1,5 @@
 import { useEffect, useMemo, useState } from 'react'
+import { flushSync } from 'react-dom'
 
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
@@ -107,8 +108,8 @@ export function CueRoom(props: CueRoomProps) {
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
-  const meantName = meant.map(realName).join(', ')
-  const whole = isWholeSet(cue, waiting, review.approved_variations) && waiting.length > 0
+  const meantName = meant.length > 1 ? `${meant.length} variations` : meant.map(realName).join('')
+  const whole = isWholeSet(cue, waiting, review.approved_variations)
 
   const leaves = (takes: readonly ReviewTake[]) => {
     const variations = new Set(takes.map(({ variation }) => variation))
@@ -136,16 +137,13 @@ export function CueRoom(props: CueRoomProps) {
   const openChange = () => {
     player.pause()
     judge.change.reset()
-    setChanging({ positionS: inside(player.positionS(), hand, target) })
+    flushSync(() => setChanging({ positionS: inside(player.positionS(), hand, target) }))
   }
   const write = (text = '') => {
     if (hand === undefined) return
     const range = playing.range
-    setWriting({
-      text,
-      startS: range?.startS ?? inside(player.positionS(), hand, target),
-      endS: range?.endS,
-    })
+    const startS = range?.startS ?? inside(player.positionS(), hand, target)
+    flushSync(() => setWriting({ text, startS, endS: range?.endS }))
   }
   const wouldTake = () => {
     if (hand === undefined) return
@@ -202,6 +200,7 @@ export function CueRoom(props: CueRoomProps) {
     },
     { keys: 'x', label: 'Select the variation', group: 'Review', run: () => pick(false), disabled: !isSet },
     { keys: 'shift+x', label: 'Select up to it', group: 'Review', run: () => pick(true), disabled: !isSet },
+    { keys: 'c', label: 'Comment here', group: 'Review', run: () => write() },
     { keys: 'y', label: 'Praise what is heard here', group: 'Review', run: () => write('Keep this. ') },
     {
       keys: 'h',
@@ -262,7 +261,7 @@ export function CueRoom(props: CueRoomProps) {
             durationS={soundOf(hand, target).durationS}
             silent={source === null ? whySilent(hand, target) : null}
             onNext={heard.length > 1 ? () => stepTake(1) : undefined}
-            nextWords={nextWords(isSet, heard, hand, nameOf)}
+            nextWords={nextWords(heard, hand, nameOf)}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? asGame : undefined}
             takeId={hand.id}
@@ -327,13 +326,7 @@ function whySilent(take: ReviewTake, target: string): string {
   return refusal ? `There is no such game file: ${refusal}` : 'There is no preview of this sound yet.'
 }
 
-function nextWords(
-  isSet: boolean,
-  heard: readonly ReviewTake[],
-  hand: ReviewTake,
-  nameOf: (take: ReviewTake) => string,
-): string {
-  if (isSet) return 'Next variation'
+function nextWords(heard: readonly ReviewTake[], hand: ReviewTake, nameOf: (take: ReviewTake) => string): string {
   const at = heard.findIndex(({ id }) => id === hand.id)
   const next = heard[(at + 1) % heard.length]
   return next ? `${nameOf(hand)} ⇄ ${nameOf(next)}` : ''

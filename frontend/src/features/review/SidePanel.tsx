@@ -1,5 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
-import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react'
+import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
@@ -45,16 +45,13 @@ type Tab = 'comments' | 'findings' | 'history'
 /** What was said, what was found, what happened; and the figures. */
 export function SidePanel(props: SidePanelProps) {
   const { hand, said, blind, writing } = props
-  const [tab, setTab] = useState<Tab>('comments')
+  const [chosen, setTab] = useState<Tab>('comments')
+  const tab = writing ? 'comments' : chosen
   const tabs: { id: Tab; label: string }[] = [
     { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
     { id: 'findings', label: `Findings ${blind ? '' : (hand?.findings.length ?? 0)}`.trim() },
     { id: 'history', label: 'History' },
   ]
-  useEffect(() => {
-    if (writing) setTab('comments')
-  }, [writing])
-
   const onKeyDown = (event: KeyboardEvent) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key]
     if (by === undefined) return
@@ -98,7 +95,7 @@ export function SidePanel(props: SidePanelProps) {
           </>
         )}
       </div>
-      {tab === 'comments' && hand && <Composer {...props} hand={hand} />}
+      {hand && <Composer {...props} hand={hand} />}
     </aside>
   )
 }
@@ -136,7 +133,12 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
       )}
       {hand && <Figures take={hand} />}
       {hand && (
-        <PalettePlot projectId={projectId} takes={heard.length > 0 ? heard : [hand]} hand={hand} nameOf={nameOf} />
+        <PalettePlot
+          projectId={projectId}
+          takes={review.cue.variations > 1 || !heard.includes(hand) ? [hand] : heard}
+          hand={hand}
+          nameOf={nameOf}
+        />
       )}
     </>
   )
@@ -202,7 +204,8 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
 function Composer({ hand, writing, onWrite, onWriting, comment }: SidePanelProps & { hand: ReviewTake }) {
   const field = useRef<HTMLTextAreaElement>(null)
   const opened = writing !== null
-  useEffect(() => {
+  // Before the next key: whoever types on at once must not decide anything with it.
+  useLayoutEffect(() => {
     if (!opened) return
     field.current?.focus()
     field.current?.setSelectionRange(field.current.value.length, field.current.value.length)

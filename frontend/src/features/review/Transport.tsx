@@ -1,6 +1,6 @@
-import { useSyncExternalStore } from 'react'
+import { useEffect, useState } from 'react'
 
-import { HotkeyButton } from '@/app/keys'
+import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import type { Player, PlayerState } from '@/audio'
 import { Button } from '@/ui/Button'
@@ -41,19 +41,26 @@ export function Transport({
     link.search = new URLSearchParams({ take: takeId, at: at.toFixed(3) }).toString()
     void navigator.clipboard.writeText(link.href).then(() => showToast(`Link to ${place(at)} copied.`))
   }
+  useHotkeys([
+    {
+      keys: 'Space',
+      label: 'Play, pause',
+      group: 'Review',
+      run: () => void player.toggle(),
+      disabled: silent !== null,
+    },
+  ])
   return (
     <div className={classes.transport} role="group" aria-label="Playing">
-      <HotkeyButton
-        keys="Space"
-        keyLabel="Play, pause"
-        keyGroup="Review"
+      <Button
+        square
         icon={isPlaying ? 'pause' : 'play'}
         className={classes.play}
+        aria-label={isPlaying ? 'Pause' : 'Play'}
+        aria-keyshortcuts="Space"
         disabled={silent !== null}
-        onPress={() => void player.toggle()}
-      >
-        <span className="visually-hidden">{isPlaying ? 'Pause' : 'Play'}</span>
-      </HotkeyButton>
+        onClick={() => void player.toggle()}
+      />
       <Time player={player} durationS={durationS} />
       <HotkeyButton
         keys="l"
@@ -106,7 +113,7 @@ export function Transport({
       )}
       {asGame && (
         <Button keys="h" pressed={playing.asGame} onClick={() => (playing.asGame ? player.pause() : asGame())}>
-          As the game
+          As game
         </Button>
       )}
       {trouble && (
@@ -127,7 +134,8 @@ export function Transport({
 }
 
 function Time({ player, durationS }: { player: Player; durationS: number }) {
-  const at = useSyncExternalStore(player.subscribe, () => figure(player.positionS(), 3))
+  const [at, setAt] = useState(() => figure(player.positionS(), 3))
+  useEffect(() => player.subscribe(() => setAt(figure(player.positionS(), 3))), [player])
   return (
     <span className={classes.time}>
       {at}

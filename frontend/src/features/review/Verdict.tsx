@@ -4,6 +4,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import type { Judge } from '@/judging/useJudge'
 import { namesOf } from '@/judging/words'
+import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { VerdictBar } from '@/ui/VerdictBar'
@@ -42,7 +43,7 @@ const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
-  const { review, hand, meant, name, whole, waiting, judge, changing } = props
+  const { review, hand, meant, name, whole, judge, changing } = props
   const { cue, may_decide } = review
   const state = hand?.state
   const canApprove = state === 'conforming' || state === 'set_aside'
@@ -70,17 +71,11 @@ export function Verdict(props: VerdictProps) {
 
   return (
     <VerdictBar who={whoDecides(review)} follows={follows(props)} above={above}>
-      <HotkeyButton
-        keys="c"
-        keyLabel="Comment here"
-        keyGroup="Review"
-        icon="comment"
-        tall
-        className={classes.optional}
-        onPress={props.onComment}
-      >
-        Comment
-      </HotkeyButton>
+      {!whole && (
+        <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>
+          Comment
+        </Button>
+      )}
       {may_decide && !isCut && canChange && (
         <HotkeyButton
           keys="r"
@@ -108,7 +103,7 @@ export function Verdict(props: VerdictProps) {
           Approve {name}
         </HotkeyButton>
       )}
-      {may_decide && !isCut && isSet && whole && waiting.length > 0 && (
+      {may_decide && !isCut && whole && (
         <HotkeyButton
           keys="a"
           keyLabel="Accept the set"
@@ -164,7 +159,7 @@ function follows({ review, hand, meant, waiting, whole }: VerdictProps): string 
   if (draft) return `Noted, not sent: “${draft.text}”`
   if (hand.state !== 'conforming') return STATE_WORDS[hand.state] ?? ''
   if (!review.may_decide) return ''
-  if (whole) return `One version of each of ${cue.variations} variations is approved at once.`
+  if (whole) return `All ${cue.variations} are approved at once.`
   if (cue.variations > 1) {
     const missing = cue.variations - new Set(waiting.map(({ variation }) => variation)).size
     const left = missing - review.approved_variations.length

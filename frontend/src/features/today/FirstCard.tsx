@@ -1,6 +1,7 @@
 import { useMediaQuery } from '@mantine/hooks'
 import { Link, useNavigate } from '@tanstack/react-router'
 import { useState } from 'react'
+import { flushSync } from 'react-dom'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { type Player, type PlayerState, TakeCard, Waveform } from '@/audio'
@@ -11,9 +12,9 @@ import { MASTER, matchGainDb, soundOf, sourceOf } from '@/judging/hearing'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { asked, asks, heardTakes, takeName } from '@/judging/words'
+import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { gain, length } from '@/ui/format'
-import { Key } from '@/ui/Key'
 import { NowDot } from '@/ui/NowDot'
 import { ProblemNote } from '@/ui/ProblemNote'
 
@@ -123,7 +124,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
             <TakeCard
               key={take.id}
               flat
-              letter={takeName(take, cue, takes)}
+              letter={takeName(take, cue, takes).replace('_', '')}
               peaks={take.thumb}
               inHand={take.id === hand.id}
               facts={[`${length(soundOf(take, MASTER).durationS)}, ${gain(matchGainDb(take, takes[0]))}`]}
@@ -171,16 +172,16 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
               onPress={() => {
                 player.pause()
                 judge.change.reset()
-                setChanging(true)
+                flushSync(() => setChanging(true))
               }}
             >
               Request a change
             </HotkeyButton>
           </>
         ) : (
-          <Link to="/projects/$projectId/review/$cueId" params={{ projectId, cueId: cue.id }} className="link">
-            Open to comment <Key keys="Enter" />
-          </Link>
+          <Button icon="comment" keys="Enter" onClick={openReview}>
+            Open to comment
+          </Button>
         )}
         <span className={`small dim wide-only end ${classes.says}`}>
           {mayDecide ? levelsWords(takes) : 'The approver decides. You advise.'}

@@ -25,12 +25,9 @@ export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'
       {waiting.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is back with a designer.</p>}
       <Rows>
         {shown.map((one) => (
-          <Row key={`${one.file_name} ${one.since}`} className={classes.other}>
-            <span className="grow cut-text">{one.cue?.name ?? one.file_name}</span>
+          <Row key={`${one.file_name} ${one.since}`}>
+            <Whose name={one.cue?.name ?? one.file_name} who={one.who} since={one.since} />
             <State kind={one.status}>{one.status === 'unmatched' ? 'File unmatched' : undefined}</State>
-            <span className={`small dim ${classes.who}`}>
-              <span className="cut-text">{one.who}</span>, {age(one.since)}
-            </span>
           </Row>
         ))}
       </Rows>
@@ -41,6 +38,19 @@ export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'
   )
 }
 
+function Whose({ name, who, since }: { name: string; who: string; since: string }) {
+  return (
+    <span className="grow">
+      <span className={`cut-text ${classes.block}`}>{name}</span>
+      <span className={`small dim cut-text ${classes.block}`}>
+        {who}, {age(since)}
+      </span>
+    </span>
+  )
+}
+
+const buildName = (label: string): string => (/^[\d.]+$/.test(label) ? `Build ${label}` : label)
+
 /** What the game's machine said of the last builds. */
 export function Builds({ builds }: { builds: TodayAnswer['builds'] }) {
   if (builds.length === 0) return null
@@ -49,16 +59,13 @@ export function Builds({ builds }: { builds: TodayAnswer['builds'] }) {
       <CardHead id="builds" title="Builds" end="checked by the game's machine" />
       <Rows>
         {builds.map((build) => (
-          <Row key={build.id} className={classes.other}>
-            <span className="grow cut-text">{build.label}</span>
+          <Row key={build.id}>
+            <Whose name={buildName(build.label)} who={build.target} since={build.created_at} />
             {build.rejected > 0 ? (
               <State kind="refused">Refused, {plural(build.rejected, 'file')}</State>
             ) : (
               <State kind="passed">{`Passed, ${plural(build.files, 'file')}`}</State>
             )}
-            <span className={`small dim ${classes.who}`}>
-              <span className="cut-text">{build.target}</span>, {age(build.created_at)}
-            </span>
           </Row>
         ))}
       </Rows>

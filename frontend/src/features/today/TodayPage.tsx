@@ -136,7 +136,11 @@ export function TodayPage(): ReactNode {
             )}
             <WithOthersCard waiting={side.with_others} />
             <Builds builds={side.builds} />
-            <Placeholders count={side.placeholders} mails={side.unsent_mails} projectId={projectId} />
+            <Placeholders
+              count={side.placeholders}
+              mails={project?.is_producer ? side.unsent_mails : 0}
+              projectId={projectId}
+            />
           </aside>
         )}
       </div>
