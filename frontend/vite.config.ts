@@ -8,7 +8,14 @@ const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
 export default defineConfig({
   plugins: [react()],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
-  server: { host: '127.0.0.1', port: 5173, proxy: { '/v1': server, '/docs': server } },
+  server: {
+    host: '127.0.0.1',
+    port: 5173,
+    // As objects: the short form would change the Host, and the server takes writes from its own page only.
+    proxy: { '/v1': { target: server }, '/docs': { target: server } },
+    // The checks' pages lie beside the frontend, in docs/checks.
+    fs: { allow: ['..'] },
+  },
   preview: { host: '127.0.0.1', port: 4173 },
   build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
   test: {

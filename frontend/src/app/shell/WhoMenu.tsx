@@ -24,13 +24,12 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
   return (
     <Menu position="bottom-end" width={232} transitionProps={{ duration: 0 }} closeOnItemClick>
       <Menu.Target>
-        <button
-          type="button"
-          className={classes.who}
-          aria-label={person ? `${person.role}: account and settings` : 'Settings'}
-        >
+        <button type="button" className={classes.who}>
           {person ? <Face name={person.role} filled /> : <Icon name="sliders" />}
-          <span className={classes.whoWords}>{person?.role ?? 'Settings'}</span>
+          <span className={classes.whoWords} aria-hidden="true">
+            {person?.role ?? 'Settings'}
+          </span>
+          <span className="visually-hidden">{person ? `${person.role}: account and settings` : 'Settings'}</span>
           <span className={classes.whoChevron}>
             <Icon name="chevron" />
           </span>

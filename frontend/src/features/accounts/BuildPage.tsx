@@ -44,11 +44,7 @@ export function BuildPage() {
               </Button>
             }
           />
-          {/* A long line scrolls, so the keyboard must reach it. */}
-          {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-          <pre className={classes.lines} tabIndex={0} role="region" aria-label="Shell lines for CI">
-            {script}
-          </pre>
+          <pre className={classes.lines}>{script}</pre>
         </Card>
       )}
       <dl className={classes.facts}>

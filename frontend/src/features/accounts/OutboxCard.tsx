@@ -69,7 +69,7 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
         <Button
           variant="quiet"
           icon="copy"
-          aria-label={`Copy the link of “${subject}” to ${recipient}`}
+          aria-label={`Copy link of “${subject}” to ${recipient}`}
           onClick={() => void copy(link)}
         >
           Copy link

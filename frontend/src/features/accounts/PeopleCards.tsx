@@ -186,7 +186,13 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
           <Checkbox.Group label="Roles" value={roles} onChange={(chosen) => chosen.length > 0 && setRoles(chosen)}>
             <div className={classes.roles}>
               {ROLES.map((role) => (
-                <Checkbox key={role} value={role} label={ROLE_WORDS[role]} description={ROLE_MEANINGS[role]} />
+                <Checkbox
+                  key={role}
+                  value={role}
+                  size="sm"
+                  label={ROLE_WORDS[role]}
+                  description={ROLE_MEANINGS[role]}
+                />
               ))}
             </div>
           </Checkbox.Group>

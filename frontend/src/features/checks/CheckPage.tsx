@@ -38,7 +38,7 @@ export function CheckPage() {
       {blocksOf(text).map((block, index) => {
         if (block.kind === 'head') {
           return block.level === 1 ? (
-            <h1 key={index} className="mono">
+            <h1 key={index} className={classes.name}>
               {block.text}
             </h1>
           ) : (

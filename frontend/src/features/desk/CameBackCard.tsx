@@ -1,6 +1,5 @@
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { type Peaks, type Player, type PlayerState, spotOf as playFrom, Waveform, WaveThumb } from '@/audio'
 import { usePeaks } from '@/judging/api'
@@ -14,6 +13,7 @@ import { State } from '@/ui/State'
 
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
 import classes from './CameBack.module.css'
+import { Refusal } from './Refusal'
 import { spotOf, wordsOf, worstFirst } from './words'
 
 interface CameBackProps {
@@ -165,7 +165,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
       {playing.error !== null && playing.sourceId === id && (
         <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
       )}
-      {recheck.error instanceof ApiProblem && <ProblemNote detail={recheck.error.detail} fix={recheck.error.fix} />}
+      <Refusal error={recheck.error} />
       <div className={classes.actions}>
         {status === 'unjudged' && (
           <Button variant="primary" icon="turn" onClick={() => recheck.mutate(id)} disabled={recheck.isPending}>

@@ -8,19 +8,20 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytesOf, plural, remaining } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { useUploads } from '@/uploads'
 
 import { type Delivery, openDeliveryQuery, useCloseDelivery, useDelivery, useRecheck, useSaveNote } from './api'
 import classes from './Delivery.module.css'
 import { DeliveryLines } from './DeliveryLines'
 import type { DeliveryUploads } from './deliveryUploads'
-import { type DeliveryRows, isGoing, rowsOf } from './rows'
+import { Refusal } from './Refusal'
+import { type DeliveryRows, isGoing, type LabelOf, rowsOf } from './rows'
+import { ended } from './words'
 
 interface DeliveryCardProps {
   projectId: string
   uploads: DeliveryUploads
-  cueLabel: (cueId: string) => string
+  labelOf: LabelOf
   onChoose: () => void
   onChooseFolder: () => void
   /** Why the files could not be taken at all. */
@@ -33,7 +34,7 @@ interface DeliveryCardProps {
 export function DeliveryCard({
   projectId,
   uploads,
-  cueLabel,
+  labelOf,
   onChoose,
   onChooseFolder,
   problem,
@@ -44,10 +45,10 @@ export function DeliveryCard({
   const { data: delivery } = useQuery(openDeliveryQuery(projectId))
   const { data: detail } = useDelivery(delivery?.id)
   const recheck = useRecheck(projectId)
-  const rows = rowsOf(sending.uploads, detail, uploads.takeOf, cueLabel)
+  const rows = rowsOf(sending.uploads, detail, uploads.takeOf, labelOf)
   const going = sending.uploads.some(isGoing)
   const empty = rows.open.length + rows.done.length === 0
-  const refused = [problem, recheck.error].find((error) => error instanceof ApiProblem)
+  const refused = problem ?? recheck.error
 
   return (
     <Card aria-labelledby="delivery">
@@ -80,9 +81,9 @@ export function DeliveryCard({
           </>
         }
       />
-      {refused instanceof ApiProblem && (
+      {refused !== null && (
         <div className={classes.problem}>
-          <ProblemNote detail={refused.detail} fix={refused.fix} />
+          <Refusal error={refused} />
         </div>
       )}
       {empty && (
@@ -177,7 +178,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
         value={note}
         onChange={(event) => setNote(event.currentTarget.value)}
         onBlur={() => void keep().catch(() => undefined)}
-        error={error instanceof ApiProblem ? error.detail : undefined}
+        error={error instanceof ApiProblem ? ended(error.detail) : undefined}
         description={save.isSuccess && note.trim() === delivery.note ? 'Kept.' : undefined}
         inputWrapperOrder={['label', 'input', 'description', 'error']}
       />

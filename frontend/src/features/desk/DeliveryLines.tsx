@@ -110,7 +110,7 @@ function Line({ row, onStop, onDismiss, onRecheck }: { row: DeliveryRow } & Does
     <>
       <span className={`mono ${classes.name}`}>{name}</span>
       <span className={`mono dim ${classes.label}`}>{label}</span>
-      <span className={classes.detail}>
+      <span className={classes.detail} data-bar={share !== null || undefined}>
         {share !== null && (
           <Meter thin label={`${name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
         )}

@@ -8,7 +8,6 @@ import { usePlayer } from '@/audio'
 import { meQuery } from '@/judging/api'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { filesOfField, type Picked, useLeaveWarning, usePageDrop, useUploads } from '@/uploads'
 
 import { useCues, useDesk, useUnmatched, type Desk } from './api'
@@ -16,6 +15,8 @@ import { CameBackCard } from './CameBackCard'
 import { DeliveryCard } from './DeliveryCard'
 import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
 import classes from './Desk.module.css'
+import { Refusal } from './Refusal'
+import { labelsOf } from './rows'
 import { AskedCard, ToMakeCard, WithApproverCard } from './SideCards'
 import { UnmatchedTray } from './UnmatchedTray'
 import { deskLine } from './words'
@@ -62,7 +63,7 @@ export function DeskPage() {
             The desk is for its sound designers. You are of the team: Today shows what waits for you.
           </EmptyState>
         ) : (
-          <ProblemNote detail={refusal?.detail ?? 'The desk could not be read.'} fix={refusal?.fix} />
+          <Refusal error={problem} />
         )}
       </div>
     )
@@ -99,7 +100,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
   const onPageDrop = useCallback((picked: Picked[]) => void add(picked), [add])
   const over = usePageDrop(onPageDrop)
   const chooser = useFileChooser(add)
-  const labels = useMemo(() => new Map(cues?.map(({ id, label }) => [id, label])), [cues])
+  const labelOf = useMemo(() => labelsOf(cues ?? []), [cues])
 
   return (
     <div className="page">
@@ -131,7 +132,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           <DeliveryCard
             projectId={projectId}
             uploads={uploads}
-            cueLabel={(cueId) => labels.get(cueId) ?? ''}
+            labelOf={labelOf}
             onChoose={() => chooser.choose(null)}
             onChooseFolder={chooser.chooseFolder}
             problem={problem}

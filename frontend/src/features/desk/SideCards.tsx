@@ -14,6 +14,7 @@ import { filesOfDrop, type Picked } from '@/uploads'
 
 import { type AskedQuestion, type Desk, type ToMake, useAsk, useCues } from './api'
 import classes from './Side.module.css'
+import { ended } from './words'
 
 const SHOWN_AT_FIRST = 14
 
@@ -250,7 +251,7 @@ function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: strin
         maxLength={2000}
         value={text}
         onChange={(event) => setText(event.currentTarget.value)}
-        error={missing.text ?? refusal?.of('text')?.message ?? refusal?.detail}
+        error={missing.text ?? (refusal ? ended(refusal.of('text')?.message ?? refusal.detail) : undefined)}
         ref={textField}
         onKeyDown={(event) => {
           if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) send()

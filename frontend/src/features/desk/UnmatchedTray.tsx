@@ -1,7 +1,6 @@
 import { Select } from '@mantine/core'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, WaveThumb } from '@/audio'
@@ -9,12 +8,12 @@ import { capital } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { channels, length, rate } from '@/ui/format'
 import { Key } from '@/ui/Key'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import { type Cue, type Guess, type Take, type TakeSounds, useCues, useMatch, useSounds } from './api'
 import { hear } from './CameBackCard'
+import { Refusal } from './Refusal'
 import classes from './Unmatched.module.css'
 
 interface TrayProps {
@@ -39,12 +38,9 @@ export function UnmatchedTray({ projectId, takes, player, playing }: TrayProps) 
   if (takes.length === 0) return null
   return (
     <section aria-label="Unmatched files">
-      {match.error instanceof ApiProblem && (
+      {match.error !== null && (
         <div className={classes.problem}>
-          <ProblemNote
-            detail={`${match.variables?.take.file_name}: ${match.error.detail}.`}
-            fix={match.error.fix || undefined}
-          />
+          <Refusal error={match.error} about={match.variables?.take.file_name} />
         </div>
       )}
       {now.map((take, index) => (

@@ -21,6 +21,21 @@ export interface DeliveryRow {
   takeId?: string
 }
 
+/** The number of the cue that a file on its way is for, as far as its name or its drop says. */
+export type LabelOf = (upload: Upload) => string
+
+/** Find the number of the cue that owns a file's name, its version and alternate taken off. */
+export function labelsOf(cues: readonly { id: string; label: string; stems: string[] }[]): LabelOf {
+  const byId = new Map(cues.map(({ id, label }) => [id, label]))
+  const byStem = new Map(cues.flatMap(({ label, stems }) => stems.map((stem) => [stem, label] as const)))
+  return ({ cueId, file }) => {
+    if (cueId !== null) return byId.get(cueId) ?? ''
+    const whole = file.name.normalize('NFC').replace(/\.[^.]+$/, '')
+    const bare = whole.replace(/_v\d+$/i, '').replace(/(?:__alt\d+|_alt[A-Z])$/, '')
+    return byStem.get(whole) ?? byStem.get(bare) ?? ''
+  }
+}
+
 const GOING: readonly Upload['state'][] = ['waiting', 'sending', 'line_lost', 'paused']
 
 export const isGoing = ({ state }: Upload): boolean => GOING.includes(state)
@@ -41,12 +56,12 @@ export const sameAs = ({ cue, number }: Take): string =>
     ? 'the same file is here already and has no cue yet'
     : `the same sound as version ${number} of ${cue.name}; nothing to check again`
 
-function ofUpload(upload: Upload, cueLabel: (cueId: string) => string, take: Take | undefined): DeliveryRow | null {
+function ofUpload(upload: Upload, labelOf: LabelOf, take: Take | undefined): DeliveryRow | null {
   const base = {
     id: upload.id,
     uploadId: upload.id,
     name: upload.path,
-    label: upload.cueId === null ? '' : cueLabel(upload.cueId),
+    label: labelOf(upload),
     share: null,
   }
   switch (upload.state) {
@@ -154,9 +169,9 @@ export function rowsOf(
   uploads: readonly Upload[],
   detail: DeliveryDetail | undefined,
   takeOf: (uploadId: string) => Take | undefined,
-  cueLabel: (cueId: string) => string,
+  labelOf: LabelOf,
 ): DeliveryRows {
-  const sent = uploads.flatMap((upload) => ofUpload(upload, cueLabel, takeOf(upload.id)) ?? [])
+  const sent = uploads.flatMap((upload) => ofUpload(upload, labelOf, takeOf(upload.id)) ?? [])
   const here = detail
     ? [
         ...detail.archives.flatMap(ofArchive),

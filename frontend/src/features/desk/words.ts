@@ -1,5 +1,5 @@
 import { figure, place, plural, range } from '@/ui/format'
-import { capital, sentence, spelled } from '@/judging/words'
+import { sentence, spelled } from '@/judging/words'
 
 import type { Desk, Finding } from './api'
 
@@ -12,15 +12,24 @@ export interface FindingWords {
   where: string
 }
 
-const ended = (text: string): string => (text === '' || /[.!?]$/.test(text) ? text : `${text}.`)
+/** A sentence: a capital first, a full stop last. */
+export const ended = (text: string): string =>
+  text === '' || /[.!?]$/.test(text) ? sentence(text) : `${sentence(text)}.`
 
 /** What a finding says, taken apart: up to the first comma or bracket it is the figure, after it the limit. */
 export function wordsOf({ message, fix, start_s, end_s }: Finding): FindingWords {
   const said = sentence(message)
   const cut = said.search(/, | \(/)
   const head = cut < 0 ? said : said.slice(0, cut)
-  const limit = cut < 0 ? '' : said.slice(cut).replace(/^, /, '').trim()
-  const rest = [ended(capital(limit)), ended(sentence(fix))].filter(Boolean).join(' ')
+  // Where it is stands beside it; a bracket of times alone says no more.
+  const limit =
+    cut < 0
+      ? ''
+      : said
+          .slice(cut)
+          .replace(/^, |^ \([\d.,s …]+\)/, '')
+          .trim()
+  const rest = [ended(limit), ended(fix)].filter(Boolean).join(' ')
   return { head, rest, where: spotOf(start_s, end_s) }
 }
 
@@ -51,5 +60,5 @@ export function deskLine(desk: Desk): string {
       ? 'The list is empty. You hear by mail when there is something to make.'
       : `Nothing waits for you: ${figure(desk.accepted)} of ${plural(desk.cues, 'cue')} accepted.`
   }
-  return ended(capital(parts.join(', ')))
+  return ended(parts.join(', '))
 }
