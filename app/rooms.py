@@ -32,7 +32,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.checked": ("renders.make_renders", "notifications.tell_check"),
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
-    "cue.changed": ("conformance.recheck_takes",),
+    "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "list.revised": ("notifications.tell_list_revised",),
     "question.asked": ("notifications.tell_question",),
     "question.answered": ("notifications.tell_answer",),

@@ -10,10 +10,12 @@ from typing import Any
 from uuid import UUID
 
 import sqlalchemy as sa
+from anyio.from_thread import BlockingPortal, start_blocking_portal
 from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
 import audio_checks
+from app import logs
 from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
@@ -36,10 +38,13 @@ class RunningServer:
 
     runtime: Runtime
     application: Any
+    portal: BlockingPortal
 
     def browser(self) -> TestClient:
-        """Return a client without credentials."""
-        return TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
+        """Return a client without credentials; all share one event loop, where each request would start its own."""
+        client = TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
+        client.portal = self.portal
+        return client
 
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
@@ -61,12 +66,14 @@ class RunningServer:
 @contextmanager
 def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
     """Run web application and worker in this process."""
+    logs.configure()
     runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests", **settings))  # type: ignore[arg-type]
     migrate(runtime.database)
     application = create_app(runtime)
     worker = start_worker(runtime)
     try:
-        yield RunningServer(runtime, application)
+        with start_blocking_portal() as portal:
+            yield RunningServer(runtime, application, portal)
     finally:
         worker.stop(wait_s=2)
         runtime.close()

@@ -1,17 +1,15 @@
 """Jobs are written with their row, run once in effect, parked when they keep failing, and retried by hand."""
 
 import time
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from app.kit import queue
 from app.kit.runtime import Runtime
-from app.migrate import migrate
-from app.settings import Settings
+from tests.support.server import RunningServer
 
-pytestmark = pytest.mark.xdist_group("one-worker-a-process")
 calls: list[str] = []
 broken = {"is": True}
 
@@ -29,21 +27,11 @@ def fail_while_broken(_runtime: Runtime, payload: queue.Payload) -> None:
 
 
 @pytest.fixture
-def runtime(tmp_path: Path) -> Iterator[Runtime]:
-    runtime = Runtime.of(Settings(data_dir=tmp_path))
-    migrate(runtime.database)
-    calls.clear()
-    yield runtime
-    runtime.close()
-
-
-@pytest.fixture
-def worker(runtime: Runtime, monkeypatch: pytest.MonkeyPatch) -> Iterator[queue.Worker]:
+def runtime(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Runtime:
+    """The running server's; its worker runs these jobs too, with short pauses between tries."""
     monkeypatch.setattr(queue, "FIRST_RETRY_S", 0.01)
-    worker = queue.Worker(runtime, worker_id="tests", jobs_at_once=2)
-    worker.start()
-    yield worker
-    worker.stop(wait_s=2)
+    calls.clear()
+    return server.runtime
 
 
 def until(condition: Callable[[], object], seconds: float = 20) -> None:
@@ -53,12 +41,16 @@ def until(condition: Callable[[], object], seconds: float = 20) -> None:
         time.sleep(0.02)
 
 
-def enqueue(runtime: Runtime, job: str, word: str, **more: object) -> None:
+def enqueue(runtime: Runtime, job: str, word: str, **more: Any) -> None:
     with runtime.database.writing() as session:
-        runtime.queue.enqueue(session, job, {"word": word}, key=f"key of {word}", **more)  # type: ignore[arg-type]
+        runtime.queue.enqueue(session, job, {"word": word}, key=f"key of {word}", **more)
 
 
-def test_a_job_of_a_transaction_that_failed_never_was(runtime: Runtime, worker: queue.Worker):
+def parked(runtime: Runtime) -> list[queue.UnfinishedJob]:
+    return [each for each in runtime.queue.unfinished(only_failed=True) if each.name.startswith("tests.")]
+
+
+def test_a_job_of_a_transaction_that_failed_never_was(runtime: Runtime):
     def begin_and_fail() -> None:
         with runtime.database.writing() as session:
             runtime.queue.enqueue(session, "tests.note", {"word": "never"}, key="never")
@@ -71,7 +63,7 @@ def test_a_job_of_a_transaction_that_failed_never_was(runtime: Runtime, worker: 
     assert calls == ["later"]
 
 
-def test_the_same_key_is_the_same_job(runtime: Runtime, worker: queue.Worker):
+def test_the_same_key_is_the_same_job(runtime: Runtime):
     enqueue(runtime, "tests.note", "once")
     enqueue(runtime, "tests.note", "once")
     enqueue(runtime, "tests.note", "last")
@@ -79,32 +71,21 @@ def test_the_same_key_is_the_same_job(runtime: Runtime, worker: queue.Worker):
     assert calls.count("once") == 1
 
 
-def test_a_delayed_job_waits(runtime: Runtime, worker: queue.Worker):
+def test_a_delayed_job_waits(runtime: Runtime):
     begun = time.monotonic()
     enqueue(runtime, "tests.note", "patience", delay_s=1.0)
     until(lambda: calls)
     assert time.monotonic() - begun >= 1.0
 
 
-def test_what_keeps_failing_is_parked_and_runs_when_retried(runtime: Runtime, worker: queue.Worker):
+def test_what_keeps_failing_is_parked_and_runs_when_retried(runtime: Runtime):
     broken["is"] = True
     enqueue(runtime, "tests.fail_while_broken", "stubborn")
-    until(lambda: runtime.queue.unfinished(only_failed=True))
-    parked = runtime.queue.unfinished(only_failed=True)[0]
-    assert (parked.name, parked.state) == ("tests.fail_while_broken", "parked")
+    until(lambda: parked(runtime))
+    (stuck,) = parked(runtime)
+    assert (stuck.name, stuck.state) == ("tests.fail_while_broken", "parked")
     assert len(calls) == queue.ATTEMPTS
     broken["is"] = False
-    runtime.queue.retry(parked.id)
+    runtime.queue.retry(stuck.id)
     until(lambda: len(calls) == queue.ATTEMPTS + 1)
-    until(lambda: not runtime.queue.unfinished())
-    assert not runtime.queue.unfinished(only_failed=True)
-
-
-def test_jobs_wait_for_a_worker(runtime: Runtime):
-    enqueue(runtime, "tests.note", "patient")
-    assert [job.state for job in runtime.queue.unfinished()] == ["waiting"]
-    worker = queue.Worker(runtime, worker_id="tests", jobs_at_once=1)
-    worker.start()
-    until(lambda: calls)
-    worker.stop(wait_s=2)
-    assert calls == ["patient"]
+    until(lambda: not parked(runtime))
