@@ -1,14 +1,16 @@
 import { PasswordInput, TextInput } from '@mantine/core'
-import { createContext, type FormEvent, type ReactNode, useContext } from 'react'
+import { createContext, type FormEvent, type ReactNode, useContext, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
+import { emptyFields } from '@/ui/emptyFields'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Form.module.css'
 
-const Refused = createContext<ApiProblem | null>(null)
+/** What stands against a field of the form, by its name. */
+const Against = createContext<(name: string) => string | undefined>(() => undefined)
 
 /** What stands against the fields of a form; anything else that broke is no refusal of what was typed. */
 export const refusalOf = (error: unknown): ApiProblem | null => (error instanceof ApiProblem ? error : null)
@@ -31,7 +33,7 @@ interface FieldProps {
 
 /** One line to fill in, with what the server says of it below. */
 export function Field({ name, label, type = 'text', hint, ...rest }: FieldProps) {
-  const message = useContext(Refused)?.of(name)?.message
+  const message = useContext(Against)(name)
   const given = {
     ...rest,
     name,
@@ -61,9 +63,13 @@ interface FormProps {
 /** Fields and one button. Nothing typed is lost when it is refused. */
 export function Form({ action, busy, error, onSubmit, children, other }: FormProps) {
   const refusal = refusalOf(error)
+  const [missing, setMissing] = useState<Record<string, string>>({})
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
     if (busy) return
+    const empty = emptyFields(event.currentTarget)
+    setMissing(empty)
+    if (Object.keys(empty).length > 0) return
     const data = new FormData(event.currentTarget)
     onSubmit((name) => {
       const value = data.get(name)
@@ -71,7 +77,7 @@ export function Form({ action, busy, error, onSubmit, children, other }: FormPro
     })
   }
   return (
-    <Refused value={refusal}>
+    <Against value={(name) => missing[name] ?? refusal?.of(name)?.message}>
       <form className={classes.form} onSubmit={send} noValidate>
         {children}
         {error !== null && error !== undefined && (refusal === null || refusal.errors.length === 0) && (
@@ -87,7 +93,7 @@ export function Form({ action, busy, error, onSubmit, children, other }: FormPro
           {other}
         </div>
       </form>
-    </Refused>
+    </Against>
   )
 }
 

@@ -91,13 +91,14 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         </div>
       )}
       <div className={`columns ${classes.columns}`}>
-        <Card aria-labelledby="list">
-          <CardHead
-            id="list"
-            title="Sound list"
-            note={`${plural(sum.cues, 'cue')}, ${plural(sum.files, 'file')}`}
-            end={sum.settled < sum.cues && `${sum.cues - sum.settled} not settled yet`}
-          />
+        <section aria-labelledby="list">
+          <div className={classes.listHead}>
+            <h2 id="list">Sound list</h2>
+            <span className="small dim">
+              {plural(sum.cues, 'cue')}, {plural(sum.files, 'file')}
+              {sum.settled < sum.cues && `, ${sum.cues - sum.settled} not settled yet`}
+            </span>
+          </div>
           {cues.length === 0 ? (
             <div className={classes.empty}>
               <EmptyState head="The list is empty yet." level={3}>
@@ -112,7 +113,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
               keyOf={({ number }) => String(number)}
             />
           )}
-        </Card>
+        </section>
         <div className="stack">
           <Card aria-labelledby="spec">
             <CardHead id="spec" title="How files must come" note={spec.name} />
@@ -156,9 +157,7 @@ const COLUMNS: Column<PreviewCue>[] = [
     head: 'Use and description',
     narrow: 'stands',
     cell: ({ use, description }) => (
-      <span className="mid" title={description || undefined}>
-        {[use, description].filter(Boolean).join('. ')}
-      </span>
+      <span className={`mid ${classes.told}`}>{[use, description].filter(Boolean).join('. ')}</span>
     ),
   },
   {

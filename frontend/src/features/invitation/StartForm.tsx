@@ -1,11 +1,12 @@
 import { PasswordInput, TextInput } from '@mantine/core'
 import { useRouter } from '@tanstack/react-router'
-import type { FormEvent } from 'react'
+import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { emptyFields } from '@/ui/emptyFields'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
@@ -29,14 +30,18 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
   const isThem = visitor?.email === email
   const nameField = useFocusOnMount<HTMLInputElement>(!hasAccount)
   const passwordField = useFocusOnMount<HTMLInputElement>(hasAccount)
+  const [missing, setMissing] = useState<Record<string, string>>({})
   const refusal = accept.error instanceof ApiProblem ? accept.error : null
   const against = (field: string) => {
-    const message = refusal?.of(field)?.message
+    const message = missing[field] ?? refusal?.of(field)?.message
     return message && capitalised(message)
   }
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
     if (accept.isPending) return
+    const empty = emptyFields(event.currentTarget)
+    setMissing(empty)
+    if (Object.keys(empty).length > 0) return
     const data = new FormData(event.currentTarget)
     const typed = (name: string) => {
       const value = data.get(name)
