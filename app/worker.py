@@ -5,10 +5,25 @@ import signal
 import threading
 from types import FrameType
 
+import structlog
+
 from app import rooms
 from app.kit import events
 from app.kit.queue import Worker, job_names
 from app.kit.runtime import Runtime
+from app.kit.uploads import Uploads
+from app.notifications.jobs import send_waiting
+
+CHORES_EVERY_S = 300.0
+log = structlog.get_logger(__name__)
+
+
+def sweep_uploads(runtime: Runtime) -> None:
+    """Clear away uploads that nobody finished in time."""
+    Uploads(runtime.database, runtime.store).sweep()
+
+
+CHORES = (sweep_uploads, send_waiting)
 
 
 def start_worker(runtime: Runtime) -> Worker:
@@ -24,6 +39,15 @@ def start_worker(runtime: Runtime) -> Worker:
     return worker
 
 
+def _do_chores(runtime: Runtime) -> None:
+    """Do what no event asks for: clear away abandoned uploads, send mails that a dead server left behind."""
+    for chore in CHORES:
+        try:
+            chore(runtime)
+        except Exception:
+            log.exception("a chore failed", chore=chore.__name__)
+
+
 def run(runtime: Runtime) -> None:
     """Run jobs until SIGTERM or SIGINT."""
     stopped = threading.Event()
@@ -34,6 +58,8 @@ def run(runtime: Runtime) -> None:
     signal.signal(signal.SIGTERM, stop)
     signal.signal(signal.SIGINT, stop)
     worker = start_worker(runtime)
-    stopped.wait()
+    _do_chores(runtime)
+    while not stopped.wait(CHORES_EVERY_S):
+        _do_chores(runtime)
     worker.stop()
     runtime.close()

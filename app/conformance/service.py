@@ -1,6 +1,6 @@
 """The verdict: what a check needs to know, and what its report makes of a take."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -11,7 +11,7 @@ from app.accounts.schemas import PersonBrief
 from app.conformance import queries
 from app.conformance.errors import CheckNotFound, NothingToWaive
 from app.conformance.models import CheckRun, Waiver
-from app.conformance.rules import Report, error_codes, run_key, state_after, with_waived
+from app.conformance.rules import Report, asked_of, error_codes, run_key, state_after, with_waived
 from app.conformance.schemas import CheckRead, FindingRead, WaiverRead
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
@@ -70,7 +70,10 @@ def _order(session: Session, take: Take) -> CheckOrder:
 def _resolved(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
     """Return what a version of the spec asks of one take."""
     whole = audio_checks.parse_spec(spec.toml)
-    return whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
+    resolved = whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
+    if take.cue is None:  # it will be named for its cue once somebody says which that is
+        return replace(resolved, checks=resolved.checks | {"naming": "off"})
+    return resolved
 
 
 def known_report(session: Session, order: CheckOrder) -> Report | None:
@@ -170,7 +173,7 @@ def read_check(session: Session, take: Take) -> CheckRead:
         state=take.state,
         verdict=run.report["verdict"],
         spec_version=spec.version,
-        is_newest_spec=spec.id == newest.id or _resolved(spec, take).sha256 == _resolved(newest, take).sha256,
+        is_newest_spec=spec.id == newest.id or asked_of(_resolved(spec, take)) == asked_of(_resolved(newest, take)),
         tool_version=run.tool_version,
         created_at=run.created_at,
         facts=run.report["facts"],
