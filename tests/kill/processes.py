@@ -29,7 +29,7 @@ class ProcessServer:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.runtime = Runtime.of(Settings(data_dir=folder / "data", secret_key=SECRET_KEY))  # type: ignore[arg-type]
+        self.runtime = Runtime.of(Settings(data_dir=folder / "data", secret_key=SECRET_KEY))
         migrate(self.runtime.database)
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))

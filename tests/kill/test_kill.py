@@ -161,7 +161,7 @@ def no_jobs_left(server: ProcessServer) -> bool:
     """Whether nothing runs or waits for its turn; what waits for a later hour may."""
     query = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING')")
     with server.runtime.database.reading() as session:
-        return session.scalar(query) == 0
+        return bool(session.scalar(query) == 0)
 
 
 def told(server: ProcessServer, job: str) -> int:

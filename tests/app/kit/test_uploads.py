@@ -224,7 +224,7 @@ def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: Stor
 def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
     incoming: Uploads, store: Store, database: Database, monkeypatch: pytest.MonkeyPatch, point: str
 ) -> None:
-    hits = []
+    hits: list[str] = []
 
     def die(name: str) -> None:
         if name == point and not hits:
