@@ -6,7 +6,9 @@ import { createSession } from '@/features/accounts/session'
 import { checkRoutes } from '@/features/checks/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
+import { projectRoutes } from '@/features/projects/routes'
 import { reviewRoutes } from '@/features/review/routes'
+import { soundListRoutes } from '@/features/sound-list/routes'
 import { todayRoutes } from '@/features/today/routes'
 import { partsRoute } from '@/parts/routes'
 
@@ -16,7 +18,15 @@ import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
 
 const pages = [
   guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes]),
-  shellRoute.addChildren([...todayRoutes, ...reviewRoutes, ...deskRoutes, ...accountRoutes, nowhereRoute]),
+  shellRoute.addChildren([
+    ...todayRoutes,
+    ...projectRoutes,
+    ...reviewRoutes,
+    ...soundListRoutes,
+    ...deskRoutes,
+    ...accountRoutes,
+    nowhereRoute,
+  ]),
 ] as const
 const routeTree = rootRoute.addChildren(pages)
 // For those who build: in development and test builds only, and unknown to the types of the product.

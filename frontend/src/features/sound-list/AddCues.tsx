@@ -1,0 +1,260 @@
+import { type KeyboardEvent, useEffect, useRef, useState } from 'react'
+
+import type { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { FieldError } from '@/ui/FieldError'
+import { plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './AddCues.module.css'
+import { type Cue, problemIn, useAddCues } from './api'
+import { type CueDraft, readDraft, refusedRows } from './draft'
+import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, withRoom } from './newRows'
+import { SETTLED } from './words'
+
+type NewField = (typeof NEW_FIELDS)[number]
+
+const HEADS: Record<NewField, string> = {
+  name: 'Name',
+  category: 'Category',
+  use: 'Use in the game',
+  description: 'Description',
+  duration_s: 'Length, s',
+  variations: 'Variations',
+  loop: 'Loop',
+  state: 'Settled',
+}
+
+/** Typed rows that are not saved, by project: leaving the page loses nothing. */
+const kept = new Map<string, NewRow[]>()
+
+interface AddCuesProps {
+  projectId: string
+  categories: readonly string[]
+  /** What was looked for and not found. */
+  name?: string
+  onAdded: (cues: Cue[]) => void
+  onClose: () => void
+}
+
+/** Several cues, typed like rows of a table, saved together. */
+export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCuesProps) {
+  const [rows, setRowsOnly] = useState<NewRow[]>(() => {
+    const typed = kept.get(projectId)?.filter((row) => !isBlank(row)) ?? []
+    return withRoom(name ? [...typed, blankRow(name)] : typed)
+  })
+  const [refusal, setRefusal] = useState<ApiProblem | null>(null)
+  const add = useAddCues(projectId)
+  const table = useRef<HTMLTableElement>(null)
+  const filled = rows.filter((row) => !isBlank(row))
+
+  const setRows = (next: NewRow[]) => {
+    setRowsOnly(next)
+    kept.set(projectId, next)
+  }
+  const focusOn = (row: number, field: NewField) =>
+    table.current?.querySelector<HTMLElement>(`[data-cell="${row} ${field}"]`)?.focus()
+  useEffect(() => {
+    const names = table.current?.querySelectorAll<HTMLElement>('[data-cell$=" name"]')
+    names?.item(names.length - 1).focus()
+  }, [])
+
+  const put = (at: number, field: NewField, value: string | boolean) =>
+    setRows(
+      withRoom(
+        rows.map((row, place) =>
+          place === at ? { ...row, draft: { ...row.draft, [field]: value }, faults: {}, whole: [] } : row,
+        ),
+      ),
+    )
+
+  const save = async () => {
+    if (add.isPending || filled.length === 0) return
+    setRefusal(null)
+    const read = filled.map(({ draft }) => readDraft(draft))
+    const faultsOf = new Map(filled.map(({ key }, at) => [key, read[at]?.faults ?? {}]))
+    setRows(rows.map((row) => ({ ...row, faults: faultsOf.get(row.key) ?? {}, whole: [] })))
+    if (read.some(({ faults }) => Object.keys(faults).length > 0)) return
+    try {
+      const added = await add.mutateAsync(read.map(({ facts }) => facts))
+      kept.delete(projectId)
+      const labels = [added[0]?.label, added.at(-1)?.label]
+      const which = added.length > 1 ? `${labels[0]} to ${labels[1]}` : `${labels[0]} ${added[0]?.name}`
+      showToast(`${plural(added.length, 'cue')} added: ${which}.`)
+      onAdded(added)
+    } catch (error) {
+      const problem = problemIn(error)
+      if (problem === null) throw error
+      const refused = refusedRows(problem)
+      const places = new Map(filled.map(({ key }, at) => [key, refused.get(at)]))
+      setRows(
+        rows.map((row) => {
+          const against = places.get(row.key)
+          return { ...row, faults: against?.fields ?? {}, whole: against?.whole ?? [] }
+        }),
+      )
+      if (refused.size === 0) setRefusal(problem)
+    }
+  }
+  useHotkeys([{ keys: 'mod+Enter', label: 'Save the new cues', group: 'List', run: () => void save() }])
+
+  const goOn = (event: KeyboardEvent, at: number, field: NewField) => {
+    if (event.key !== 'Enter' || event.ctrlKey || event.metaKey) return
+    event.preventDefault()
+    focusOn(at + 1, field)
+  }
+  const wrong = rows.filter((row) => Object.keys(row.faults).length + row.whole.length > 0).length
+
+  return (
+    <Card aria-labelledby="new-cues" className={classes.card}>
+      <CardHead
+        id="new-cues"
+        title="New cues"
+        note="They join the end of the list. Cells pasted from a spreadsheet fill the rows."
+      />
+      <table ref={table} className={classes.table} aria-labelledby="new-cues">
+        <thead>
+          <tr>
+            {NEW_FIELDS.map((field) => (
+              <th key={field} scope="col" className={classes[field]}>
+                {HEADS[field]}
+              </th>
+            ))}
+            <th scope="col" className={classes.drop}>
+              <span className="visually-hidden">Take out</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row, at) => (
+            <tr key={row.key}>
+              {NEW_FIELDS.map((field) => (
+                <td key={field} data-head={HEADS[field]}>
+                  <Cell
+                    id={`new-${row.key}-${field}`}
+                    cell={`${at} ${field}`}
+                    label={`${HEADS[field]}, row ${at + 1}`}
+                    field={field}
+                    draft={row.draft}
+                    fault={row.faults[field] ?? (field === 'name' ? againstName(row) : undefined)}
+                    onChange={(value) => put(at, field, value)}
+                    onKeyDown={(event) => goOn(event, at, field)}
+                    onPaste={(text) => setRows(withPasted(rows, at, field, text))}
+                  />
+                </td>
+              ))}
+              <td className={classes.drop}>
+                {!isBlank(row) && (
+                  <Button
+                    square
+                    variant="quiet"
+                    icon="cross"
+                    aria-label={`Take out row ${at + 1}`}
+                    onClick={() => setRows(withRoom(rows.filter(({ key }) => key !== row.key)))}
+                  />
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <datalist id="known-categories">
+        {categories.map((category) => (
+          <option key={category} value={category} />
+        ))}
+      </datalist>
+      {refusal && <ProblemNote detail={refusal.detail} fix={refusal.fix} />}
+      <footer className={classes.foot}>
+        <span className={wrong > 0 ? 'tone-bad toned' : 'small dim'} role="status">
+          {wrong > 0
+            ? `${plural(wrong, 'row')} to mend; nothing is saved until then, and nothing is lost.`
+            : 'Enter goes to the next row. A name is enough.'}
+        </span>
+        <Button className="end" keys="Escape" onClick={onClose}>
+          Close
+        </Button>
+        <Button
+          variant="primary"
+          keys="mod+Enter"
+          disabled={filled.length === 0 || add.isPending}
+          onClick={() => void save()}
+        >
+          {filled.length === 0 ? 'Add cues' : `Add ${plural(filled.length, 'cue')}`}
+        </Button>
+      </footer>
+    </Card>
+  )
+}
+
+/** What stands against a field that has no column here is said at the name. */
+function againstName({ faults, whole }: NewRow): string | undefined {
+  const others = Object.entries(faults).filter(([field]) => !(NEW_FIELDS as readonly string[]).includes(field))
+  return [...whole, ...others.map(([, message]) => message)].join(' ') || undefined
+}
+
+interface CellProps {
+  id: string
+  cell: string
+  label: string
+  field: NewField
+  draft: CueDraft
+  fault: string | undefined
+  onChange: (value: string | boolean) => void
+  onKeyDown: (event: KeyboardEvent) => void
+  onPaste: (text: string) => void
+}
+
+function Cell({ id, cell, label, field, draft, fault, onChange, onKeyDown, onPaste }: CellProps) {
+  const shared = {
+    'aria-label': label,
+    'aria-invalid': fault !== undefined || undefined,
+    'aria-describedby': fault === undefined ? undefined : id,
+    'data-cell': cell,
+  }
+  return (
+    <>
+      {field === 'loop' ? (
+        <input
+          type="checkbox"
+          className={classes.flag}
+          checked={draft.loop}
+          onChange={(event) => onChange(event.currentTarget.checked)}
+          {...shared}
+        />
+      ) : field === 'state' ? (
+        <select
+          className={classes.input}
+          value={draft.state}
+          onChange={(event) => onChange(event.currentTarget.value)}
+          {...shared}
+        >
+          {SETTLED.map((option) => (
+            <option key={option.value} value={option.value}>
+              {option.label}
+            </option>
+          ))}
+        </select>
+      ) : (
+        <input
+          className={classes.input}
+          value={draft[field]}
+          list={field === 'category' ? 'known-categories' : undefined}
+          inputMode={field === 'duration_s' ? 'decimal' : field === 'variations' ? 'numeric' : undefined}
+          onChange={(event) => onChange(event.currentTarget.value)}
+          onKeyDown={onKeyDown}
+          onPaste={(event) => {
+            const text = event.clipboardData.getData('text/plain')
+            if (!isBlock(text)) return
+            event.preventDefault()
+            onPaste(text)
+          }}
+          {...shared}
+        />
+      )}
+      {fault && <FieldError id={id}>{fault}</FieldError>}
+    </>
+  )
+}

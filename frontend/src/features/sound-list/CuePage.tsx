@@ -1,0 +1,275 @@
+import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { type ReactNode, useCallback, useEffect, useMemo, useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { usePlayer } from '@/audio'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { length, plural } from '@/ui/format'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import {
+  cueChangesQuery,
+  type CueDetail,
+  cueQuery,
+  listQuery,
+  problemIn,
+  standingQuery,
+  type Version,
+  versionsQuery,
+  useRights,
+} from './api'
+import classes from './Cue.module.css'
+import { CutCue } from './CutCue'
+import { EditCue } from './EditCue'
+import { History } from './History'
+import { AskForm, QuestionLine } from './Questions'
+import { categoriesOf, rowsOf } from './rows'
+import { Versions } from './Versions'
+import { REVERBS, SETTLED } from './words'
+
+const NO_VERSIONS: Version[] = []
+
+/** One cue: what it is, what was asked, what was delivered, and how it changed. */
+export function CuePage(): ReactNode {
+  const { projectId = '', cueId = '' } = useParams({ strict: false })
+  const { data: cue, error } = useQuery(cueQuery(cueId))
+  const problem = problemIn(error)
+  useTitle(cue?.name ?? 'Cue')
+  if (cue === undefined) {
+    return (
+      <div className="page">
+        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This cue is not here.' : 'Cue'}</h1>
+        {problem && (
+          <ProblemNote
+            detail={problem.detail}
+            fix={problem.fix}
+            action={
+              <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+                To the sound list
+              </Link>
+            }
+          />
+        )}
+      </div>
+    )
+  }
+  return <CueSheet key={cue.id} cue={cue} projectId={projectId} />
+}
+
+function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
+  const navigate = useNavigate()
+  const rights = useRights(projectId)
+  const { data: list } = useQuery(listQuery(projectId))
+  const { data: standings } = useQuery(standingQuery(projectId))
+  const versions = useQuery(versionsQuery(projectId, cue.id))
+  const changes = useInfiniteQuery(cueChangesQuery(projectId, cue))
+  const [player, playing] = usePlayer()
+  const [doing, setDoing] = useState<'edit' | 'cut' | null>(null)
+
+  const cues = list?.cues
+  const row = useMemo(() => rowsOf([cue], { standings: standings?.cues })[0], [cue, standings])
+  const categories = useMemo(() => categoriesOf((cues ?? []).map((each) => ({ cue: each }))), [cues])
+  const at = cues?.findIndex(({ id }) => id === cue.id) ?? -1
+  const delivered = versions.data ?? NO_VERSIONS
+
+  const play = useCallback(
+    (version: Version) => {
+      if (version.previewUrl === null) return
+      if (player.getState().sourceId === version.take.id) {
+        void player.toggle()
+        return
+      }
+      player.setLooping(cue.loop)
+      void player.select({ id: version.take.id, url: version.previewUrl })
+      void player.play(0)
+    },
+    [player, cue.loop],
+  )
+  const openCue = (by: 1 | -1) => {
+    const next = cues?.[at + by]
+    if (next) {
+      void navigate({ to: '/projects/$projectId/sound-list/cues/$cueId', params: { projectId, cueId: next.id } })
+    }
+  }
+  const ask = () => document.querySelector<HTMLElement>('#ask textarea')?.focus()
+  const back = () => void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+  const isCut = cue.state === 'cut'
+  const mayEdit = rights.edits && !isCut
+  const first = delivered.find(({ take }) => take.id === playing.sourceId) ?? delivered.find((each) => each.previewUrl)
+  useHotkeys([
+    { keys: 'Escape', label: 'Back to the list', group: 'Cue', run: () => (doing ? setDoing(null) : back()) },
+    { keys: 'j', label: 'Next cue', group: 'Cue', run: () => openCue(1), repeats: true },
+    { keys: 'k', label: 'Previous cue', group: 'Cue', run: () => openCue(-1), repeats: true },
+    { keys: 'Space', label: 'Play', group: 'Cue', run: () => first && play(first), disabled: !first },
+    { keys: 'q', label: 'Ask a question', group: 'Cue', run: ask },
+    { keys: 'e', label: 'Edit', group: 'Cue', run: () => setDoing('edit'), disabled: !mayEdit },
+  ])
+  useEffect(() => window.scrollTo({ top: 0 }), [])
+
+  const stands = row?.stands
+  const open = cue.questions.filter(({ answer }) => answer === null)
+  const answered = cue.questions.filter(({ answer }) => answer !== null).toReversed()
+  return (
+    <div className={`page ${classes.page}`}>
+      <header className={classes.top}>
+        <div className={classes.title}>
+          <p className="small dim">
+            <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+              Sound list
+            </Link>{' '}
+            <span className="mono">{cue.label}</span>
+          </p>
+          <div className="row wrap">
+            <h1 className={isCut ? 'struck' : undefined}>{cue.name}</h1>
+            {row && standings && (
+              <State kind={row.kind} pill>
+                {row.stateWords}
+              </State>
+            )}
+            {cue.placeholder && row?.kind !== 'placeholder' && !isCut && <State kind="placeholder" pill />}
+          </div>
+          {stands && standings && (
+            <p className="mid">
+              {stands.before}
+              {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
+              {stands.after}
+            </p>
+          )}
+        </div>
+        <div className={classes.acts}>
+          {mayEdit && (
+            <Button icon="pencil" keys="e" pressed={doing === 'edit'} onClick={() => setDoing(doing ? null : 'edit')}>
+              Edit
+            </Button>
+          )}
+          {rights.cuts && !isCut && (
+            <Button icon="struckRing" onClick={() => setDoing('cut')}>
+              Cut it
+            </Button>
+          )}
+          {rights.reviews && delivered.length > 0 && (
+            <ButtonLink
+              component={Link}
+              variant="primary"
+              icon="headphones"
+              to={`/projects/${projectId}/review/${cue.id}`}
+            >
+              Hear it in review
+            </ButtonLink>
+          )}
+        </div>
+      </header>
+
+      <div className={`columns ${classes.columns}`}>
+        <div className="stack">
+          <Card aria-labelledby="facts">
+            <CardHead id="facts" title="What it is" end={row && `${wordOf(SETTLED, cue.state)}`} />
+            {doing === 'edit' && (
+              <EditCue cue={cue} projectId={projectId} categories={categories} onClose={() => setDoing(null)} />
+            )}
+            {doing === 'cut' && <CutCue cue={cue} projectId={projectId} onClose={() => setDoing(null)} />}
+            {doing !== 'edit' && <Facts cue={cue} />}
+          </Card>
+          <Versions
+            cue={cue}
+            projectId={projectId}
+            versions={versions.data}
+            problem={problemIn(versions.error)}
+            playingId={playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null}
+            reviews={rights.reviews}
+            onPlay={play}
+          />
+          {playing.error && <ProblemNote detail={playing.error} />}
+        </div>
+        <div className="stack">
+          <Card aria-labelledby="questions">
+            <CardHead
+              id="questions"
+              title="Questions"
+              note={open.length > 0 ? `${plural(open.length, 'one waits', 'wait')}` : undefined}
+            />
+            <div className={classes.inside}>
+              {[...open, ...answered].map((question) => (
+                <QuestionLine key={question.id} question={question} projectId={projectId} mayAnswer={rights.edits} />
+              ))}
+              {cue.questions.length === 0 && (
+                <p className="small dim">Nothing was asked. An answer joins the description.</p>
+              )}
+              {!isCut && (
+                <div id="ask">
+                  <AskForm cue={cue} projectId={projectId} />
+                </div>
+              )}
+            </div>
+          </Card>
+          <History cue={cue} versions={delivered} changes={changes} />
+        </div>
+      </div>
+      <footer className={classes.foot}>
+        <KeysLine
+          keys={[
+            { keys: ['j', 'k'], label: 'next, previous cue' },
+            { keys: ['Space'], label: 'play' },
+            ...(mayEdit ? [{ keys: ['e'], label: 'edit' }] : []),
+            { keys: ['q'], label: 'ask a question' },
+            { keys: ['Escape'], label: 'back to the list' },
+          ]}
+        />
+      </footer>
+    </div>
+  )
+}
+
+const wordOf = (options: readonly { value: string; label: string }[], value: string): string =>
+  options.find((option) => option.value === value)?.label ?? ''
+
+function Facts({ cue }: { cue: CueDetail }) {
+  const facts: [string, ReactNode][] = [
+    ['Use in the game', cue.use],
+    ['Trigger', cue.trigger && <span className="mono">{cue.trigger}</span>],
+    ['Category', cue.category],
+    [
+      'Length',
+      cue.duration_s !== null &&
+        `${length(cue.duration_s)}${
+          cue.length_locked ? `, exact to a frame at ${cue.frame_rate_fps ?? 60} a second` : ', about'
+        }`,
+    ],
+    ['Plays', cue.loop ? 'as a loop' : 'once'],
+    ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
+    ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
+    ['Priority', cue.playback_priority],
+    ['Placeholder', cue.placeholder && 'the game plays a stand-in; none may ship'],
+    ['Palette', cue.palette && 'new sounds are compared with it'],
+    [
+      cue.stems.length > 1 ? 'File names' : 'File name',
+      cue.stems.length > 0 && <span className="mono">{cue.stems.map((stem) => `${stem}.wav`).join(', ')}</span>,
+    ],
+    ...Object.entries(cue.extra),
+  ]
+  return (
+    <div className={classes.inside}>
+      {cue.description && <p className={classes.description}>{cue.description}</p>}
+      {cue.state === 'concept' && (
+        <p className="tone-warn">
+          <span className="toned">Concept:</span> not settled, work on it may be lost.
+        </p>
+      )}
+      <dl className={classes.facts}>
+        {facts
+          .filter(([, value]) => value !== '' && value !== false && value !== null)
+          .map(([name, value]) => (
+            <div key={name}>
+              <dt className="dim">{name}</dt>
+              <dd>{value}</dd>
+            </div>
+          ))}
+      </dl>
+    </div>
+  )
+}

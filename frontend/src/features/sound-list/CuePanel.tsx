@@ -1,0 +1,67 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { Button } from '@/ui/Button'
+
+import { type Cue, cueQuery, type Rights } from './api'
+import { CutCue } from './CutCue'
+import { EditCue } from './EditCue'
+import classes from './Panel.module.css'
+import { AskForm, QuestionLine } from './Questions'
+
+export type PanelKind = 'edit' | 'ask' | 'cut'
+
+interface CuePanelProps {
+  kind: PanelKind
+  cue: Cue
+  projectId: string
+  categories: readonly string[]
+  rights: Rights
+  onKind: (kind: PanelKind) => void
+  onClose: () => void
+}
+
+/** What opens in place below a row: its facts, its questions, or the reason of a cut. */
+export function CuePanel({ kind, cue, projectId, categories, rights, onKind, onClose }: CuePanelProps) {
+  if (kind === 'cut') return <CutCue cue={cue} projectId={projectId} onClose={onClose} />
+  if (kind === 'ask') return <AskPanel cue={cue} projectId={projectId} mayAnswer={rights.edits} onClose={onClose} />
+  return (
+    <EditCue
+      cue={cue}
+      projectId={projectId}
+      categories={categories}
+      onClose={onClose}
+      more={
+        rights.cuts && (
+          <Button icon="struckRing" onClick={() => onKind('cut')}>
+            Cut it
+          </Button>
+        )
+      }
+    />
+  )
+}
+
+interface AskPanelProps {
+  cue: Cue
+  projectId: string
+  mayAnswer: boolean
+  onClose: () => void
+}
+
+function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
+  const { data } = useQuery(cueQuery(cue.id))
+  const open = data?.questions.filter(({ answer }) => answer === null) ?? []
+  return (
+    <section className={classes.panel} aria-label={`Questions on ${cue.name}`}>
+      {open.map((question) => (
+        <QuestionLine key={question.id} question={question} projectId={projectId} mayAnswer={mayAnswer} />
+      ))}
+      <AskForm cue={cue} projectId={projectId} opens onAsked={onClose} />
+      <div className={classes.acts}>
+        <Button className="end" keys="Escape" onClick={onClose}>
+          Close
+        </Button>
+      </div>
+    </section>
+  )
+}

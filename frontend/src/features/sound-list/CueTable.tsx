@@ -1,0 +1,279 @@
+import { Link } from '@tanstack/react-router'
+import { Fragment, memo, type MouseEvent, type ReactNode, useCallback, useEffect, useRef } from 'react'
+
+import { WaveThumb } from '@/audio'
+import { figure } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { SetBlocks } from '@/ui/SetBlocks'
+import { State } from '@/ui/State'
+
+import classes from './CueTable.module.css'
+import { blocksOf, type CueRow, type Group } from './rows'
+import { useVirtualRows } from './useVirtualRows'
+
+const COLUMNS = 9
+const ROW_PX = 26
+const NARROW_ROW_PX = 56
+const HEAD_PX = 25
+const OPEN_PX = 280
+const MANY_VARIATIONS = 8
+
+type Item = { key: string; group: Group; row?: undefined } | { key: string; group?: undefined; row: CueRow }
+
+interface CueTableProps {
+  groups: readonly Group[]
+  projectId: string
+  selectedId: string | null
+  picked: ReadonlySet<string>
+  mayPick: boolean
+  playingId: string | null
+  /** What is open below a row: its fields, its questions. */
+  open: { id: string; inside: ReactNode } | null
+  onSelect: (id: string) => void
+  onPick: (id: string, extend: boolean) => void
+  onPlay: (row: CueRow) => void
+}
+
+/** The list: dense rows under headings; two lines a row on a narrow screen. */
+export function CueTable(props: CueTableProps) {
+  const { groups, projectId, selectedId, picked, mayPick, playingId, open, onSelect, onPick, onPlay } = props
+  const table = useRef<HTMLTableElement>(null)
+  const headed = groups.length > 1
+  const items: Item[] = groups.flatMap((group) => [
+    ...(headed ? [{ key: group.id, group }] : []),
+    ...group.rows.map((row) => ({ key: row.id, row })),
+  ])
+  const narrow = window.matchMedia('(max-width: 760px)').matches
+  const estimate = useCallback(
+    (place: number) => {
+      const row = items[place]?.row
+      if (row === undefined) return HEAD_PX
+      return (narrow ? NARROW_ROW_PX : ROW_PX) + (row.id === open?.id ? OPEN_PX : 0)
+    },
+    [items, narrow, open?.id],
+  )
+  const { places, beforePx, afterPx, measure, scrollTo } = useVirtualRows(
+    items.length,
+    estimate,
+    (place) => items[place]?.key ?? place.toString(),
+    table,
+  )
+
+  const place = items.findIndex(({ row }) => row?.id === selectedId)
+  const shown = useRef<string | null>(selectedId)
+  useEffect(() => {
+    if (selectedId === null || selectedId === shown.current) return
+    shown.current = selectedId
+    scrollTo(place)
+    // A row far away is drawn only after the scroll.
+    const focus = () => {
+      const row = table.current?.querySelector<HTMLElement>(`tr[data-row="${selectedId}"]`)
+      if (!row || row.contains(document.activeElement)) return
+      row.focus({ preventScroll: true })
+      row.scrollIntoView({ block: 'nearest' })
+    }
+    focus()
+    const frame = requestAnimationFrame(focus)
+    return () => cancelAnimationFrame(frame)
+  })
+
+  return (
+    <table ref={table} className={classes.table} aria-label="Sound list" aria-rowcount={items.length + 1}>
+      <colgroup>
+        <col className={classes.numberColumn} />
+        <col className={classes.nameColumn} />
+        <col className={classes.categoryColumn} />
+        <col className={classes.useColumn} />
+        <col className={classes.lengthColumn} />
+        <col className={classes.setColumn} />
+        <col className={classes.waveColumn} />
+        <col className={classes.stateColumn} />
+        <col />
+      </colgroup>
+      <thead>
+        <tr>
+          <th scope="col">Number</th>
+          <th scope="col">Cue</th>
+          <th scope="col">Category</th>
+          <th scope="col">Use in the game</th>
+          <th scope="col" className="num">
+            Length, s
+          </th>
+          <th scope="col">Set or loop</th>
+          <th scope="col">Newest version</th>
+          <th scope="col">State</th>
+          <th scope="col">What stands</th>
+        </tr>
+      </thead>
+      <tbody>
+        {beforePx > 0 && <Gap heightPx={beforePx} />}
+        {places.map((at) => {
+          const item = items[at]
+          if (item === undefined) return null
+          if (item.group) {
+            return (
+              <tr key={item.key} className={classes.group} data-index={at} ref={measure} aria-rowindex={at + 2}>
+                <th colSpan={COLUMNS} scope="colgroup">
+                  <span className={`strong ${classes.groupName}`}>{item.group.name}</span>{' '}
+                  <span className="small dim">{item.group.note}</span>
+                </th>
+              </tr>
+            )
+          }
+          const { row } = item
+          return (
+            <Fragment key={item.key}>
+              <Line
+                row={row}
+                projectId={projectId}
+                at={at}
+                selected={row.id === selectedId}
+                picked={picked.has(row.id)}
+                picking={picked.size > 0}
+                mayPick={mayPick}
+                playing={row.id === playingId}
+                onSelect={onSelect}
+                onPick={onPick}
+                onPlay={onPlay}
+                measure={measure}
+              />
+              {open?.id === row.id && (
+                <tr className={classes.open}>
+                  <td colSpan={COLUMNS}>{open.inside}</td>
+                </tr>
+              )}
+            </Fragment>
+          )
+        })}
+        {afterPx > 0 && <Gap heightPx={afterPx} />}
+      </tbody>
+    </table>
+  )
+}
+
+function Gap({ heightPx }: { heightPx: number }) {
+  return (
+    <tr aria-hidden="true" className={classes.gap}>
+      <td colSpan={COLUMNS} style={{ height: heightPx }} />
+    </tr>
+  )
+}
+
+interface LineProps {
+  row: CueRow
+  projectId: string
+  at: number
+  selected: boolean
+  picked: boolean
+  picking: boolean
+  mayPick: boolean
+  playing: boolean
+  onSelect: (id: string) => void
+  onPick: (id: string, extend: boolean) => void
+  onPlay: (row: CueRow) => void
+  measure: ((row: Element | null) => void) | undefined
+}
+
+const Line = memo(function Line(props: LineProps) {
+  const { row, projectId, at, selected, picked, picking, mayPick, playing, onSelect, onPick, onPlay, measure } = props
+  const { cue, stands } = row
+  const press = (event: MouseEvent) => {
+    if (mayPick && (event.ctrlKey || event.metaKey || event.shiftKey)) {
+      event.preventDefault()
+      onPick(row.id, event.shiftKey)
+    } else onSelect(row.id)
+  }
+  const name = row.status === 'cut' ? 'struck' : row.needsSomeone ? 'strong' : ''
+  return (
+    // The row's link and its keys do the same; a press anywhere on the row is only a shorter way.
+    <tr
+      ref={measure}
+      data-index={at}
+      data-row={row.id}
+      data-selected={selected || undefined}
+      data-picked={picked || undefined}
+      aria-current={selected || undefined}
+      aria-rowindex={at + 2}
+      tabIndex={-1}
+      onClick={press}
+    >
+      <td className="mono dim" data-place="number">
+        {mayPick && (
+          <input
+            type="checkbox"
+            className={classes.pick}
+            data-shown={picking || undefined}
+            aria-label={`Select ${cue.label}`}
+            checked={picked}
+            onClick={(event) => event.stopPropagation()}
+            onChange={(event) => onPick(row.id, (event.nativeEvent as unknown as MouseEvent).shiftKey)}
+          />
+        )}
+        {cue.label}
+      </td>
+      <th scope="row" data-place="name">
+        <Link
+          to="/projects/$projectId/sound-list/cues/$cueId"
+          params={{ projectId, cueId: cue.id }}
+          className={`${classes.name} ${name}`}
+        >
+          {cue.name}
+        </Link>
+      </th>
+      <td className="mid">{cue.category}</td>
+      <td className="mid" title={cue.use}>
+        {cue.use}
+      </td>
+      <td className="num">{cue.duration_s === null ? '' : figure(cue.duration_s, 2)}</td>
+      <td className="small mid" data-place="set">
+        <SetOrLoop row={row} />
+      </td>
+      <td data-place="wave">
+        {row.previewUrl && row.status !== 'cut' ? (
+          <button
+            type="button"
+            className={classes.play}
+            aria-label={`${playing ? 'Pause' : 'Play'} ${cue.name}`}
+            onClick={(event) => {
+              event.stopPropagation()
+              onSelect(row.id)
+              onPlay(row)
+            }}
+          >
+            <WaveThumb peaks={row.peaks} lit={selected || playing} />
+          </button>
+        ) : (
+          row.status !== 'cut' && <WaveThumb peaks={row.peaks} />
+        )}
+      </td>
+      <td data-place="state">
+        <State kind={row.kind}>{row.stateWords}</State>
+      </td>
+      <td className="mid" data-place="stands" title={`${stands.before}${stands.marked}${stands.after}`}>
+        {stands.before}
+        {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
+        {stands.after}
+      </td>
+    </tr>
+  )
+})
+
+function SetOrLoop({ row }: { row: CueRow }) {
+  const { cue, standing } = row
+  if (row.status === 'cut') return null
+  if (cue.variations > MANY_VARIATIONS) {
+    const here = blocksOf(row).filter(({ tone }) => tone !== 'idle').length
+    return <SetBlocks blocks={[]} words={`${here} of ${cue.variations}`} />
+  }
+  if (cue.variations > 1) return <SetBlocks blocks={blocksOf(row)} />
+  if (cue.loop) {
+    return (
+      <>
+        <Icon name="loop" /> loop
+      </>
+    )
+  }
+  if (standing && standing.alternates > 1) return `${standing.alternates} alternates`
+  if (standing && standing.versions > 1) return `version ${standing.versions}`
+  return null
+}

@@ -1,0 +1,66 @@
+import { TextInput } from '@mantine/core'
+import { useEffect, useRef, useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Cue, problemIn, useCut } from './api'
+import classes from './Panel.module.css'
+
+interface CutCueProps {
+  cue: Cue
+  projectId: string
+  onClose: () => void
+}
+
+/** Cut a cue that the game no longer needs. It asks why, in place, since a cut stays. */
+export function CutCue({ cue, projectId, onClose }: CutCueProps) {
+  const [reason, setReason] = useState('')
+  const [missing, setMissing] = useState(false)
+  const cut = useCut(projectId, cue.id)
+  const problem = problemIn(cut.error)
+  const field = useRef<HTMLInputElement>(null)
+  useEffect(() => field.current?.focus(), [])
+  const send = () => {
+    const why = reason.trim()
+    setMissing(why === '')
+    if (why === '' || cut.isPending) return
+    cut.mutate(why, {
+      onSuccess: () => {
+        showToast(`${cue.label} ${cue.name} cut. It stays in the list with its reason.`)
+        onClose()
+      },
+    })
+  }
+  return (
+    <form
+      className={classes.panel}
+      aria-label={`Cut ${cue.name}`}
+      onSubmit={(event) => {
+        event.preventDefault()
+        send()
+      }}
+    >
+      <div className={classes.say}>
+        <TextInput
+          ref={field}
+          label={`Why does the game no longer need ${cue.name}?`}
+          value={reason}
+          error={missing ? 'A cut needs its reason; the designer reads it.' : undefined}
+          onChange={(event) => setReason(event.currentTarget.value)}
+        />
+        <span className="row">
+          <Button onClick={onClose}>Keep it</Button>
+          <Button type="submit" variant="primary" disabled={cut.isPending}>
+            Cut {cue.name}
+          </Button>
+        </span>
+      </div>
+      <p className="small dim">
+        A cut cannot be taken back: {cue.label} stays with its reason and its versions, and its file name is free again.
+      </p>
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+    </form>
+  )
+}

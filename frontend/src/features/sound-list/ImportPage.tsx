@@ -1,0 +1,335 @@
+import { Textarea } from '@mantine/core'
+import { useDebouncedValue } from '@mantine/hooks'
+import { keepPreviousData, useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { useTitle } from '@/app/title'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { FieldError } from '@/ui/FieldError'
+import { bytes, figure, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
+
+import { type ImportField, type ImportRead, importSheet, problemIn, useImport, useRights } from './api'
+import classes from './Import.module.css'
+import { ImportRows } from './ImportRows'
+import { EMPTY_SHEET, keepSheet, keptSheet, type SheetDraft } from './pasted'
+import { IMPORT_FIELDS } from './words'
+
+const LARGEST_BYTES = 5_000_000
+const TYPING_MS = 300
+
+const bodyOf = ({ text, file, mapping, match }: SheetDraft) => ({
+  ...(file ? { format: file.format, content_base64: file.contentBase64 } : { format: 'paste' as const, text }),
+  mapping,
+  match,
+})
+
+const isGiven = ({ text, file }: SheetDraft): boolean => file !== null || text.trim() !== ''
+
+/** A spreadsheet becomes cues: what would happen is shown row by row, and with any error nothing is imported. */
+export function ImportPage(): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
+  const navigate = useNavigate()
+  const rights = useRights(projectId)
+  useTitle('Import')
+  const [sheet, setSheetOnly] = useState<SheetDraft>(() => keptSheet(projectId))
+  const [unread, setUnread] = useState<string | null>(null)
+  const [over, setOver] = useState(false)
+  const [asked] = useDebouncedValue(sheet, sheet.text === '' ? 0 : TYPING_MS)
+  const picker = useRef<HTMLInputElement>(null)
+  const plan = useQuery({
+    queryKey: ['sound-list', projectId, 'import plan', bodyOf(asked)],
+    queryFn: () => importSheet(projectId, { ...bodyOf(asked), dry_run: true }),
+    enabled: rights.edits && isGiven(asked),
+    placeholderData: keepPreviousData,
+    gcTime: 0,
+    retry: false,
+  })
+  const send = useImport(projectId)
+
+  const setSheet = (next: SheetDraft) => {
+    setSheetOnly(next)
+    keepSheet(projectId, next)
+    send.reset()
+  }
+  const toList = () => void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+  useHotkeys([{ keys: 'Escape', label: 'Back to the list', group: 'Import', run: toList }])
+
+  const take = async (file: File | undefined) => {
+    if (file === undefined) return
+    setUnread(null)
+    const format = /\.xlsx$/i.test(file.name) ? 'xlsx' : 'csv'
+    if (file.size > LARGEST_BYTES) {
+      setUnread(`${file.name} has ${bytes(file.size)}; at most ${bytes(LARGEST_BYTES)} are read. Nothing was sent.`)
+      return
+    }
+    try {
+      setSheet({ ...sheet, mapping: {}, file: { name: file.name, format, contentBase64: await base64Of(file) } })
+    } catch {
+      setUnread(`${file.name} could not be read from your disk. Choose it again.`)
+    }
+  }
+  const takeDropped = useEffectEvent((file: File | undefined) => void take(file))
+  useEffect(() => {
+    const enter = (event: DragEvent) => {
+      event.preventDefault()
+      setOver(true)
+    }
+    const leave = (event: DragEvent) => {
+      if (event.relatedTarget === null) setOver(false)
+    }
+    const drop = (event: DragEvent) => {
+      event.preventDefault()
+      setOver(false)
+      takeDropped(event.dataTransfer?.files[0])
+    }
+    window.addEventListener('dragover', enter)
+    window.addEventListener('dragleave', leave)
+    window.addEventListener('drop', drop)
+    return () => {
+      window.removeEventListener('dragover', enter)
+      window.removeEventListener('dragleave', leave)
+      window.removeEventListener('drop', drop)
+    }
+  }, [])
+
+  const given = isGiven(sheet)
+  const read = given ? plan.data : undefined
+  const isStale = plan.isPlaceholderData || plan.isFetching || asked !== sheet
+  const problem = given ? problemIn(plan.error) : null
+  const refused = problemIn(send.error)
+  const put = () => {
+    if (read === undefined || isStale || read.errors.length > 0) return
+    send.mutate(bodyOf(sheet), {
+      onSuccess: (done) => {
+        if (!done.imported) {
+          void plan.refetch()
+          return
+        }
+        keepSheet(projectId, null)
+        showToast(`${whatBecame(done)}. The list is at revision ${done.revision}.`)
+        toList()
+      },
+    })
+  }
+
+  if (rights.known && !rights.edits) {
+    return (
+      <div className="page">
+        <h1>Import</h1>
+        <EmptyState
+          head="Producers and liaisons change this list."
+          action={
+            <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+              To the sound list
+            </Link>
+          }
+        >
+          You can read it and ask about each sound.
+        </EmptyState>
+      </div>
+    )
+  }
+
+  return (
+    <div className={`page ${classes.page}`}>
+      <header className={classes.top}>
+        <div>
+          <h1>Paste or import</h1>
+          <p className="mid">Rows of a spreadsheet become cues. With an error in any row nothing is imported.</p>
+        </div>
+        <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} keys="Escape">
+          Back to the list
+        </ButtonLink>
+      </header>
+
+      <Card aria-labelledby="sheet">
+        <CardHead
+          id="sheet"
+          title="The sheet"
+          note={sheet.file ? undefined : 'CSV, XLSX, or rows copied from a spreadsheet'}
+        />
+        <div className={classes.source} data-over={over || undefined}>
+          {sheet.file ? (
+            <p className={classes.file}>
+              <span className="mono">{sheet.file.name}</span>
+              <Button onClick={() => setSheet({ ...sheet, mapping: {}, file: null })}>Take it out</Button>
+            </p>
+          ) : (
+            <Textarea
+              label="Pasted rows"
+              placeholder={'name\tcategory\tlength\nshield_hit\tweapon\t0.8'}
+              autosize
+              minRows={4}
+              maxRows={10}
+              classNames={{ input: classes.text }}
+              value={sheet.text}
+              onChange={(event) => setSheet({ ...sheet, mapping: {}, text: event.currentTarget.value })}
+            />
+          )}
+          <div className={classes.choose}>
+            <Button icon="upload" onClick={() => picker.current?.click()}>
+              {sheet.file ? 'Choose another file' : 'Choose a file'}
+            </Button>
+            <span className="small dim">or drop it anywhere on this page</span>
+            <input
+              ref={picker}
+              type="file"
+              hidden
+              aria-label="File to import"
+              accept=".csv,.tsv,.txt,.xlsx"
+              onChange={(event) => {
+                void take(event.currentTarget.files?.[0])
+                event.currentTarget.value = ''
+              }}
+            />
+          </div>
+          {unread && <FieldError>{unread}</FieldError>}
+          {problem && problem.code !== 'column-unknown' && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+        </div>
+      </Card>
+
+      {read && (
+        <>
+          <Columns
+            read={read}
+            sheet={sheet}
+            problem={problem?.code === 'column-unknown' ? problem.detail : undefined}
+            onMap={(name, field) => setSheet({ ...sheet, mapping: mapped(sheet.mapping, name, field) })}
+            onMatch={(match) => setSheet({ ...sheet, match })}
+          />
+          <ImportRows read={read} />
+          <footer className={classes.bar} aria-label="Import">
+            <div className={classes.says} role="status">
+              <p className="strong">{isStale ? 'Reading the sheet' : whatWould(read)}</p>
+              {read.errors.length > 0 && (
+                <p className="small tone-bad toned">
+                  {plural(read.errors.length, 'error')} to mend in the sheet or by another column; nothing is imported
+                  until then.
+                </p>
+              )}
+            </div>
+            {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+            <Button
+              variant="primary"
+              disabled={read.errors.length > 0 || read.added + read.changed === 0 || isStale || send.isPending}
+              onClick={put}
+            >
+              {read.added + read.changed === 0
+                ? 'Nothing to import'
+                : `Import ${plural(read.added + read.changed, 'cue')}`}
+            </Button>
+          </footer>
+        </>
+      )}
+      {!given && (
+        <p className="small dim">
+          The first row may name the columns, in any order and in your words; what we do not know is kept as it is. The
+          list’s own CSV comes back the same way.{' '}
+          <button type="button" className="link" onClick={() => setSheet({ ...EMPTY_SHEET, text: EXAMPLE })}>
+            Show an example
+          </button>
+        </p>
+      )}
+    </div>
+  )
+}
+
+const EXAMPLE =
+  'name\tcategory\tuse in the game\tlength\tvariations\tloop\n' +
+  'door_open\tfoley\tEvery cabin door\t1.2\t3\tno\n' +
+  'reactor_hum\tambience\tUnder the engine room\t20\t1\tyes\n'
+
+/** A field is read from one column: choosing it again elsewhere moves it. */
+function mapped(mapping: Record<string, ImportField>, name: string, field: ImportField): Record<string, ImportField> {
+  const others = Object.entries(mapping).filter(
+    ([other, given]) => other !== name && (given !== field || field === 'extra' || field === 'ignore'),
+  )
+  return { ...Object.fromEntries(others), [name]: field }
+}
+
+async function base64Of(file: File): Promise<string> {
+  const url = await new Promise<string>((resolve, reject) => {
+    const reader = new FileReader()
+    reader.onload = () => resolve(reader.result as string)
+    reader.onerror = () => reject(reader.error ?? new Error('unreadable'))
+    reader.readAsDataURL(file)
+  })
+  return url.slice(url.indexOf(',') + 1)
+}
+
+function whatBecame({ added, changed }: ImportRead): string {
+  const parts = [added > 0 ? `${plural(added, 'cue')} added` : '', changed > 0 ? `${figure(changed)} changed` : '']
+  return parts.filter(Boolean).join(', ')
+}
+
+function whatWould({ added, changed, same }: ImportRead): string {
+  return `${plural(added, 'cue')} to add, ${figure(changed)} to change, ${figure(same)} the same`
+}
+
+interface ColumnsProps {
+  read: ImportRead
+  sheet: SheetDraft
+  problem: string | undefined
+  onMap: (column: string, field: ImportField) => void
+  onMatch: (match: SheetDraft['match']) => void
+}
+
+/** What each column is read as: guessed from its head and its cells, and changed by the person. */
+function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
+  const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
+  return (
+    <Card aria-labelledby="columns">
+      <CardHead
+        id="columns"
+        title="The columns"
+        note={`${known} of ${plural(read.columns.length, 'column')} read as facts of a cue${
+          read.header_row === null ? '; the sheet has no head' : ''
+        }`}
+        end={
+          <Segmented
+            label="How a row finds its cue"
+            value={sheet.match}
+            onChange={onMatch}
+            options={[
+              { value: 'number', label: 'Match by number' },
+              { value: 'name', label: 'By name' },
+              { value: 'add', label: 'Add every row' },
+            ]}
+          />
+        }
+      />
+      {problem && <ProblemNote detail={problem} />}
+      <ul className={classes.columns}>
+        {read.columns.map((column) => (
+          <li key={column.name} data-own={column.field === 'extra' || column.field === 'ignore' || undefined}>
+            <span className="strong cut-text" title={column.name}>
+              {column.name}
+            </span>
+            <select
+              className={classes.as}
+              aria-label={`Read ${column.name} as`}
+              value={column.field}
+              onChange={(event) => onMap(column.name, event.currentTarget.value as ImportField)}
+            >
+              {IMPORT_FIELDS.map(({ value, label }) => (
+                <option key={value} value={value}>
+                  {label}
+                </option>
+              ))}
+            </select>
+            <span className="small dim cut-text" title={column.samples.join('\n')}>
+              {column.samples.join(', ') || 'empty'}
+            </span>
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}

@@ -1,0 +1,166 @@
+import { useMemo, useRef, useState } from 'react'
+
+import { Card, CardHead } from '@/ui/Card'
+import { figure } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { Segmented } from '@/ui/Segmented'
+
+import type { ImportRead } from './api'
+import { Changes } from './Changes'
+import classes from './Import.module.css'
+import { useVirtualRows } from './useVirtualRows'
+
+type Shown = 'all' | 'errors' | 'changes'
+type Fault = ImportRead['errors'][number]
+
+interface SheetRow {
+  row: number
+  read: ImportRead['rows'][number] | undefined
+  faults: Fault[]
+}
+
+const ROW_PX = 28
+
+/** Rows of the sheet in their order, each with what becomes of it and what is wrong with it. */
+function sheetRows(read: ImportRead): SheetRow[] {
+  const rows = new Map<number, SheetRow>(read.rows.map((each) => [each.row, { row: each.row, read: each, faults: [] }]))
+  for (const fault of read.errors) {
+    const row = rows.get(fault.row) ?? { row: fault.row, read: undefined, faults: [] }
+    row.faults.push(fault)
+    rows.set(fault.row, row)
+  }
+  return [...rows.values()].sort((a, b) => a.row - b.row)
+}
+
+const WORDS = {
+  add: { word: 'Add', icon: 'plus' },
+  change: { word: 'Change', icon: 'pencil' },
+  same: { word: 'Same', icon: 'tick' },
+} as const
+
+/** What would become of every row. */
+export function ImportRows({ read }: { read: ImportRead }) {
+  const all = useMemo(() => sheetRows(read), [read])
+  const wrong = all.filter(({ faults }) => faults.length > 0).length
+  const [wanted, setWanted] = useState<Shown>('all')
+  const shown: Shown = wanted === 'errors' && wrong === 0 ? 'all' : wanted
+  const rows = all.filter(
+    (row) =>
+      shown === 'all' ||
+      (shown === 'errors' ? row.faults.length > 0 : row.faults.length > 0 || row.read?.action !== 'same'),
+  )
+  const table = useRef<HTMLTableElement>(null)
+  const { places, beforePx, afterPx, measure } = useVirtualRows(
+    rows.length,
+    () => ROW_PX,
+    (place) => String(rows[place]?.row),
+    table,
+  )
+  return (
+    <Card aria-labelledby="rows">
+      <CardHead
+        id="rows"
+        title="What would happen"
+        count={all.length}
+        end={
+          <Segmented
+            label="Rows shown"
+            value={shown}
+            onChange={setWanted}
+            options={[
+              { value: 'all', label: 'All' },
+              { value: 'changes', label: 'What differs' },
+              ...(wrong > 0 ? [{ value: 'errors' as const, label: `${wrong} with errors` }] : []),
+            ]}
+          />
+        }
+      />
+      <table ref={table} className={classes.rows} aria-label="Rows of the sheet" aria-rowcount={rows.length + 1}>
+        <thead>
+          <tr>
+            <th scope="col" className={`num ${classes.rowNumber}`}>
+              Row
+            </th>
+            <th scope="col" className={classes.action}>
+              What happens
+            </th>
+            <th scope="col" className={classes.label}>
+              Number
+            </th>
+            <th scope="col" className={classes.cue}>
+              Cue
+            </th>
+            <th scope="col" className={classes.category}>
+              Category
+            </th>
+            <th scope="col" className={`num ${classes.length}`}>
+              Length, s
+            </th>
+            <th scope="col">Before and after, or what is wrong</th>
+          </tr>
+        </thead>
+        <tbody>
+          {beforePx > 0 && <Gap heightPx={beforePx} />}
+          {places.map((at) => {
+            const row = rows[at]
+            return row && <Line key={row.row} row={row} at={at} measure={measure} />
+          })}
+          {afterPx > 0 && <Gap heightPx={afterPx} />}
+        </tbody>
+      </table>
+    </Card>
+  )
+}
+
+function Gap({ heightPx }: { heightPx: number }) {
+  return (
+    <tr aria-hidden="true">
+      <td colSpan={7} style={{ height: heightPx, padding: 0, border: 0 }} />
+    </tr>
+  )
+}
+
+interface LineProps {
+  row: SheetRow
+  at: number
+  measure: ((row: Element | null) => void) | undefined
+}
+
+function Line({ row: { row, read, faults }, at, measure }: LineProps) {
+  const action = read && WORDS[read.action]
+  const isWrong = faults.length > 0
+  return (
+    <tr ref={measure} data-index={at} data-wrong={isWrong || undefined} aria-rowindex={at + 2}>
+      <td className="num mono dim">{row}</td>
+      <td>
+        {isWrong ? (
+          <span className="row tone-bad toned">
+            <Icon name="back" /> Error
+          </span>
+        ) : (
+          action && (
+            <span className={read.action === 'same' ? 'row dim' : 'row'}>
+              <Icon name={action.icon} /> {action.word}
+            </span>
+          )
+        )}
+      </td>
+      <td className="mono dim">{read?.label ?? ''}</td>
+      <th scope="row" className={classes.cue}>
+        {read?.name}
+      </th>
+      <td className="mid">{read?.category}</td>
+      <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
+      <td className={classes.why}>
+        {faults.map((fault, place) => (
+          <p key={place} className="tone-bad">
+            {fault.column && <span className="strong">{fault.column}: </span>}
+            <span className="toned">{fault.message}</span>
+          </p>
+        ))}
+        {!isWrong && read && read.action === 'change' && <Changes changes={read.changes} />}
+        {!isWrong && read?.action === 'add' && <span className="mid">{read.description}</span>}
+      </td>
+    </tr>
+  )
+}

@@ -1,0 +1,96 @@
+import { type RefObject } from 'react'
+
+import { FilterChip } from '@/ui/FilterChip'
+import { Icon } from '@/ui/Icon'
+import { Key } from '@/ui/Key'
+
+import type { CueStatus } from './api'
+import { type CueRow, type Grouping, kindOf, type ListSearch } from './rows'
+import classes from './SoundList.module.css'
+import { STATUS_ORDER, STATUS_WORDS } from './words'
+
+interface ListToolsProps {
+  rows: readonly CueRow[]
+  categories: readonly string[]
+  search: ListSearch
+  words: string
+  chips: RefObject<HTMLDivElement | null>
+  filter: RefObject<HTMLInputElement | null>
+  onSearch: (change: ListSearch) => void
+  onWords: (words: string) => void
+}
+
+/** What the list shows: by state, by category, by words, and under which headings. */
+export function ListTools({ rows, categories, search, words, chips, filter, onSearch, onWords }: ListToolsProps) {
+  const counts = new Map<CueStatus, number>()
+  for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
+  return (
+    <div className={classes.tools}>
+      <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
+        <FilterChip
+          count={rows.length}
+          pressed={search.state === undefined}
+          onPress={() => onSearch({ state: undefined })}
+        >
+          All
+        </FilterChip>
+        {STATUS_ORDER.filter((status) => counts.has(status) || search.state === status).map((status) => (
+          <FilterChip
+            key={status}
+            kind={kindOf(status)}
+            count={counts.get(status) ?? 0}
+            pressed={search.state === status}
+            onPress={() => onSearch({ state: search.state === status ? undefined : status })}
+          >
+            {STATUS_WORDS[status]}
+          </FilterChip>
+        ))}
+      </div>
+      <div className={classes.ends}>
+        <span className={classes.select}>
+          <select
+            aria-label="Group by"
+            value={search.by ?? 'list'}
+            onChange={(event) => {
+              const by = event.currentTarget.value as Grouping
+              onSearch({ by: by === 'list' ? undefined : by })
+            }}
+          >
+            <option value="list">List order</option>
+            <option value="category">By category</option>
+            <option value="state">By state</option>
+          </select>
+          <Icon name="chevron" />
+        </span>
+        <span className={classes.select}>
+          <select
+            aria-label="Category"
+            value={search.category ?? ''}
+            onChange={(event) => onSearch({ category: event.currentTarget.value || undefined })}
+          >
+            <option value="">Any category</option>
+            {categories.map((category) => (
+              <option key={category} value={category}>
+                {category}
+              </option>
+            ))}
+          </select>
+          <Icon name="chevron" />
+        </span>
+        <label className={classes.find}>
+          <Icon name="search" />
+          <span className="visually-hidden">Filter the list</span>
+          <input
+            ref={filter}
+            type="search"
+            placeholder="Filter"
+            aria-keyshortcuts="/"
+            value={words}
+            onChange={(event) => onWords(event.currentTarget.value)}
+          />
+          {words === '' && <Key keys="/" />}
+        </label>
+      </div>
+    </div>
+  )
+}

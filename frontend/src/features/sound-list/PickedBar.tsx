@@ -1,0 +1,107 @@
+import { useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Cue, problemIn, type SharedField, useSetForSeveral } from './api'
+import classes from './SoundList.module.css'
+import { SETTLED } from './words'
+
+interface PickedBarProps {
+  projectId: string
+  cues: readonly Cue[]
+  categories: readonly string[]
+  onClear: () => void
+}
+
+/** How many cues are selected, and what can be said of all of them at once. */
+export function PickedBar({ projectId, cues, categories, onClear }: PickedBarProps) {
+  const [category, setCategory] = useState('')
+  const set = useSetForSeveral(projectId)
+  const problem = problemIn(set.error)
+  const live = cues.filter(({ state }) => state !== 'cut')
+  const cut = cues.length - live.length
+  useHotkeys([{ keys: 'Escape', label: 'Clear the selection', group: 'List', run: onClear }])
+
+  const put = (field: SharedField, value: string | boolean, done: string) => {
+    const differing = live.filter((cue) => cue[field] !== value)
+    if (set.isPending) return
+    if (differing.length === 0) {
+      showToast(`${plural(live.length, 'cue')} said so already.`)
+      return
+    }
+    const before = differing.map((cue) => ({ cue, value: cue[field] }))
+    set.mutate(
+      { field, values: differing.map((cue) => ({ cue, value })) },
+      {
+        onSuccess: () =>
+          showToast(`${plural(differing.length, 'cue')} ${done}.`, async () => {
+            await set.mutateAsync({ field, values: before })
+          }),
+      },
+    )
+  }
+
+  return (
+    <>
+      <section className={`${classes.tools} ${classes.picked}`} aria-label="Selected cues">
+        <strong className="strong nowrap" role="status">
+          {plural(cues.length, 'cue')} selected
+        </strong>
+        {cut > 0 && <span className="small dim nowrap">{cut} cut, kept as it was</span>}
+        <form
+          className="row"
+          onSubmit={(event) => {
+            event.preventDefault()
+            const wanted = category.trim()
+            put('category', wanted.toLowerCase().replaceAll(' ', '-'), wanted ? `in ${wanted}` : 'without a category')
+          }}
+        >
+          <input
+            className={classes.field}
+            aria-label="Category for the selected cues"
+            placeholder="Category"
+            list="picked-categories"
+            value={category}
+            onChange={(event) => setCategory(event.currentTarget.value)}
+          />
+          <datalist id="picked-categories">
+            {categories.map((each) => (
+              <option key={each} value={each} />
+            ))}
+          </datalist>
+          <Button type="submit">Set category</Button>
+        </form>
+        <span className={classes.select}>
+          <select
+            aria-label="How settled the selected cues are"
+            value=""
+            onChange={(event) => put('state', event.currentTarget.value, `set to ${event.currentTarget.value}`)}
+          >
+            <option value="" disabled>
+              Settled
+            </option>
+            {SETTLED.map(({ value, label }) => (
+              <option key={value} value={value}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </span>
+        <Button icon="dashedSquare" onClick={() => put('placeholder', true, 'marked: the game plays a stand-in')}>
+          Placeholder
+        </Button>
+        <Button onClick={() => put('placeholder', false, 'marked: no stand-in')}>No placeholder</Button>
+        <Button onClick={() => put('palette', true, 'in the palette')}>To the palette</Button>
+        <Button onClick={() => put('palette', false, 'out of the palette')}>Out of it</Button>
+        <Button className="end" keys="Escape" onClick={onClear}>
+          Clear
+        </Button>
+      </section>
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+    </>
+  )
+}

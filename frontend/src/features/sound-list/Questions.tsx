@@ -1,0 +1,173 @@
+import { Checkbox, Textarea } from '@mantine/core'
+import { useEffect, useRef, useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { age } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import { type Cue, problemIn, type Question, useAnswer, useAsk } from './api'
+import classes from './Panel.module.css'
+
+const kept = new Map<string, string>()
+
+/** A text that survives closing its field, until it is said. */
+function useKept(key: string): [string, (text: string) => void] {
+  const [text, setText] = useState(() => kept.get(key) ?? '')
+  return [
+    text,
+    (next) => {
+      setText(next)
+      if (next === '') kept.delete(key)
+      else kept.set(key, next)
+    },
+  ]
+}
+
+const ago = (at: string): string => (age(at) === 'now' ? 'just now' : `${age(at)} ago`)
+
+/** One question on a cue with its answer, or with the field for it. */
+export function QuestionLine({
+  question,
+  projectId,
+  mayAnswer,
+}: {
+  question: Question
+  projectId: string
+  mayAnswer: boolean
+}) {
+  return (
+    <article className={classes.question} aria-label={`Question: ${question.text}`}>
+      <p className="small dim">
+        {question.answer === null && (
+          <>
+            <State kind="question" />{' '}
+          </>
+        )}
+        {question.asked_by?.name ?? 'Another designer'} asked {ago(question.asked_at)}
+      </p>
+      <p className={question.answer === null ? 'strong' : ''}>{question.text}</p>
+      {question.answer !== null && (
+        <>
+          <p className="small dim">
+            {question.answered_by?.name} answered {question.answered_at && ago(question.answered_at)}
+          </p>
+          <p className={classes.quote}>{question.answer}</p>
+        </>
+      )}
+      {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} />}
+      {question.answer === null && !mayAnswer && <p className="small dim">The team answers; it waits with them.</p>}
+    </article>
+  )
+}
+
+function AnswerForm({ question, projectId }: { question: Question; projectId: string }) {
+  const [text, setText] = useKept(`answer ${question.id}`)
+  const [joins, setJoins] = useState(true)
+  const answer = useAnswer(projectId)
+  const problem = problemIn(answer.error)
+  const send = () => {
+    const said = text.trim()
+    if (said === '' || answer.isPending) return
+    answer.mutate(
+      { questionId: question.id, text: said, joins },
+      {
+        onSuccess: () => {
+          setText('')
+          showToast(`Answered.${joins ? ` It joins what ${question.cue_name} says.` : ''}`)
+        },
+      },
+    )
+  }
+  return (
+    <form
+      className={classes.said}
+      onSubmit={(event) => {
+        event.preventDefault()
+        send()
+      }}
+    >
+      <div className={classes.say}>
+        <Textarea
+          label="Your answer"
+          autosize
+          minRows={1}
+          value={text}
+          onChange={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) send()
+          }}
+        />
+        <Button type="submit" variant="primary" disabled={answer.isPending || text.trim() === ''}>
+          Answer
+        </Button>
+      </div>
+      <Checkbox
+        mt="xs"
+        label="It joins the description of the cue"
+        checked={joins}
+        onChange={(event) => setJoins(event.currentTarget.checked)}
+      />
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+    </form>
+  )
+}
+
+interface AskFormProps {
+  cue: Cue
+  projectId: string
+  /** Take the focus as it opens. */
+  opens?: boolean
+  onAsked?: () => void
+}
+
+/** Ask the team what it means by a cue. */
+export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps) {
+  const [text, setText] = useKept(`ask ${cue.id}`)
+  const ask = useAsk(projectId, cue.id)
+  const problem = problemIn(ask.error)
+  const field = useRef<HTMLTextAreaElement>(null)
+  useEffect(() => {
+    if (opens) field.current?.focus()
+  }, [opens])
+  const send = () => {
+    const said = text.trim()
+    if (said === '' || ask.isPending) return
+    ask.mutate(said, {
+      onSuccess: () => {
+        setText('')
+        showToast(`Asked about ${cue.name}. The team sees it today.`)
+        onAsked?.()
+      },
+    })
+  }
+  return (
+    <form
+      className={classes.said}
+      onSubmit={(event) => {
+        event.preventDefault()
+        send()
+      }}
+    >
+      <div className={classes.say}>
+        <Textarea
+          ref={field}
+          label={`What must be known to make ${cue.name}?`}
+          placeholder="Source, material, size, distance, mood"
+          autosize
+          minRows={1}
+          value={text}
+          onChange={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) send()
+          }}
+        />
+        <Button type="submit" disabled={ask.isPending || text.trim() === ''}>
+          Ask
+        </Button>
+      </div>
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+    </form>
+  )
+}

@@ -1,0 +1,126 @@
+import { Link } from '@tanstack/react-router'
+
+import type { ApiProblem } from '@/api'
+import { WaveThumb } from '@/audio'
+import { sentence } from '@/judging/words'
+import { Card, CardHead } from '@/ui/Card'
+import { Finding } from '@/ui/Finding'
+import { age, length, place } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State, type StateKind } from '@/ui/State'
+
+import type { CueDetail, Take, Version } from './api'
+import classes from './Cue.module.css'
+
+const KIND_OF_TAKE = {
+  received: 'checking',
+  conforming: 'conforming',
+  returned: 'returned',
+  unjudged: 'unjudged',
+  approved: 'approved',
+  change_requested: 'change_requested',
+  set_aside: 'set_aside',
+} as const satisfies Record<Take['state'], StateKind>
+
+interface VersionsProps {
+  cue: CueDetail
+  projectId: string
+  versions: readonly Version[] | undefined
+  problem: ApiProblem | null
+  playingId: string | null
+  reviews: boolean
+  onPlay: (version: Version) => void
+}
+
+/** Everything that was delivered for a cue, the newest first, with what the checker found. */
+export function Versions({ cue, projectId, versions, problem, playingId, reviews, onPlay }: VersionsProps) {
+  return (
+    <Card aria-labelledby="versions">
+      <CardHead id="versions" title="Versions" count={versions?.length} end="the newest first" />
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      {versions?.length === 0 && <p className={`small dim ${classes.inside}`}>Nothing was delivered for it yet.</p>}
+      <ul>
+        {versions?.map((version) => (
+          <li key={version.take.id} className={classes.version}>
+            <Line
+              cue={cue}
+              projectId={projectId}
+              version={version}
+              playing={version.take.id === playingId}
+              reviews={reviews}
+              onPlay={onPlay}
+            />
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+interface LineProps {
+  cue: CueDetail
+  projectId: string
+  version: Version
+  playing: boolean
+  reviews: boolean
+  onPlay: (version: Version) => void
+}
+
+function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) {
+  const { take, thumb, previewUrl, durationS, findings } = version
+  const variation = cue.variations > 1 ? `_${String(take.variation).padStart(2, '0')} ` : ''
+  const name = `${variation}version ${take.number ?? ''}${
+    take.alternate === null ? '' : ` ${String.fromCharCode(64 + take.alternate)}`
+  }`
+  const wave = <WaveThumb peaks={thumb} lit={playing} faded={take.state === 'set_aside'} heightPx={36} />
+  return (
+    <>
+      <div className={classes.versionHead}>
+        <span>
+          <span className="strong">{name.charAt(0).toUpperCase() + name.slice(1)}</span>{' '}
+          <span className="mono small dim">{take.file_name}</span>
+        </span>
+        <State kind={KIND_OF_TAKE[take.state]} />
+        <span className="small dim nowrap num">
+          {durationS === null ? '' : `${length(durationS)}, `}
+          {age(take.received_at) === 'now' ? 'just now' : `${age(take.received_at)} ago`}
+        </span>
+      </div>
+      {previewUrl === null ? (
+        wave
+      ) : (
+        <button
+          type="button"
+          className={classes.wave}
+          aria-label={`${playing ? 'Pause' : 'Play'} ${name}`}
+          onClick={() => onPlay(version)}
+        >
+          {wave}
+        </button>
+      )}
+      {take.note && <p className="small mid">{take.note}</p>}
+      {findings.map((finding, at) => (
+        <Finding
+          key={`${finding.code} ${at}`}
+          severity={finding.severity}
+          head={sentence(finding.message)}
+          where={finding.start_s === null ? undefined : place(finding.start_s)}
+        >
+          {finding.waived ? 'Let through by the approver. ' : ''}
+          {sentence(finding.fix)}
+          {finding.fix && !finding.fix.endsWith('.') ? '.' : ''}
+        </Finding>
+      ))}
+      {reviews && (
+        <Link
+          className="link small"
+          to="/projects/$projectId/review/$cueId"
+          params={{ projectId, cueId: cue.id }}
+          search={{ take: take.id }}
+        >
+          {take.state === 'conforming' ? 'Hear and decide' : 'Hear it in review'}
+        </Link>
+      )}
+    </>
+  )
+}

@@ -1,0 +1,372 @@
+import {
+  infiniteQueryOptions,
+  type QueryClient,
+  queryOptions,
+  useMutation,
+  useQueryClient,
+} from '@tanstack/react-query'
+
+import { answered, api, ApiProblem } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { useMyProject } from '@/judging/api'
+
+type Schemas = components['schemas']
+export type Cue = Schemas['CueRead']
+export type CueDetail = Schemas['CueDetail']
+export type CueAdd = Schemas['CueAdd']
+export type CueStatus = Schemas['CueStatus']
+export type Standing = Schemas['Standing']
+export type Question = Schemas['QuestionRead']
+export type Take = Schemas['TakeRead']
+export type Finding = Schemas['FindingRead']
+export type Revision = Schemas['RevisionRead']
+export type Comparison = Schemas['ListComparison']
+export type Difference = Schemas['CueDifference']
+export type FieldChange = Schemas['FieldChange']
+export type ImportAsk = Schemas['ImportAsk']
+export type ImportRead = Schemas['ImportRead']
+export type ImportField = ImportRead['columns'][number]['field']
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
+
+const keys = {
+  list: (projectId: string) => ['sound-list', projectId, 'list'] as const,
+  standing: (projectId: string) => ['standing', projectId] as const,
+  questions: (projectId: string) => ['sound-list', projectId, 'open questions'] as const,
+  unmatched: (projectId: string) => ['sound-list', projectId, 'unmatched'] as const,
+  revisions: (projectId: string) => ['sound-list', projectId, 'revisions'] as const,
+  compare: (projectId: string, from: number, to: number) => ['revisions', projectId, from, to] as const,
+  cue: (cueId: string) => ['cue', cueId] as const,
+  takes: (cueId: string) => ['cue-takes', cueId] as const,
+}
+
+async function everyPage<T>(page: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> {
+  const all: T[] = []
+  let cursor: string | undefined
+  do {
+    const { items, next } = await page(cursor)
+    all.push(...items)
+    cursor = next ?? undefined
+  } while (cursor !== undefined)
+  return all
+}
+
+export const listQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.list(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId))),
+  })
+
+const SOON_MS = 3000
+
+/** Where every cue stands; asked again soon while something is being checked. */
+export const standingQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.standing(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/standing', inProject(projectId))),
+    refetchInterval: ({ state: { data } }) => ((data?.counts.checking ?? 0) > 0 ? SOON_MS : false),
+  })
+
+export const openQuestionsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.questions(projectId),
+    queryFn: () =>
+      everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/questions', {
+            params: { path: { project_id: projectId }, query: { only_open: true, cursor } },
+          }),
+        ),
+      ),
+  })
+
+/** Files that no cue owns yet; each names the cues it may be for. */
+export const unmatchedQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.unmatched(projectId),
+    queryFn: async () =>
+      (
+        await answered(
+          api.GET('/v1/projects/{project_id}/takes', {
+            params: { path: { project_id: projectId }, query: { unmatched: true } },
+          }),
+        )
+      ).items,
+  })
+
+export const revisionsQuery = (projectId: string) =>
+  infiniteQueryOptions({
+    queryKey: keys.revisions(projectId),
+    queryFn: ({ pageParam }) => readRevisions(projectId, pageParam),
+    initialPageParam: undefined as number | undefined,
+    getNextPageParam: ({ next }) => (next ? Number(next) : undefined),
+  })
+
+const readRevisions = (projectId: string, before?: number) =>
+  answered(
+    api.GET('/v1/projects/{project_id}/sound-list/revisions', {
+      params: { path: { project_id: projectId }, query: { cursor: before } },
+    }),
+  )
+
+/** What happened between two revisions; both are kept as they were, so it never changes. */
+export const compareQuery = (projectId: string, from: number, to: number) =>
+  queryOptions({
+    queryKey: keys.compare(projectId, from, to),
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/sound-list/revisions/compare', {
+          params: { path: { project_id: projectId }, query: { from, to } },
+        }),
+      ),
+    staleTime: Infinity,
+  })
+
+/** What one revision did to one cue. */
+export interface CueChanged {
+  revision: Revision
+  kind: 'added' | 'changed' | 'cut'
+  changes: FieldChange[]
+}
+
+const BACK = 10
+
+/** The changes of one cue, from the newest revision back, a few revisions at a time. */
+export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label' | 'edition'>) =>
+  infiniteQueryOptions({
+    queryKey: ['sound-list', projectId, 'changes', cue.id, cue.edition],
+    queryFn: async ({ pageParam, client }) => {
+      const page = await readRevisions(projectId, pageParam)
+      const looked = page.items.slice(0, BACK)
+      const found = await Promise.all(
+        looked
+          .filter(({ summary }) => !summary.endsWith(' cut') || summary === `${cue.label} cut`)
+          .map(async (revision): Promise<CueChanged | null> => {
+            const compared = await client.ensureQueryData(compareQuery(projectId, revision.number - 1, revision.number))
+            for (const kind of ['added', 'changed', 'cut'] as const) {
+              const difference = compared[kind].find(({ id }) => id === cue.id)
+              if (difference) return { revision, kind, changes: difference.changes }
+            }
+            return null
+          }),
+      )
+      const oldest = looked.at(-1)?.number ?? 1
+      return { found: found.filter((one) => one !== null), next: oldest > 1 ? oldest : undefined }
+    },
+    initialPageParam: undefined as number | undefined,
+    // A cue's edition counts its changes, so one knows when the last of them is found.
+    getNextPageParam: ({ next }, pages) =>
+      pages.some(({ found }) => found.some(({ kind }) => kind === 'added')) ||
+      pages.reduce((sum, { found }) => sum + found.length, 0) >= cue.edition
+        ? undefined
+        : next,
+  })
+
+export const cueQuery = (cueId: string) =>
+  queryOptions({
+    queryKey: keys.cue(cueId),
+    queryFn: () => answered(api.GET('/v1/cues/{cue_id}', ofCue(cueId))),
+  })
+
+/** One delivered version with what is needed to hear and to read it. */
+export interface Version {
+  take: Take
+  thumb: Schemas['ThumbRead'] | null
+  previewUrl: string | null
+  durationS: number | null
+  findings: Finding[]
+}
+
+/** Every version of a cue that the person may see, the newest first. */
+export const versionsQuery = (projectId: string, cueId: string) =>
+  queryOptions({
+    queryKey: keys.takes(cueId),
+    queryFn: async (): Promise<Version[]> => {
+      const takes = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/takes', {
+            params: { path: { project_id: projectId }, query: { cue_id: cueId, cursor } },
+          }),
+        ),
+      )
+      return Promise.all(
+        takes.map(async (take) => {
+          const ofTake = { params: { path: { take_id: take.id } } }
+          const [sounds, check] = await Promise.all([
+            orNothing(answered(api.GET('/v1/takes/{take_id}/sounds', ofTake))),
+            orNothing(answered(api.GET('/v1/takes/{take_id}/check', ofTake))),
+          ])
+          return {
+            take,
+            thumb: sounds?.master.thumb ?? null,
+            previewUrl: sounds?.master.preview_url ?? null,
+            durationS: sounds?.master.duration_s ?? null,
+            findings: check?.findings ?? [],
+          }
+        }),
+      )
+    },
+  })
+
+/** A take that is still being checked has no findings yet, and that is no fault. */
+async function orNothing<T>(asking: Promise<T>): Promise<T | null> {
+  try {
+    return await asking
+  } catch (error) {
+    if (error instanceof ApiProblem && error.status === 404) return null
+    throw error
+  }
+}
+
+export interface Rights {
+  /** Producers, liaisons and the approver change the list; everyone else reads it and asks. */
+  edits: boolean
+  cuts: boolean
+  reviews: boolean
+  known: boolean
+}
+
+export function useRights(projectId: string): Rights {
+  const project = useMyProject(projectId)
+  const isProducer = project?.is_producer ?? false
+  const isDecider = project?.is_decider ?? false
+  return {
+    edits: isProducer || isDecider || (project?.is_liaison ?? false),
+    cuts: isProducer || isDecider,
+    reviews: project?.part === 'team',
+    known: project !== undefined,
+  }
+}
+
+/** Ask anew for what a change of the list touches, whoever shows it. */
+async function refreshList(client: QueryClient, projectId: string): Promise<void> {
+  const touched = [
+    ['sound-list', projectId],
+    keys.standing(projectId),
+    ['cue'],
+    ['cue-review'],
+    ['review-queue', projectId],
+    ['desk', projectId],
+    ['today'],
+    ['overview'],
+  ]
+  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+}
+
+export function useAddCues(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (cues: CueAdd[]) =>
+      answered(api.POST('/v1/projects/{project_id}/cues', { ...inProject(projectId), body: { cues } })),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+/** Some facts of a cue, by their names. */
+export type CueFacts = Partial<Omit<CueAdd, 'extra'>>
+
+/** Change facts of a cue that was read at `edition`. What is left out stays as it is. */
+export function useChangeCue(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ cueId, edition, facts }: { cueId: string; edition: number; facts: CueFacts }) =>
+      answered(
+        api.PATCH('/v1/cues/{cue_id}', {
+          ...ofCue(cueId),
+          // The generated type asks for every fact that has a default; the server takes those that are given.
+          body: { edition, ...facts } as Schemas['CuePatch'],
+        }),
+      ),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+export function useCut(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (reason: string) => answered(api.POST('/v1/cues/{cue_id}/cut', { ...ofCue(cueId), body: { reason } })),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+export function useAsk(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (text: string) =>
+      answered(api.POST('/v1/cues/{cue_id}/questions', { ...ofCue(cueId), body: { text } })),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+export function useAnswer(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ questionId, text, joins }: { questionId: string; text: string; joins: boolean }) =>
+      answered(
+        api.POST('/v1/questions/{question_id}/answer', {
+          params: { path: { question_id: questionId } },
+          body: { text, joins },
+        }),
+      ),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+export const importSheet = (projectId: string, body: ImportAsk): Promise<ImportRead> =>
+  answered(api.POST('/v1/projects/{project_id}/sound-list/import', { ...inProject(projectId), body }))
+
+/** Import a sheet for good. */
+export function useImport(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Omit<ImportAsk, 'dry_run'>) => importSheet(projectId, { ...body, dry_run: false }),
+    onSuccess: ({ imported }) => (imported ? refreshList(client, projectId) : undefined),
+  })
+}
+
+export type SharedField = 'category' | 'state' | 'placeholder' | 'palette'
+
+const quoted = (text: string): string => `"${text.replaceAll('"', '""')}"`
+const written = (value: string | boolean): string => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value)
+
+/** Set one fact of several cues: all of them as one revision, or none. */
+export function useSetForSeveral(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: async ({
+      field,
+      values,
+    }: {
+      field: SharedField
+      values: readonly { cue: Cue; value: string | boolean }[]
+    }) => {
+      const lines = values.map(({ cue, value }) => `${cue.number},${quoted(written(value))}`)
+      const answer = await importSheet(projectId, {
+        format: 'csv',
+        text: ['number,' + field, ...lines].join('\n'),
+        mapping: { number: 'number', [field]: field },
+        match: 'number',
+        dry_run: false,
+      })
+      const fault = answer.errors[0]
+      if (fault) {
+        const label = values[fault.row - 2]?.cue.label
+        throw new ApiProblem(422, {
+          code: 'rows-invalid',
+          detail: `Nothing was changed. ${label ? `${label}: ` : ''}${fault.message}.`,
+        })
+      }
+      return answer
+    },
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+/** What a query or a mutation was refused, if it was. */
+export const problemIn = (error: unknown): ApiProblem | null => (error instanceof ApiProblem ? error : null)
+
+/** The cue as it stands now, whatever is kept here. */
+export async function readAgain(client: QueryClient, cueId: string): Promise<CueDetail> {
+  return client.fetchQuery({ ...cueQuery(cueId), staleTime: 0 })
+}

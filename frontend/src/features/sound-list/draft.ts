@@ -1,0 +1,159 @@
+import type { ApiProblem } from '@/api'
+
+import type { Cue, CueAdd, CueFacts, FieldChange } from './api'
+
+/** A cue as it stands in fields: figures are what was typed. */
+export interface CueDraft {
+  name: string
+  file_name: string
+  category: string
+  use: string
+  description: string
+  trigger: string
+  duration_s: string
+  length_locked: boolean
+  frame_rate_fps: string
+  loop: boolean
+  reverb: string
+  variations: string
+  state: string
+  playback_priority: string
+  placeholder: boolean
+  palette: boolean
+}
+
+export type DraftField = keyof CueDraft
+export type Faults = Partial<Record<DraftField, string>>
+
+export const EMPTY_DRAFT: CueDraft = {
+  name: '',
+  file_name: '',
+  category: '',
+  use: '',
+  description: '',
+  trigger: '',
+  duration_s: '',
+  length_locked: false,
+  frame_rate_fps: '',
+  loop: false,
+  reverb: '',
+  variations: '1',
+  state: 'prototype',
+  playback_priority: '',
+  placeholder: false,
+  palette: false,
+}
+
+const FIELDS = Object.keys(EMPTY_DRAFT) as DraftField[]
+
+const typed = (value: number | null): string => (value === null ? '' : String(value))
+
+export function draftOf(cue: Cue): CueDraft {
+  return {
+    ...EMPTY_DRAFT,
+    ...Object.fromEntries(FIELDS.map((field) => [field, cue[field]])),
+    duration_s: typed(cue.duration_s),
+    frame_rate_fps: typed(cue.frame_rate_fps),
+    playback_priority: typed(cue.playback_priority),
+    variations: String(cue.variations),
+    reverb: cue.reverb ?? '',
+  }
+}
+
+interface Figure {
+  wanted: string
+  whole?: true
+  needed?: true
+}
+
+const FIGURES: Partial<Record<DraftField, Figure>> = {
+  duration_s: { wanted: 'seconds such as 1.5' },
+  frame_rate_fps: { wanted: 'frames a second such as 60' },
+  variations: { wanted: 'a whole number such as 4', whole: true, needed: true },
+  playback_priority: { wanted: 'a whole number such as 1', whole: true },
+}
+
+/** Read a figure with a point or a comma; nothing typed is null. */
+function readFigure(text: string, { wanted, whole, needed }: Figure): number | null | { fault: string } {
+  const plain = text.trim().replace(',', '.').replace(/\s*s$/, '')
+  if (plain === '') return needed ? 1 : null
+  const value = Number(plain)
+  if (!/^[0-9]*\.?[0-9]*$/.test(plain) || Number.isNaN(value) || (whole && !Number.isInteger(value))) {
+    return { fault: `Wanted ${wanted}, found “${text.trim()}”.` }
+  }
+  return value
+}
+
+export interface ReadDraft {
+  facts: CueAdd
+  faults: Faults
+}
+
+/** What a draft says, and what in it cannot be read. */
+export function readDraft(draft: CueDraft): ReadDraft {
+  const facts: Record<string, unknown> = { ...draft, reverb: draft.reverb || null }
+  const faults: Faults = {}
+  for (const [field, figure] of Object.entries(FIGURES) as [DraftField, Figure][]) {
+    const read = readFigure(String(draft[field]), figure)
+    if (read !== null && typeof read === 'object') faults[field] = read.fault
+    else facts[field] = read
+  }
+  if (draft.name.trim() === '' && draft.file_name.trim() === '') faults.name = 'A cue needs a name.'
+  return { facts: facts as unknown as CueAdd, faults }
+}
+
+const sameDraft = (one: CueDraft, other: CueDraft, field: DraftField): boolean => one[field] === other[field]
+
+/** The fields that differ from what was read. */
+export const touched = (base: Cue, draft: CueDraft): DraftField[] => {
+  const before = draftOf(base)
+  return FIELDS.filter((field) => !sameDraft(before, draft, field))
+}
+
+/** Only what was changed, so that what somebody else changes meanwhile stays theirs. */
+export function changedFacts(base: Cue, draft: CueDraft): CueFacts {
+  const { facts } = readDraft(draft)
+  return Object.fromEntries(touched(base, draft).map((field) => [field, facts[field]]))
+}
+
+/** What somebody else changed between two readings of a cue. */
+export function changesBetween(base: Cue, fresh: Cue): FieldChange[] {
+  return FIELDS.filter((field) => base[field] !== fresh[field]).map((field) => ({
+    field,
+    before: base[field],
+    after: fresh[field],
+  }))
+}
+
+/** A draft on top of a newer reading: what was touched stays as it was typed, the rest is as it is now. */
+export function rebased(base: Cue, fresh: Cue, draft: CueDraft): CueDraft {
+  const mine = Object.fromEntries(touched(base, draft).map((field) => [field, draft[field]]))
+  return { ...draftOf(fresh), ...mine }
+}
+
+const isField = (name: string | undefined): name is DraftField => FIELDS.includes(name as DraftField)
+
+const asSentence = (message: string): string =>
+  `${message.charAt(0).toUpperCase()}${message.slice(1)}${/[.!?]$/.test(message) ? '' : '.'}`
+
+/** What a refusal says against the fields of one row, and against the whole of it. */
+export interface Refused {
+  fields: Faults
+  whole: string[]
+}
+
+/** The refusals of rows, by their place from 0; `row 2: name` and `cues.1.name` are the same place. */
+export function refusedRows(problem: ApiProblem): Map<number, Refused> {
+  const rows = new Map<number, Refused>()
+  for (const { field: where, message } of problem.errors) {
+    const row = /^row (\d+): (\w+)$/.exec(where)
+    const path = /(?:^|\.)cues\.(\d+)(?:\.(\w+))?/.exec(where)
+    const place = row ? Number(row[1]) - 1 : path ? Number(path[1]) : 0
+    const name = row?.[2] ?? path?.[2] ?? where.split('.').at(-1)
+    const refused = rows.get(place) ?? { fields: {}, whole: [] }
+    if (isField(name)) refused.fields[name] = asSentence(message)
+    else refused.whole.push(asSentence(message))
+    rows.set(place, refused)
+  }
+  return rows
+}

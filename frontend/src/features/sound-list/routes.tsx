@@ -1,0 +1,47 @@
+import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
+
+import { shellRoute } from '@/app/roots'
+
+import type { ListSearch } from './rows'
+import { STATUS_ORDER } from './words'
+
+interface CompareSearch {
+  from?: number
+  to?: number
+}
+
+const revision = (value: unknown): number | undefined =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 0 ? value : undefined
+
+export const soundListRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/sound-list',
+    validateSearch: ({ state, category, by }: Record<string, unknown>): ListSearch => ({
+      state: STATUS_ORDER.find((status) => status === state),
+      category: typeof category === 'string' && category !== '' ? category : undefined,
+      by: by === 'category' || by === 'state' ? by : undefined,
+    }),
+    component: lazyRouteComponent(() => import('./SoundListPage'), 'SoundListPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/sound-list/import',
+    component: lazyRouteComponent(() => import('./ImportPage'), 'ImportPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/sound-list/compare',
+    validateSearch: ({ from, to }: Record<string, unknown>): CompareSearch => ({
+      from: revision(from),
+      to: revision(to),
+    }),
+    component: lazyRouteComponent(() => import('./ComparePage'), 'ComparePage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/sound-list/cues/$cueId',
+    staticData: { keepsFocus: true },
+    component: lazyRouteComponent(() => import('./CuePage'), 'CuePage'),
+  }),
+] as const

@@ -1,0 +1,155 @@
+import type { Peaks } from '@/audio'
+import { figure, plural } from '@/ui/format'
+import type { SetBlock } from '@/ui/SetBlocks'
+import { STATES, type StateKind } from '@/ui/State'
+
+import type { Cue, CueStatus, Question, Standing, Take } from './api'
+import { type Stands, standsOf } from './stands'
+import { STATUS_ORDER, STATUS_WORDS } from './words'
+
+/** One line of the list with everything that it shows. */
+export interface CueRow {
+  id: string
+  cue: Cue
+  standing: Standing | undefined
+  status: CueStatus
+  kind: StateKind
+  /** Other words than the state's own, as "5 of 8 accepted". */
+  stateWords?: string
+  stands: Stands
+  /** Somebody must do something: the name is bold. */
+  needsSomeone: boolean
+  peaks: Peaks | null
+  previewUrl: string | null
+  /** Everything that the filter searches, in small letters. */
+  text: string
+}
+
+export interface Known {
+  standings?: readonly Standing[]
+  questions?: readonly Question[]
+  unmatched?: readonly Take[]
+}
+
+export const kindOf = (status: CueStatus): StateKind => (status === 'partly_accepted' ? 'accepted' : status)
+
+const RESTING: readonly CueStatus[] = ['to_make', 'checking', 'accepted', 'cut']
+
+/** Join what the list says with where each cue stands. */
+export function rowsOf(cues: readonly Cue[], { standings, questions, unmatched }: Known, now = new Date()): CueRow[] {
+  const standingOf = new Map(standings?.map((standing) => [standing.cue_id, standing]))
+  const askedAt = new Map(questions?.toReversed().map((question) => [question.cue_id, question.asked_at]))
+  const guessed = new Map(
+    unmatched?.flatMap(({ file_name, guesses }) => (guesses[0] ? [[guesses[0].cue_id, file_name] as const] : [])),
+  )
+  return cues.map((cue) => {
+    const standing = standingOf.get(cue.id)
+    const status = cue.state === 'cut' ? 'cut' : (standing?.status ?? 'to_make')
+    const stands = standsOf(cue, standing, { askedAt: askedAt.get(cue.id), guessedFile: guessed.get(cue.id) }, now)
+    const newest = standing?.newest_take
+    return {
+      id: cue.id,
+      cue,
+      standing,
+      status,
+      kind: kindOf(status),
+      stateWords:
+        status === 'partly_accepted' && standing ? `${standing.accepted} of ${standing.wanted} accepted` : undefined,
+      stands,
+      needsSomeone: !RESTING.includes(status),
+      // A picture is an open object in the schema; its shape is that of a thumb.
+      peaks: (newest?.thumb ?? null) as Peaks | null,
+      previewUrl: newest?.preview_url ?? null,
+      text: [cue.label, cue.name, cue.file_name, cue.category, cue.use, cue.description, cue.trigger]
+        .concat(stands.before, stands.marked, stands.after)
+        .join('\n')
+        .toLowerCase(),
+    }
+  })
+}
+
+/** One block a variation, coloured by where it stands. */
+export function blocksOf({ standing, cue }: CueRow): SetBlock[] {
+  const status = new Map(standing?.variations.map((each) => [each.variation, each.status]))
+  return Array.from({ length: cue.variations }, (_, place) => {
+    const each = status.get(place + 1)
+    return { tone: each === undefined || each === 'to_make' ? 'idle' : STATES[kindOf(each)].tone }
+  })
+}
+
+export interface Filter {
+  state?: CueStatus
+  category?: string
+  words: string
+}
+
+/** The rows that match: every typed word must stand somewhere in the row. */
+export function matching(rows: readonly CueRow[], { state, category, words }: Filter): CueRow[] {
+  const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
+  return rows.filter(
+    (row) =>
+      (state === undefined || row.status === state) &&
+      (category === undefined || row.cue.category === category) &&
+      wanted.every((word) => row.text.includes(word)),
+  )
+}
+
+export type Grouping = 'list' | 'category' | 'state'
+
+/** What the list leaves out, and how it is grouped; shared by its address. */
+export interface ListSearch {
+  state?: CueStatus
+  category?: string
+  by?: Grouping
+}
+
+export interface Group {
+  id: string
+  name: string
+  note: string
+  rows: CueRow[]
+}
+
+function progress(rows: readonly CueRow[]): string {
+  const live = rows.filter(({ status }) => status !== 'cut')
+  const accepted = live.filter(({ status }) => status === 'accepted').length
+  const cut = rows.length - live.length
+  return [`${figure(accepted)} of ${figure(live.length)} accepted`, cut > 0 ? `${figure(cut)} cut` : '']
+    .filter(Boolean)
+    .join(', ')
+}
+
+/** The rows under headings; the palette comes first in list order. */
+export function groupsOf(rows: readonly CueRow[], by: Grouping): Group[] {
+  if (by === 'state') {
+    return STATUS_ORDER.map((status) => {
+      const own = rows.filter((row) => row.status === status)
+      const name = STATUS_WORDS[status] ?? STATES[kindOf(status)].word
+      return { id: status, name, note: plural(own.length, 'cue'), rows: own }
+    }).filter((group) => group.rows.length > 0)
+  }
+  const parts = new Map<string, CueRow[]>()
+  for (const row of rows) {
+    const part = by === 'category' ? row.cue.category : row.cue.palette ? 'palette' : 'rest'
+    parts.set(part, [...(parts.get(part) ?? []), row])
+  }
+  const names = [...parts.keys()]
+  if (by === 'list') names.sort((a, b) => Number(b === 'palette') - Number(a === 'palette'))
+  else names.sort((a, b) => Number(a === '') - Number(b === '') || a.localeCompare(b))
+  const heads: Record<string, string> = by === 'list' ? { palette: 'Palette', rest: 'The rest' } : { '': 'No category' }
+  return names.map((id) => {
+    const own = parts.get(id) ?? []
+    return { id: `${by} ${id}`, name: heads[id] ?? id, note: progress(own), rows: own }
+  })
+}
+
+/** Every category of the list, for the select and for typing. */
+export const categoriesOf = (rows: readonly { cue: Cue }[]): string[] =>
+  [...new Set(rows.map(({ cue }) => cue.category).filter(Boolean))].sort((a, b) => a.localeCompare(b))
+
+/** "9 of 23 accepted; 1 cut; 14 files to review". */
+export function sumsOf(rows: readonly CueRow[], filesToReview: number): string {
+  return [progress(rows).replace(', ', '; '), filesToReview > 0 ? `${plural(filesToReview, 'file')} to review` : '']
+    .filter(Boolean)
+    .join('; ')
+}
