@@ -31,6 +31,7 @@ from app.deliveries.errors import (
 )
 from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
 from app.deliveries.schemas import UploadRead
+from app.kit.errors import Refused
 from app.kit.http import CurrentRuntime, problems
 from app.kit.runtime import Runtime
 from app.kit.uploads import (
@@ -63,15 +64,20 @@ BINARY_BODY: dict[str, Any] = {
 
 
 class TusRoute(APIRoute):
-    """A route whose answers name the version of tus that they speak."""
+    """A route whose answers name the version of tus that they speak, refusals included."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Add the header to every answer."""
+        """Add the headers to every answer."""
         handle = super().get_route_handler()
 
         async def handle_tus(request: Request) -> Response:
-            response = await handle(request)
+            try:
+                response = await handle(request)
+            except Refused as refusal:
+                response = request.app.exception_handlers[Refused](request, refusal)
             response.headers["Tus-Resumable"] = TUS_VERSION
+            if response.status_code == UnknownTusVersion.status:
+                response.headers["Tus-Version"] = TUS_VERSION
             response.headers.setdefault("Cache-Control", "no-store")
             return response
 

@@ -109,6 +109,8 @@ def test_what_does_not_fit_is_refused_in_words(world: World) -> None:
     }
     assert {code: answer.json()["code"] for code, answer in refused.items()} == {code: code for code in refused}
     assert [answer.status_code for answer in refused.values()] == [409, 413, 400, 415, 412]
+    assert {answer.headers["tus-resumable"] for answer in refused.values()} == {"1.0.0"}
+    assert refused["unknown-tus-version"].headers["tus-version"] == "1.0.0"
     assert world.designer.head(location, headers=TUS).headers["upload-offset"] == "0"
 
 
