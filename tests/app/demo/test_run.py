@@ -1,0 +1,150 @@
+"""`soundlist demo`: one process tree that makes its project by requests, keeps it, and stops cleanly."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import httpx
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+FIRST_START_S, SECOND_START_S, STOP_S = 150.0, 30.0, 25.0
+STATES = {
+    "ui_confirm.wav": "approved",
+    "laser_fire_04.wav": "approved",
+    "amb_bridge_loop.wav": "approved",
+    "hull_impact_03.wav": "approved",
+    "shield_hit.wav": "conforming",
+    "shield_hit_altB.wav": "conforming",
+    "shield_hit_altC.wav": "conforming",
+    "foot_deck_walk_06.wav": "conforming",
+    "airlock_cycle.wav": "returned",
+    "thruster_burst_03.wav": "conforming",
+}
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as probe:
+        return int(probe.getsockname()[1])
+
+
+def children_of(pid: int) -> set[int]:
+    found: set[int] = set()
+    for task in Path(f"/proc/{pid}/task").glob("*/children"):
+        for child in task.read_text().split():
+            found |= {int(child)} | children_of(int(child))
+    return found
+
+
+def until(condition: Callable[[], object], seconds: float) -> None:
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, "it did not come about"
+        time.sleep(0.2)
+
+
+@contextmanager
+def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Client]:
+    environment = os.environ | {"SOUNDLIST_DATA_DIR": str(data), "PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": "1"}
+    log = data.with_suffix(".log")
+    with log.open("a") as out:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "app", "demo", "--port", str(port)],
+            cwd=ROOT,
+            env=environment,
+            stdout=out,
+            stderr=out,
+        )
+    before = log.read_text().count("Soundlist is at")
+
+    def is_settled() -> bool:
+        return log.read_text().count("Soundlist is at") > before or process.poll() is not None
+
+    try:
+        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30) as client:
+            until(
+                lambda: log.read_text().count("Soundlist is at") > before or process.poll() is not None,
+                started_within_s,
+            )
+            assert process.poll() is None, log.read_text()
+            yield client
+    finally:
+        tree = children_of(process.pid)
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(STOP_S) == 0, log.read_text()
+        until(lambda: not any(Path(f"/proc/{pid}/cmdline").exists() for pid in tree), 10)
+
+
+@pytest.mark.slow
+def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
+    data, port = tmp_path / "data", free_port()
+    with demo(data, port, FIRST_START_S) as client:
+        (project,) = client.get("/v1/projects").json()["items"]
+        path = f"/v1/projects/{project['id']}"
+        takes = client.get(f"{path}/takes", params={"limit": 200}).json()["items"]
+        states = {take["file_name"]: take["state"] for take in takes}
+        assert STATES.items() <= states.items()
+        suit = sorted((take["number"], take["state"]) for take in takes if take["file_name"] == "suit_hit.wav")
+        assert suit == [(1, "change_requested"), (2, "conforming")]
+        (stray,) = [take for take in takes if take["cue"] is None]
+        assert stray["file_name"] == "final_FINAL_sting2.wav"
+        assert next(guess["name"] for guess in stray["guesses"]) == "victory_sting"
+        standing = client.get(f"{path}/sound-list/standing").json()
+        assert standing["counts"] == {
+            "accepted": 6, "to_review": 4, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 10,
+        }  # fmt: skip
+        builds = client.get(f"{path}/builds").json()["items"]
+        assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
+        # Nobody enters the demo but from this machine, directly.
+        for header in ({"Host": "soundlist.example"}, {"X-Forwarded-For": "203.0.113.9"}):
+            assert client.get("/v1/me", headers=header).status_code == 401
+        assert (data / "secret_key").stat().st_mode & 0o777 == 0o600
+    with demo(data, port, SECOND_START_S) as client:  # what was done is kept, and made only once
+        assert len(client.get("/v1/projects").json()["items"]) == 1
+        assert client.get(f"{path}/sound-list/standing").json()["counts"] == standing["counts"]
+
+
+def test_two_demos_do_not_share_a_folder(tmp_path: Path):
+    import fcntl
+
+    with (tmp_path / "soundlist.lock").open("a") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        second = subprocess.run(
+            [sys.executable, "-m", "app", "demo", "--port", str(free_port())],
+            cwd=ROOT,
+            env=os.environ | {"SOUNDLIST_DATA_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)},
+            capture_output=True,
+            text=True,
+        )
+    assert second.returncode == 2
+    assert "runs on" in second.stderr
+    assert "DATA=another-folder" in second.stderr
+
+
+@pytest.mark.parametrize(
+    ("command", "environment", "said"),
+    [
+        (["serve"], {}, "SOUNDLIST_SECRET_KEY is not set"),
+        (["worker"], {}, "SOUNDLIST_SECRET_KEY is not set"),
+        (["migrate"], {"SOUNDLIST_BASE_URL": "sounds.example"}, "give the address people open"),
+        (["migrate"], {"SOUNDLIST_STORE_URL": "ftp://x"}, "file:///absolute/path"),
+        (["serve", "--host", "0.0.0.0"], {"SOUNDLIST_DEMO": "1", "SOUNDLIST_SECRET_KEY": "x"}, "127.0.0.1 only"),  # noqa: S104
+    ],
+)
+def test_wrong_settings_are_refused_in_words(tmp_path: Path, command: list[str], environment: dict, said: str):
+    result = subprocess.run(
+        [sys.executable, "-m", "app", *command],
+        cwd=ROOT,
+        env=os.environ | {"SOUNDLIST_DATA_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)} | environment,
+        capture_output=True,
+        text=True,
+    )
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert "Traceback" not in result.stderr

@@ -1,0 +1,79 @@
+"""What lies beside the code: containers, commands, documents and the OpenAPI document say what is true."""
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+import yaml
+
+from app.cli import cli
+from app.settings import Settings
+from audio_checks.version import TOOL_VERSION
+
+ROOT = Path(__file__).resolve().parents[2]
+SERVER_COMMANDS = {"serve", "worker", "migrate", "demo", "token", "openapi"}
+
+
+@pytest.fixture(scope="module")
+def compose() -> dict:
+    return yaml.safe_load((ROOT / "docker-compose.yml").read_text())
+
+
+def test_every_service_runs_a_command_that_there_is(compose: dict):
+    for name, service in compose["services"].items():
+        if "command" in service:
+            program, command, *_ = service["command"]
+            assert (program, command in SERVER_COMMANDS) == ("soundlist", True), name
+
+
+def test_every_setting_of_the_containers_is_one(compose: dict):
+    known = {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields}
+    for service in compose["services"].values():
+        assert set(service.get("environment", {})) <= known
+
+
+def test_every_setting_that_the_documents_name_is_one():
+    known = {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields} | {"SOUNDLIST_LOG_LEVEL", "SOUNDLIST_TOKEN"}
+    for path in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")]:
+        named = set(re.findall(r"SOUNDLIST_[A-Z_]+[A-Z]", path.read_text()))
+        assert named <= known, path
+
+
+def test_the_command_line_has_the_commands_it_promises():
+    assert {command.name or command.callback.__name__ for command in cli.registered_commands} == SERVER_COMMANDS
+    (jobs,) = cli.registered_groups
+    assert {command.name for command in jobs.typer_instance.registered_commands} == {"list", "retry"}
+
+
+def test_links_between_documents_lead_somewhere():
+    documents = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), ROOT / "frontend" / "README.md"]
+    for document in documents:
+        for link in re.findall(r"\]\(([^)#\s]+)", document.read_text()):
+            if "://" not in link:
+                assert (document.parent / link).exists(), f"{document.name}: {link}"
+
+
+def test_the_openapi_document_is_the_servers():
+    told = subprocess.run(
+        [str(ROOT / ".venv/bin/python"), "-m", "app", "openapi"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert json.loads(told.stdout) == json.loads((ROOT / "frontend/openapi.json").read_text())
+
+
+def test_the_library_is_the_version_that_the_package_says():
+    assert f'version = "{TOOL_VERSION}"' in (ROOT / "pyproject.toml").read_text()
+
+
+def test_the_lock_files_name_no_registry():
+    assert "://" not in (ROOT / "constraints.txt").read_text()
+    assert '"resolved"' not in (ROOT / "frontend/package-lock.json").read_text()
+
+
+def test_scripts_parse():
+    for script in (ROOT / ".ci").iterdir():
+        shell = shutil.which("bash")
+        assert shell
+        subprocess.run([shell, "-n", str(script)], check=True)
