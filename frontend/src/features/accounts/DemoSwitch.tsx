@@ -4,7 +4,6 @@ import { useRouter } from '@tanstack/react-router'
 
 import { answered, api } from '@/api'
 import { showToast } from '@/app/toast'
-import { Icon } from '@/ui/Icon'
 
 import { meQuery, sessionQuery } from './api'
 import { type DemoPart, demoPartOf } from './parts'
@@ -47,18 +46,14 @@ export function DemoSwitch({ projectId }: { projectId: string | undefined }) {
   }
   return (
     <>
-      <Menu.Label id="demo-label">Play the demo as</Menu.Label>
-      {PARTS.map(({ part, label }) => (
-        <Menu.Item
-          key={part}
-          role="menuitemradio"
-          aria-checked={part === now}
-          rightSection={part === now ? <Icon name="tick" /> : undefined}
-          onClick={() => void play(part)}
-        >
-          {label}
-        </Menu.Item>
-      ))}
+      <Menu.Label>Play the demo as</Menu.Label>
+      <Menu.RadioGroup value={now ?? null} onChange={(part) => void play(part as DemoPart)}>
+        {PARTS.map(({ part, label }) => (
+          <Menu.RadioItem key={part} value={part} closeMenuOnClick>
+            {label}
+          </Menu.RadioItem>
+        ))}
+      </Menu.RadioGroup>
       {projectId && <Menu.Item onClick={() => void toBuild()}>Build: what the game’s CI runs</Menu.Item>}
       <Menu.Divider />
     </>

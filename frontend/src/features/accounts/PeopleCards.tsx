@@ -127,18 +127,16 @@ function RolesMenu({ member, onChange, onRemove }: RolesMenuProps) {
         {ROLES.map((role) => {
           const has = member.roles.includes(role)
           return (
-            <Menu.Item
+            <Menu.CheckboxItem
               key={role}
-              role="menuitemcheckbox"
-              aria-checked={has}
+              checked={has}
               disabled={has && member.roles.length === 1}
-              rightSection={has ? '✓' : undefined}
-              onClick={() => onChange(has ? member.roles.filter((other) => other !== role) : [...member.roles, role])}
+              onChange={() => onChange(has ? member.roles.filter((other) => other !== role) : [...member.roles, role])}
             >
               <span className="strong">{ROLE_WORDS[role]}</span>
               <br />
               <span className="small mid">{ROLE_MEANINGS[role]}</span>
-            </Menu.Item>
+            </Menu.CheckboxItem>
           )
         })}
         <Menu.Divider />

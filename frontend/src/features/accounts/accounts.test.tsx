@@ -1,0 +1,349 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { answer, type Answers, refusal, serve } from '@/test/server'
+
+import { ownPath } from './SignInPage'
+
+const STUDIO = { id: 's1', name: 'Shield Wing studio', roles: ['producer'] }
+const PROJECT = {
+  id: 'p1',
+  name: 'Shield Wing',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  cue_prefix: 'SW',
+  part: 'team',
+  is_producer: true,
+  is_liaison: false,
+  is_decider: false,
+  engagement_kind: null,
+}
+const PRODUCER = {
+  person: { id: 'x1', name: 'Producer' },
+  email: 'producer@studio.example',
+  studios: [STUDIO],
+  projects: [PROJECT],
+}
+const DESIGNER = {
+  person: { id: 'x3', name: 'Sound designer' },
+  email: 'designer@sound.example',
+  studios: [],
+  projects: [{ ...PROJECT, part: 'designer', is_producer: false, engagement_kind: 'contract' }],
+}
+const EMPTY_DESK = {
+  came_back: [],
+  to_make: [],
+  with_approver: [],
+  with_approver_files: 0,
+  accepted: 0,
+  cues: 0,
+  unmatched: 0,
+  checking: 0,
+  questions: [],
+}
+const NOBODY = { signed_in: false, demo: false, person: null }
+const signedIn = (me: typeof PRODUCER | typeof DESIGNER, demo = false) => ({ signed_in: true, demo, person: me.person })
+
+/** The answers that every page of somebody signed in asks for. */
+const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = false): Answers => ({
+  'GET /v1/session': signedIn(me, demo),
+  'GET /v1/me': me,
+  'GET /v1/review-queue': { items: [], next: null },
+  'GET /v1/projects/p1/desk': EMPTY_DESK,
+  ...more,
+})
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('the guard', () => {
+  test('a page asks nobody in: sign in first, then the page that was wanted', async () => {
+    const server = serve({
+      'GET /v1/session': NOBODY,
+      'POST /v1/sign-in': () => {
+        Object.assign(server.answers, as(PRODUCER))
+        return { id: 'x1', name: 'Producer', email: PRODUCER.email }
+      },
+    })
+    const user = userEvent.setup()
+    const app = openApp('/account')
+    await screen.findByRole('heading', { name: 'Sign in' })
+    expect(app.search()).toEqual({ next: '/account' })
+    await user.type(screen.getByLabelText('Mail address'), PRODUCER.email)
+    await user.type(screen.getByLabelText('Password'), 'a few words of mine')
+    await user.click(screen.getByRole('button', { name: 'Sign in' }))
+    await screen.findByRole('heading', { name: 'Account' })
+    const sent = server.asked.find(({ path }) => path === '/v1/sign-in')
+    expect(sent?.body).toEqual({ email: PRODUCER.email, password: 'a few words of mine' })
+    expect(sent?.headers.get('X-CSRF-Token')).toBe('token-of-the-page')
+  })
+
+  test('who is signed out meanwhile is asked to sign in, not shown an error', async () => {
+    serve({ 'GET /v1/session': signedIn(PRODUCER), 'GET /v1/me': refusal(401, 'not-signed-in', 'sign in first') })
+    const app = openApp('/studio')
+    await screen.findByRole('heading', { name: 'Sign in' })
+    expect(app.search()).toEqual({ next: '/studio' })
+  })
+
+  test.each([
+    [undefined, '/'],
+    ['/projects/p1/desk', '/projects/p1/desk'],
+    ['https://elsewhere.example', '/'],
+    ['//elsewhere.example', '/'],
+    ['/\\elsewhere.example', '/'],
+  ])('after signing in, %s leads to %s', (next, path) => {
+    expect(ownPath(next)).toBe(path)
+  })
+})
+
+describe('signing in', () => {
+  test('a wrong password is said, and what was typed stays', async () => {
+    serve({
+      'GET /v1/session': NOBODY,
+      'POST /v1/sign-in': refusal(401, 'wrong-sign-in', 'address and password do not belong together', {
+        fix: 'check both, or ask for a new password',
+      }),
+    })
+    const user = userEvent.setup()
+    openApp('/sign-in')
+    await user.type(await screen.findByLabelText('Mail address'), 'me@sound.example')
+    await user.type(screen.getByLabelText('Password'), 'not it at all')
+    await user.click(screen.getByRole('button', { name: 'Sign in' }))
+    expect(await screen.findByRole('alert')).toHaveTextContent(
+      'Address and password do not belong together. Check both, or ask for a new password.',
+    )
+    expect(screen.getByLabelText('Mail address')).toHaveValue('me@sound.example')
+    expect(screen.getByLabelText('Password')).toHaveValue('not it at all')
+  })
+
+  test('empty fields are named, the first takes the focus, and nothing is sent', async () => {
+    const { asked } = serve({ 'GET /v1/session': NOBODY })
+    const user = userEvent.setup()
+    openApp('/sign-in')
+    await user.click(await screen.findByRole('button', { name: 'Sign in' }))
+    expect(await screen.findByText('Mail address is missing.')).toBeInTheDocument()
+    expect(screen.getByText('Password is missing.')).toBeInTheDocument()
+    expect(screen.getByLabelText('Mail address')).toHaveFocus()
+    expect(asked.filter(({ method }) => method === 'POST')).toEqual([])
+  })
+
+  test('a weak password of a new studio is said at its field', async () => {
+    serve({
+      'GET /v1/session': NOBODY,
+      'POST /v1/sign-up': refusal(422, 'password-too-weak', 'choose a password of 10 characters or more', {
+        errors: [{ where: 'password', message: 'choose a password of 10 characters or more' }],
+      }),
+    })
+    const user = userEvent.setup()
+    openApp('/sign-up')
+    await user.type(await screen.findByLabelText('Name of the studio'), 'Blue Hull')
+    await user.type(screen.getByLabelText('Your name'), 'Producer')
+    await user.type(screen.getByLabelText('Mail address'), 'p@hull.example')
+    await user.type(screen.getByLabelText('Password'), 'short')
+    await user.click(screen.getByRole('button', { name: 'Open the studio' }))
+    await waitFor(() =>
+      expect(screen.getByLabelText('Password')).toHaveAccessibleDescription(
+        expect.stringContaining('Choose a password of 10 characters or more.'),
+      ),
+    )
+    expect(screen.getByLabelText('Name of the studio')).toHaveValue('Blue Hull')
+  })
+
+  test('a forgotten password: the page says the same whoever asks', async () => {
+    const { asked } = serve({ 'GET /v1/session': NOBODY, 'POST /v1/password-resets': answer(null, 202) })
+    const user = userEvent.setup()
+    openApp('/forgotten-password')
+    await user.type(await screen.findByLabelText('Mail address'), 'who@sound.example')
+    await user.click(screen.getByRole('button', { name: 'Mail me the link' }))
+    expect(await screen.findByText(/If who@sound\.example has an account/)).toBeInTheDocument()
+    expect(asked.at(-1)?.body).toEqual({ email: 'who@sound.example' })
+  })
+
+  test('a used link for a new password says so', async () => {
+    serve({
+      'GET /v1/session': NOBODY,
+      'POST /v1/password-resets/s3cret': refusal(404, 'reset-not-found', 'this link was used or is too old', {
+        fix: 'ask for a new one',
+      }),
+    })
+    const user = userEvent.setup()
+    openApp('/new-password/s3cret')
+    await user.type(await screen.findByLabelText('New password'), 'three new words here')
+    await user.click(screen.getByRole('button', { name: 'Set the password' }))
+    expect(await screen.findByRole('alert')).toHaveTextContent('This link was used or is too old. Ask for a new one.')
+  })
+})
+
+describe('the demo', () => {
+  test('its visitor changes the part, and comes to that part’s own page', async () => {
+    const server = serve(
+      as(
+        PRODUCER,
+        {
+          'PUT /v1/demo/part/designer': () => {
+            Object.assign(server.answers, as(DESIGNER, {}, true))
+            return { part: 'designer', parts: ['producer', 'decider', 'designer'] }
+          },
+        },
+        true,
+      ),
+    )
+    const user = userEvent.setup()
+    const app = openApp('/account')
+    await user.click(await screen.findByRole('button', { name: 'Producer: account and settings' }))
+    expect(await screen.findByRole('menuitemradio', { name: 'Producer' })).toBeChecked()
+    await user.click(screen.getByRole('menuitemradio', { name: 'Sound designer' }))
+    await waitFor(() => expect(app.at()).toBe('/projects/p1/desk'))
+    expect(await screen.findByRole('button', { name: 'Sound designer: account and settings' })).toBeInTheDocument()
+  })
+
+  test('outside of it there is nothing to switch', async () => {
+    serve(as(PRODUCER))
+    const user = userEvent.setup()
+    openApp('/account')
+    await user.click(await screen.findByRole('button', { name: 'Producer: account and settings' }))
+    await screen.findByRole('menuitem', { name: 'Account' })
+    expect(screen.queryByText('Play the demo as')).not.toBeInTheDocument()
+  })
+})
+
+describe('the studio', () => {
+  const PEOPLE = [
+    { person: PRODUCER.person, email: PRODUCER.email, roles: ['producer'], since: '2026-11-01T09:00:00Z' },
+    {
+      person: { id: 'x2', name: 'Audio director' },
+      email: 'director@studio.example',
+      roles: ['liaison'],
+      since: '2026-11-01T09:00:00Z',
+    },
+  ]
+  const MAIL = {
+    id: 'm1',
+    recipient: 'director@studio.example',
+    subject: 'Shield Wing: sounds to review',
+    text: 'Three sounds wait.',
+    link: 'http://127.0.0.1:8000/projects/p1/review',
+    created_at: '2026-11-17T09:00:00Z',
+    sent_at: null,
+    failure: null,
+  }
+  const studio = (more: Answers = {}) =>
+    as(PRODUCER, {
+      'GET /v1/studios/s1/people': PEOPLE,
+      'GET /v1/studios/s1/invitations': [],
+      'GET /v1/studios/s1/outbox': { can_send: false, mails: [MAIL] },
+      ...more,
+    })
+
+  test('roles are given by one press, and a refusal stays in the card', async () => {
+    const { asked } = serve(
+      studio({
+        'PUT /v1/studios/s1/people/x1': refusal(409, 'last-producer', 'a studio always has a producer', {
+          fix: 'make somebody else a producer first',
+        }),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/studio')
+    await user.click(await screen.findByRole('button', { name: 'Roles of Producer: Producer' }))
+    await user.click(await screen.findByRole('menuitemcheckbox', { name: /^Reviewer/ }))
+    expect(await screen.findByRole('alert')).toHaveTextContent(
+      'A studio always has a producer. Make somebody else a producer first.',
+    )
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ roles: ['producer', 'reviewer'] })
+  })
+
+  test('the last role cannot be taken away by a slip', async () => {
+    serve(studio())
+    const user = userEvent.setup()
+    openApp('/studio')
+    await user.click(await screen.findByRole('button', { name: 'Roles of Audio director: Liaison' }))
+    expect(await screen.findByRole('menuitemcheckbox', { name: /^Liaison/ })).toBeDisabled()
+  })
+
+  test('an invitation is sent with its roles; an address that is there already is said at the field', async () => {
+    const taken = { where: 'email', message: 'director@studio.example is a member already' }
+    const { asked } = serve(
+      studio({
+        'POST /v1/studios/s1/invitations': refusal(409, 'already-member', taken.message, { errors: [taken] }),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/studio')
+    const card = await screen.findByRole('region', { name: 'Invite to the studio' })
+    await user.type(within(card).getByLabelText('Mail address'), 'director@studio.example')
+    await user.click(within(card).getByLabelText('Implementer'))
+    await user.click(within(card).getByRole('button', { name: 'Invite' }))
+    expect(await within(card).findByText('Director@studio.example is a member already.')).toBeInTheDocument()
+    expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({
+      email: 'director@studio.example',
+      roles: ['reviewer', 'implementer'],
+    })
+  })
+
+  test('without a mail server the links are there to copy', async () => {
+    serve(studio())
+    const user = userEvent.setup()
+    openApp('/studio')
+    await user.click(await screen.findByRole('button', { name: /^Copy link of “Shield Wing: sounds to review”/ }))
+    await expect(navigator.clipboard.readText()).resolves.toBe(MAIL.link)
+    expect(await screen.findByText('The link is copied.')).toBeInTheDocument()
+  })
+
+  test('who is no producer sees the people and nothing to change', async () => {
+    const me = { ...PRODUCER, studios: [{ ...STUDIO, roles: ['reviewer'] }] }
+    const { asked } = serve(as(me, { 'GET /v1/studios/s1/people': PEOPLE }))
+    openApp('/studio')
+    expect(await screen.findByText('Audio director')).toBeInTheDocument()
+    expect(screen.queryByRole('region', { name: 'Outbox' })).not.toBeInTheDocument()
+    expect(asked.some(({ path }) => path.endsWith('/outbox') || path.endsWith('/invitations'))).toBe(false)
+  })
+})
+
+describe('a link into a studio', () => {
+  const INVITED = {
+    studio_name: 'Shield Wing studio',
+    email: 'new@studio.example',
+    roles: ['reviewer'],
+    invited_by_name: 'Producer',
+    has_account: false,
+    expires_at: '2027-01-02T09:00:00Z',
+  }
+
+  test('makes an account of a name and a password, and signs in', async () => {
+    const server = serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/studio-invitations/s3cret': INVITED,
+      'POST /v1/studio-invitations/s3cret/accept': () => {
+        Object.assign(server.answers, as(PRODUCER))
+        return { person: { id: 'x9', name: 'Composer', email: INVITED.email }, studio: { id: 's1', name: 'x' } }
+      },
+    })
+    const user = userEvent.setup()
+    const app = openApp('/join/s3cret')
+    await screen.findByRole('heading', { name: 'Join Shield Wing studio' })
+    await user.type(screen.getByLabelText('Your name'), 'Composer')
+    await user.type(screen.getByLabelText('Password'), 'four words of music')
+    await user.click(screen.getByRole('button', { name: 'Join Shield Wing studio' }))
+    await waitFor(() => expect(app.at()).not.toBe('/join/s3cret'))
+    expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({
+      name: 'Composer',
+      password: 'four words of music',
+    })
+  })
+
+  test('one that is withdrawn says so, and what to do', async () => {
+    serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/studio-invitations/s3cret': refusal(404, 'studio-invitation-not-found', 'this invitation is not there'),
+    })
+    openApp('/join/s3cret')
+    expect(await screen.findByRole('alert')).toHaveTextContent(
+      'This invitation is not there. Ask whoever invited you for a new link.',
+    )
+  })
+})
