@@ -1,0 +1,74 @@
+import { Link } from '@tanstack/react-router'
+import type { ReactNode } from 'react'
+
+import { age, plural } from '@/ui/format'
+import { State } from '@/ui/State'
+
+import { type Build, type BuildBrief, useBuildReport } from './api'
+import classes from './Builds.module.css'
+import { OUTCOME_STATES, outcomeInWords, outcomeOf, type RefusedFile, refusedFiles, warnedFiles } from './reports'
+import { refusal } from './words'
+
+/** One build: its label, how it ended, when and what for. */
+export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {
+  const when = age(build.created_at)
+  return (
+    <div className={classes.line}>
+      <span className="strong cut-text">{build.label}</span>
+      <State kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</State>
+      <span className={`small dim ${classes.when}`}>
+        {[when === 'now' ? 'just now' : `${when} ago`, build.target, build.commit.slice(0, 8)].filter(Boolean).join(', ')}
+      </span>
+      {children}
+    </div>
+  )
+}
+
+interface BuildReasonsProps {
+  build: Build | BuildBrief
+  projectId: string
+  /** How many files are named before the rest is a number. */
+  most?: number
+}
+
+/** The files a build was refused for, with every reason; of one that passed, what it warns of. */
+export function BuildReasons({ build, projectId, most = 1000 }: BuildReasonsProps) {
+  const { data: report, error, isPending } = useBuildReport(build.id)
+  if (isPending) return <p className={`small dim ${classes.pending}`}>The report is being read.</p>
+  if (error) return <p className="small">{refusal(error).detail}</p>
+  const refused = refusedFiles(report)
+  const warned = warnedFiles(report)
+  return (
+    <>
+      <Files files={refused.slice(0, most)} tone="bad" />
+      {refused.length > most && (
+        <Link className="link small" to="/projects/$projectId/builds" params={{ projectId }}>
+          {`and ${plural(refused.length - most, 'file')} more`}
+        </Link>
+      )}
+      {refused.length < most && <Files files={warned.slice(0, most - refused.length)} tone="warn" />}
+      {refused.length + warned.length === 0 && (
+        <p className="small mid">{`${plural(build.files, 'file')} judged, all conforming.`}</p>
+      )}
+    </>
+  )
+}
+
+function Files({ files, tone }: { files: readonly RefusedFile[]; tone: 'bad' | 'warn' }) {
+  if (files.length === 0) return null
+  return (
+    <ul className={`small ${classes.files} tone-${tone}`} aria-label={tone === 'bad' ? 'Refused files' : 'Files that warn'}>
+      {files.map(({ path, reasons }) => (
+        <li key={path}>
+          <span className={`mono ${classes.path}`}>{path}</span>
+          {reasons.map(({ odd, rest }) => (
+            <p key={odd + rest}>
+              <span className="toned">{odd}</span>
+              <span className="mid">{rest}</span>
+            </p>
+          ))}
+        </li>
+      ))}
+    </ul>
+  )
+}

@@ -1,0 +1,114 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, type LinkProps } from '@tanstack/react-router'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { plural } from '@/ui/format'
+
+import { type BuildBrief, ciQuery, type Project } from './api'
+import { BuildLine, BuildReasons } from './BuildLines'
+import classes from './Builds.module.css'
+import { Refusal } from './Refusal'
+import { outcomeOf, outcomesInWords } from './reports'
+import { TokenMaker } from './Tokens'
+
+const FILES = 4
+const LINES = 4
+
+interface BuildsCardProps {
+  project: Project
+  builds: readonly BuildBrief[]
+}
+
+/** What the game's CI said of the last builds, the latest with its reasons, and what a build runs. */
+export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsCardProps) {
+  const [latest, ...earlier] = builds
+  const all = (
+    <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
+      {builds.length > 0 ? 'All' : 'Builds'}
+      <span className="visually-hidden">{builds.length > 0 ? ' builds and tokens' : ' and tokens'}</span>
+    </Link>
+  )
+  return (
+    <Card aria-labelledby="builds">
+      <CardHead
+        id="builds"
+        title="Builds"
+        note={builds.length > 1 ? `last ${builds.length}: ${outcomesInWords(builds)}` : undefined}
+        end={all}
+      />
+      {latest ? (
+        <>
+          <div className={classes.squares}>
+            <Squares builds={builds} />
+          </div>
+          <BuildLine build={latest}>
+            <div className={classes.reasons}>
+              <BuildReasons build={latest} projectId={projectId} most={FILES} />
+            </div>
+          </BuildLine>
+          {earlier.slice(0, LINES - 1).map((build) => (
+            <BuildLine key={build.id} build={build} />
+          ))}
+        </>
+      ) : (
+        <div className={classes.inside}>
+          <EmptyState head="No build has reported yet." level={3}>
+            The game’s CI checks its audio by the same spec and list. It needs a token and the lines below.
+          </EmptyState>
+        </div>
+      )}
+      <CiLines projectId={projectId} />
+      {latest && (
+        <p className={`small dim ${classes.foot}`}>
+          {`${plural(latest.files, 'file')} judged in build ${latest.label}. The rules are those of every upload.`}
+        </p>
+      )}
+      {mine.is_producer && (
+        <div className={classes.foot}>
+          <TokenMaker projectId={projectId} />
+        </div>
+      )}
+    </Card>
+  )
+}
+
+/** One square a build, the oldest first; height and colour say how it ended, and words do for those who listen. */
+function Squares({ builds }: { builds: readonly BuildBrief[] }) {
+  return (
+    <div className={classes.run} role="img" aria-label={`${plural(builds.length, 'build')}: ${outcomesInWords(builds)}`}>
+      {builds.toReversed().map((build) => (
+        <i key={build.id} data-outcome={outcomeOf(build)} title={build.label} />
+      ))}
+    </div>
+  )
+}
+
+/** The line that judges, to see; all lines, to take. */
+export function CiLines({ projectId }: { projectId: string }) {
+  const { data, error } = useQuery(ciQuery(projectId))
+  if (error) return <Refusal error={error} />
+  if (data === undefined) return null
+  const judge = data.lines.find((line) => line.startsWith('audio-checks')) ?? data.lines.join('\n')
+  const copy = async () => {
+    await navigator.clipboard.writeText(data.lines.join('\n'))
+    showToast(`${plural(data.lines.length, 'line')} for CI copied.`)
+  }
+  return (
+    <div className={classes.command}>
+      <code>{judge.replace(/ (--spec|--target|--format text|assets\/)/g, ' \\\n  $1')}</code>
+      <div className={classes.take}>
+        <Button variant="quiet" square icon="copy" aria-label="Copy all lines for CI" onClick={() => void copy()} />
+        <Link
+          className="link small"
+          to={`/projects/${projectId}/build` as LinkProps['to']}
+          aria-label={`All ${data.lines.length} lines that a build runs`}
+        >
+          {`All ${data.lines.length}`}
+        </Link>
+      </div>
+    </div>
+  )
+}

@@ -1,0 +1,84 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+
+import { type Build, projectQuery, useBuilds } from './api'
+import { BuildLine, BuildReasons } from './BuildLines'
+import classes from './Builds.module.css'
+import { CiLines } from './BuildsCard'
+import { Refusal } from './Refusal'
+import { TokensCard } from './Tokens'
+
+/** Every build that reported, and the tokens by which builds speak to us. */
+export function BuildsPage() {
+  useTitle('Builds')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/builds' })
+  const { data: project } = useQuery(projectQuery(projectId))
+  const { data, error, hasNextPage, fetchNextPage, isFetchingNextPage } = useBuilds(projectId)
+  const builds = data?.pages.flatMap(({ items }) => items)
+  return (
+    <div className="page stack">
+      <div>
+        <h1>Builds</h1>
+        <p className="mid">
+          What the game’s CI found in its own checkout, by the spec and list of{' '}
+          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+            the project
+          </Link>
+          .
+        </p>
+      </div>
+      <Refusal error={error} />
+      <div className="columns">
+        <Card aria-labelledby="all-builds">
+          <CardHead id="all-builds" title="Builds" note="the newest first" />
+          {builds?.length === 0 && (
+            <div className={classes.inside}>
+              <EmptyState head="No build has reported yet." level={3}>
+                Make a token, put it into the CI’s secrets, and add the lines to the build.
+              </EmptyState>
+            </div>
+          )}
+          {builds?.map((build, index) => (
+            <OneBuild key={build.id} build={build} projectId={projectId} opened={index === 0} />
+          ))}
+          {hasNextPage && (
+            <div className={classes.inside}>
+              <Button aria-busy={isFetchingNextPage} onClick={() => void fetchNextPage()}>
+                Earlier builds
+              </Button>
+            </div>
+          )}
+        </Card>
+        <div className="stack">
+          {project?.mine.is_producer && <TokensCard projectId={projectId} />}
+          <Card aria-labelledby="runs">
+            <CardHead id="runs" title="What a build runs" />
+            <CiLines projectId={projectId} />
+          </Card>
+        </div>
+      </div>
+    </div>
+  )
+}
+
+function OneBuild({ build, projectId, opened }: { build: Build; projectId: string; opened: boolean }) {
+  const [open, setOpen] = useState(opened)
+  return (
+    <details open={open} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary className={classes.summary}>
+        <BuildLine build={build} />
+      </summary>
+      {open && (
+        <div className={classes.opened}>
+          <BuildReasons build={build} projectId={projectId} />
+        </div>
+      )}
+    </details>
+  )
+}

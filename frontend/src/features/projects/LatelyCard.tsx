@@ -1,0 +1,63 @@
+import { Card, CardHead } from '@/ui/Card'
+import { age } from '@/ui/format'
+import { Icon, type IconName } from '@/ui/Icon'
+import type { Tone } from '@/ui/State'
+
+import type { Happening } from './api'
+import classes from './Project.module.css'
+import { sentence } from './words'
+
+const SIGNS: Record<Happening['kind'], { icon: IconName; tone: Tone }> = {
+  delivery: { icon: 'upload', tone: 'idle' },
+  build: { icon: 'box', tone: 'idle' },
+  returned: { icon: 'back', tone: 'bad' },
+  approved: { icon: 'tick', tone: 'ok' },
+  changes: { icon: 'pencil', tone: 'change' },
+  cut: { icon: 'struckRing', tone: 'idle' },
+  question: { icon: 'question', tone: 'warn' },
+  answer: { icon: 'comment', tone: 'idle' },
+}
+const SHOWN = 10
+// What these say names its subject itself.
+const SPEAKS_FOR_ITSELF = new Set<Happening['kind']>(['build', 'returned'])
+
+/** The same said again, as when a set is approved sound by sound, is said once. */
+function once(happened: readonly Happening[]): (Happening & { times: number })[] {
+  const told: (Happening & { times: number })[] = []
+  for (const one of happened) {
+    const last = told.at(-1)
+    if (last && last.kind === one.kind && last.who === one.who && last.text === one.text) last.times += 1
+    else told.push({ ...one, times: 1 })
+  }
+  return told
+}
+
+const said = ({ kind, who, text, times }: Happening & { times: number }) => {
+  const words = sentence(SPEAKS_FOR_ITSELF.has(kind) ? text : `${who} ${text}`).replace(/\.$/, '')
+  return times > 1 ? `${words}, ${times} files` : words
+}
+
+/** What happened last, the newest first. */
+export function LatelyCard({ happened }: { happened: readonly Happening[] }) {
+  const told = once(happened).slice(0, SHOWN)
+  return (
+    <Card aria-labelledby="lately" className={classes.lately}>
+      <CardHead id="lately" title="Lately" />
+      {told.length === 0 && <p className={`mid ${classes.quiet}`}>Nothing has happened yet.</p>}
+      <ul>
+        {told.map((one) => {
+          const { icon, tone } = one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
+          return (
+            <li key={`${one.at} ${one.text}`} className={`small ${classes.act}`}>
+              <span className="dim">{age(one.at)}</span>
+              <span className={`tone-${tone} ${classes.sign}`}>
+                <Icon name={icon} />
+              </span>
+              <span className="mid">{said(one)}</span>
+            </li>
+          )
+        })}
+      </ul>
+    </Card>
+  )
+}

@@ -1,0 +1,106 @@
+import { Checkbox } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { bytes, countOf, plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import { keyUrl, type Pack, packsQuery, packUrl } from './api'
+import classes from './Project.module.css'
+import { Refusal } from './Refusal'
+import { sentence } from './words'
+
+/** The accepted sounds as the game takes them, for each target. */
+export function PackCard({ projectId }: { projectId: string }) {
+  const { data: packs, error } = useQuery(packsQuery(projectId))
+  const [masters, setMasters] = useState(false)
+  const first = packs?.[0]
+  const nothing = first !== undefined && first.cues_accepted === 0
+  const noTarget = error instanceof ApiProblem && error.code === 'target-unknown'
+  return (
+    <Card aria-labelledby="pack">
+      <CardHead
+        id="pack"
+        title="Approved pack"
+        end={first && !nothing && `${countOf(first.cues_accepted, first.cues_wanted)} cues`}
+      />
+      {noTarget ? (
+        <p className={`mid ${classes.quiet}`}>The spec names no target, so no game file is made. Add one to the spec.</p>
+      ) : (
+        <Refusal error={error} />
+      )}
+      {nothing && (
+        <div className={classes.inside}>
+          <EmptyState head="Nothing is accepted yet." level={3}>
+            The first approved sound makes the pack: game files by name, with a documentation key.
+          </EmptyState>
+        </div>
+      )}
+      {!nothing && (
+        <ul>
+          {packs?.map((pack) => (
+            <PackLine key={pack.target} pack={pack} projectId={projectId} masters={masters} />
+          ))}
+        </ul>
+      )}
+      {first && !nothing && (
+        <div className={classes.withMasters}>
+          <Checkbox
+            checked={masters}
+            onChange={({ currentTarget }) => setMasters(currentTarget.checked)}
+            label={`With masters, ${bytes(first.masters_bytes)} more`}
+          />
+        </div>
+      )}
+    </Card>
+  )
+}
+
+function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string; masters: boolean }) {
+  const { target, files, bytes: size, missing } = pack
+  return (
+    <li className={classes.pack}>
+      <div className="row">
+        <p className="grow">
+          <span className="strong">{target}</span>{' '}
+          <span className="mid">{`${plural(files, 'file')}, ${bytes(size)}`}</span>
+        </p>
+        <ButtonLink
+          href={packUrl(projectId, target, { masters, allowMissing: missing.length > 0 })}
+          download
+          aria-label={`Download ${target}${missing.length > 0 ? ` without ${plural(missing.length, 'missing file')}` : ''}`}
+        >
+          Download
+        </ButtonLink>
+      </div>
+      <p className="row small mid wrap">
+        Documentation key
+        <a className="link" href={keyUrl(projectId, target, 'csv')} download aria-label={`Documentation key of ${target} as CSV`}>
+          CSV
+        </a>
+        <a className="link" href={keyUrl(projectId, target, 'xlsx')} download aria-label={`Documentation key of ${target} as XLSX`}>
+          XLSX
+        </a>
+      </p>
+      {missing.length > 0 && (
+        <details className="small">
+          <summary className={`row tone-warn ${classes.missing}`}>
+            <Icon name="triangle" />
+            <span className="toned">{`${plural(missing.length, 'accepted file')} missing`}</span>
+          </summary>
+          <ul>
+            {missing.map(({ file_name, label, reason }) => (
+              <li key={file_name} className="mid">
+                <span className="mono">{file_name}</span> {`(${label}): ${sentence(reason)}`}
+              </li>
+            ))}
+          </ul>
+        </details>
+      )}
+    </li>
+  )
+}

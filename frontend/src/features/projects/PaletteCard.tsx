@@ -1,0 +1,128 @@
+import { Link, type LinkProps } from '@tanstack/react-router'
+import { useEffect, useRef, useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { usePlayer, WaveThumb } from '@/audio'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { level } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import type { PaletteSound } from './api'
+import classes from './Palette.module.css'
+
+type Peaks = React.ComponentProps<typeof WaveThumb>['peaks']
+
+interface PaletteCardProps {
+  projectId: string
+  palette: readonly PaletteSound[]
+  /** How many cues the list has. */
+  cues: number
+}
+
+/** The sounds that set the tone, each to hear alone or all of them one after another. */
+export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
+  const { playing, goesOn, error, play, stop } = useOneAfterAnother(palette)
+  const heard = palette.filter(({ preview_url }) => preview_url !== null)
+  const all = () => (goesOn ? stop() : play(heard[0]?.cue.id, true))
+  useHotkeys([{ keys: 'Space', label: 'Play the palette, pause', group: 'Project', run: all, disabled: heard.length === 0 }])
+  if (cues === 0) return null
+  const list = `/projects/${projectId}/sound-list`
+  return (
+    <Card aria-labelledby="palette">
+      <CardHead
+        id="palette"
+        title="Palette"
+        note="what every new sound is held against"
+        end={
+          heard.length > 0 && (
+            <Button variant="quiet" icon={goesOn ? 'pause' : 'play'} keys="Space" onClick={all}>
+              {goesOn ? 'Pause' : 'Play all'}
+            </Button>
+          )
+        }
+      />
+      {palette.length === 0 && (
+        <div className={classes.empty}>
+          <EmptyState
+            head="No sound sets the tone yet."
+            level={3}
+            action={
+              <Link className="link" to={list as LinkProps['to']}>
+                Sound list
+              </Link>
+            }
+          >
+            Mark the first few cues of the list as the palette. Once delivered, they stand here, and new sounds are
+            heard beside them.
+          </EmptyState>
+        </div>
+      )}
+      <ul className={classes.sounds}>
+        {palette.map(({ cue, thumb, loudness_lufs, preview_url }) => (
+          <li key={cue.id} className={classes.sound} data-playing={playing === cue.id || undefined}>
+            <Link className={`strong cut-text ${classes.name}`} to={`${list}/cues/${cue.id}` as LinkProps['to']}>
+              {cue.name}
+            </Link>
+            <button
+              type="button"
+              className={classes.play}
+              aria-label={playing === cue.id ? `Pause ${cue.name}` : `Play ${cue.name}`}
+              disabled={preview_url === null}
+              onClick={() => (playing === cue.id ? stop() : play(cue.id, false))}
+            >
+              <WaveThumb peaks={thumb as Peaks} lit heightPx={44} />
+            </button>
+            <p className="row small dim between">
+              {loudness_lufs === null ? 'too short to measure' : level(loudness_lufs, 'LUFS')}
+              {playing === cue.id && <Icon name="play" />}
+            </p>
+          </li>
+        ))}
+      </ul>
+      {error !== null && (
+        <p role="alert" className={`small ${classes.error}`}>
+          {error}
+        </p>
+      )}
+    </Card>
+  )
+}
+
+function useOneAfterAnother(palette: readonly PaletteSound[]) {
+  const [player, { status, sourceId, error }] = usePlayer()
+  const [goesOn, setGoesOn] = useState(false)
+  const before = useRef(status)
+
+  const play = (id: string | undefined, onwards: boolean) => {
+    const sound = palette.find(({ cue }) => cue.id === id)
+    if (!sound?.preview_url) return
+    setGoesOn(onwards)
+    player.pause()
+    void player.select({ id: sound.cue.id, url: sound.preview_url })
+    void player.play(0)
+  }
+  const stop = () => {
+    setGoesOn(false)
+    player.pause()
+  }
+  const next = useRef(play)
+  next.current = (_, onwards) => {
+    const heard = palette.filter(({ preview_url }) => preview_url !== null)
+    const at = heard.findIndex(({ cue }) => cue.id === sourceId)
+    const after = heard[at + 1]
+    if (after && onwards) play(after.cue.id, true)
+    else setGoesOn(false)
+  }
+
+  // A sound that was not stopped has ended.
+  useEffect(() => {
+    const ended = before.current === 'playing' && status === 'paused'
+    before.current = status
+    if (ended && goesOn) next.current(undefined, true)
+  }, [status, goesOn])
+
+  const sounds = status === 'playing' || status === 'loading'
+  return { playing: sounds ? sourceId : null, goesOn: goesOn && sounds, error, play, stop }
+}

@@ -1,0 +1,162 @@
+import { Textarea, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card } from '@/ui/Card'
+import { Face } from '@/ui/Face'
+import { plural } from '@/ui/format'
+
+import { membersQuery, type Project, useChangeProject } from './api'
+import classes from './Project.module.css'
+import { Refusal } from './Refusal'
+import { against, KIND_WORDS } from './words'
+
+interface Someone {
+  id: string
+  name: string
+  part: string
+}
+
+/** Those who run, decide and make, in this order; the rest of the studio is a number. */
+function usePeople(project: Project): Someone[] {
+  const { data: members } = useQuery({ ...membersQuery(project.studio.id), enabled: project.mine.is_team })
+  const { decider } = project
+  const designers = project.engagements.filter(({ ended_at }) => ended_at === null)
+  const producers = (members ?? []).filter(({ roles, person }) => roles.includes('producer') && person.id !== decider.id)
+  return [
+    { ...decider, part: `${decider.name}, decides` },
+    ...producers.map(({ person: { id, name } }) => ({
+      id,
+      name,
+      part: /producer/i.test(name) ? name : `${name}, producer`,
+    })),
+    ...designers.map(({ designer: { id, name }, kind }) => ({ id, name, part: `${name}, ${KIND_WORDS[kind]}` })),
+  ]
+}
+
+interface ProjectHeadProps {
+  project: Project
+  /** How many members the studio has. */
+  members?: number
+}
+
+export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
+  const people = usePeople(project)
+  const [changing, setChanging] = useState(false)
+  const designers = project.engagements.filter(({ ended_at }) => ended_at === null).length
+  const others = members - (people.length - designers)
+  const { mine, id: projectId } = project
+  if (changing) return <ChangeProject project={project} onDone={() => setChanging(false)} />
+  return (
+    <div className={classes.head}>
+      <div>
+        <h1>{project.name}</h1>
+        <p className="mid">
+          {project.description || (mine.is_producer ? 'No description yet: what game is it, where is it heard?' : '')}
+          {mine.is_producer && (
+            <>
+              {' '}
+              <button type="button" className={`link small ${classes.inline}`} onClick={() => setChanging(true)}>
+                Change<span className="visually-hidden"> name, prefix and description</span>
+              </button>
+            </>
+          )}
+        </p>
+      </div>
+      <div className={`${classes.people} small mid`}>
+        <ul>
+          {people.map(({ id, name, part }) => (
+            <li key={id}>
+              <Face name={name} />
+              {part}
+            </li>
+          ))}
+          {mine.is_team && others > 0 && <li className="wide-only">{`+ ${plural(others, 'other')} of the team`}</li>}
+        </ul>
+        {mine.is_team && (
+          <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
+            People
+          </Link>
+        )}
+      </div>
+      {project.archived_at !== null && (
+        <p className={classes.away}>This project is put away. It can be read; it stands on no list of running ones.</p>
+      )}
+    </div>
+  )
+}
+
+/** What a project is called, in place of its head. */
+function ChangeProject({ project, onDone }: { project: Project; onDone: () => void }) {
+  const change = useChangeProject(project.id)
+  const send = (event: FormEvent<HTMLFormElement>) => {
+    event.preventDefault()
+    const data = new FormData(event.currentTarget)
+    const said = (name: string) => {
+      const value = data.get(name)
+      return typeof value === 'string' ? value : ''
+    }
+    change.mutate(
+      { name: said('name'), description: said('description'), cue_prefix: said('cue_prefix') },
+      {
+        onSuccess: ({ name }) => {
+          showToast(`${name} is changed.`, () => void change.mutate(named(project)))
+          onDone()
+        },
+      },
+    )
+  }
+  const putAway = (archived: boolean) =>
+    change.mutate(
+      { archived },
+      {
+        onSuccess: ({ name }) => {
+          showToast(archived ? `${name} is put away.` : `${name} runs again.`, () =>
+            void change.mutate({ archived: !archived }),
+          )
+          onDone()
+        },
+      },
+    )
+  const isAway = project.archived_at !== null
+  return (
+    <Card className={classes.change}>
+      <h1 className="visually-hidden">{project.name}</h1>
+      <form onSubmit={send} noValidate aria-label="What the project is called">
+        <TextInput name="name" label="Name" defaultValue={project.name} error={against(change.error, 'name')} />
+        <TextInput
+          name="cue_prefix"
+          label="Prefix of cue numbers"
+          defaultValue={project.cue_prefix}
+          error={against(change.error, 'cue_prefix')}
+        />
+        <Textarea
+          className={classes.whole}
+          name="description"
+          label="Description: what game, heard where"
+          autosize
+          minRows={2}
+          defaultValue={project.description}
+          error={against(change.error, 'description')}
+        />
+        <div className={`row wrap ${classes.whole}`}>
+          <Button type="submit" variant="primary" aria-busy={change.isPending}>
+            Save
+          </Button>
+          <Button variant="quiet" onClick={onDone}>
+            Keep as it is
+          </Button>
+          <Button variant="quiet" className="end" onClick={() => putAway(!isAway)}>
+            {isAway ? 'Take up again' : 'Put away'}
+          </Button>
+        </div>
+      </form>
+      <Refusal error={change.error} />
+    </Card>
+  )
+}
+
+const named = ({ name, description, cue_prefix }: Project) => ({ name, description, cue_prefix })

@@ -1,0 +1,83 @@
+import { useQuery } from '@tanstack/react-query'
+import { useNavigate, useParams } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { useCommands } from '@/app/palette'
+import { NotFoundPage } from '@/app/NotFoundPage'
+import { useTitle } from '@/app/title'
+
+import { overviewQuery, projectQuery } from './api'
+import { BuildsCard } from './BuildsCard'
+import { LatelyCard } from './LatelyCard'
+import { PackCard } from './PackCard'
+import { PaletteCard } from './PaletteCard'
+import classes from './Project.module.css'
+import { ProjectHead } from './ProjectHead'
+import { Refusal } from './Refusal'
+import { SpecCard } from './spec/SpecCard'
+import { StepsCard } from './StepsCard'
+import { speaks } from './words'
+
+/** A project at one glance: where every cue stands, what a file must be, what the builds said, what can be fetched. */
+export function ProjectPage() {
+  useTitle('Project')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId' })
+  const { data: project, error } = useQuery(projectQuery(projectId))
+  const { data: overview, error: noOverview } = useQuery(overviewQuery(projectId))
+  const navigate = useNavigate()
+  const maySpeak = project !== undefined && speaks(project)
+  const isTeam = project?.mine.is_team ?? false
+  const openSpec = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
+  useHotkeys(maySpeak ? [{ keys: 'e', label: 'Change the delivery spec', group: 'Project', run: openSpec }] : [])
+  useCommands([
+    ...(maySpeak
+      ? [{ id: 'spec', label: 'Change the delivery spec', icon: 'pencil' as const, keys: 'e', run: openSpec }]
+      : []),
+    ...(isTeam
+      ? [
+          {
+            id: 'people',
+            label: 'People and invitations',
+            icon: 'people' as const,
+            also: ['invite a designer', 'approver', 'liaison'],
+            run: () => void navigate({ to: '/projects/$projectId/people', params: { projectId } }),
+          },
+          {
+            id: 'builds',
+            label: 'Builds and tokens',
+            icon: 'box' as const,
+            also: ['CI', 'key'],
+            run: () => void navigate({ to: '/projects/$projectId/builds', params: { projectId } }),
+          },
+        ]
+      : []),
+    {
+      id: 'spec-versions',
+      label: 'Versions of the delivery spec',
+      icon: 'file' as const,
+      run: () => void navigate({ to: '/projects/$projectId/spec/versions', params: { projectId }, search: {} }),
+    },
+  ])
+  if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
+  return (
+    <div className="page">
+      {project ? <ProjectHead project={project} members={overview?.reviewers} /> : <h1>Project</h1>}
+      <Refusal error={error ?? noOverview} />
+      {project && overview && (
+        <div className={`columns ${classes.columns}`}>
+          <div className="stack">
+            <StepsCard project={project} overview={overview} />
+            <SpecCard project={project} />
+            <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.steps.length} />
+          </div>
+          <aside className="stack" aria-label="Builds, pack and what happened">
+            {isTeam && <BuildsCard project={project} builds={overview.builds} />}
+            {isTeam && <PackCard projectId={projectId} />}
+            <LatelyCard happened={overview.lately} />
+          </aside>
+        </div>
+      )}
+    </div>
+  )
+}

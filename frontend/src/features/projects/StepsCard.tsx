@@ -1,0 +1,128 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, type LinkProps } from '@tanstack/react-router'
+
+import { ButtonLink } from '@/ui/Button'
+import { Card } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { figure, plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { State, STATES } from '@/ui/State'
+
+import { invitationsQuery, type Overview, type Project, type Step } from './api'
+import classes from './Steps.module.css'
+import { groupsOf, standInWords, type Status, STATUSES } from './steps'
+import { speaks } from './words'
+
+interface StepsCardProps {
+  project: Project
+  overview: Overview
+}
+
+/** One cell a cue with the state it is in, the palette first. */
+export function StepsCard({ project, overview: { steps, counts } }: StepsCardProps) {
+  if (steps.length === 0) return <NothingAsked project={project} />
+  const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
+  return (
+    <Card className={classes.card} aria-labelledby="steps">
+      <div className={classes.head}>
+        <h2 id="steps">{plural(steps.length, 'cue')}</h2>
+        <p className="small mid">{standInWords(counts)}</p>
+      </div>
+      <div className={classes.steps}>
+        {groupsOf(steps).map((group) => (
+          <div key={group.title} style={{ flexGrow: group.steps.length }} className={classes.group}>
+            <ul className={classes.cells} aria-label={group.title}>
+              {group.steps.map((step) => (
+                <Cell key={step.cue.id} step={step} project={project} />
+              ))}
+            </ul>
+            <p className="row small between">
+              <span className="strong">{group.title}</span>
+              <span className="mid nowrap">{`${group.accepted} of ${group.wanted} accepted`}</span>
+            </p>
+          </div>
+        ))}
+      </div>
+      <ul className={classes.legend} aria-label="How many stand where">
+        {statuses.map((status) => (
+          <li key={status}>
+            <State kind={STATUSES[status].kind}>
+              {STATUSES[status].word} <span className={classes.count}>{figure(counts[status] ?? 0)}</span>
+            </State>
+          </li>
+        ))}
+      </ul>
+      {speaks(project) && <NobodyMakes project={project} />}
+    </Card>
+  )
+}
+
+function Cell({ step: { cue, status }, project }: { step: Step; project: Project }) {
+  const { kind, word } = STATUSES[status]
+  const { tone, icon } = STATES[kind]
+  const says = `${cue.label} ${cue.name}: ${word}`
+  // Other parts of the work stand there, so the address is not known by type.
+  const to = (
+    status === 'to_review' && project.mine.is_team
+      ? `/projects/${project.id}/review/${cue.id}`
+      : `/projects/${project.id}/sound-list/cues/${cue.id}`
+  ) as LinkProps['to']
+  return (
+    <li>
+      <Link to={to} className={`${classes.cell} tone-${tone}`} data-status={status} title={says} aria-label={says}>
+        <Icon name={icon} />
+      </Link>
+    </li>
+  )
+}
+
+/** A list without anybody who works on it. */
+function NobodyMakes({ project }: { project: Project }) {
+  const engaged = project.engagements.some(({ ended_at }) => ended_at === null)
+  const { data: invitations } = useQuery({ ...invitationsQuery(project.id), enabled: !engaged })
+  if (engaged || invitations === undefined) return null
+  const open = invitations.filter(({ accepted_at }) => accepted_at === null)
+  return (
+    <p className={`row small ${classes.next}`}>
+      <Icon name="people" />
+      {open.length === 0
+        ? 'Nobody makes these sounds yet.'
+        : `${plural(open.length, 'invitation')} not accepted yet: ${open.map(({ email }) => email).join(', ')}.`}
+      <Link className="link end" to="/projects/$projectId/people" params={{ projectId: project.id }}>
+        {open.length === 0 ? 'Invite a designer' : 'People'}
+      </Link>
+    </p>
+  )
+}
+
+function NothingAsked({ project }: { project: Project }) {
+  const list = `/projects/${project.id}/sound-list`
+  if (!project.mine.is_team) {
+    return (
+      <EmptyState head="Nothing is asked yet.">
+        The studio has not posted its sound list. You get a mail when the first cues stand on it.
+      </EmptyState>
+    )
+  }
+  return (
+    <EmptyState
+      head="Nothing is asked yet."
+      action={
+        <>
+          <ButtonLink component={Link} variant="primary" to={`${list}/import`}>
+            Import the list
+          </ButtonLink>
+          <ButtonLink component={Link} to={list}>
+            Write it here
+          </ButtonLink>
+          <Link className="link" to="/projects/$projectId/people" params={{ projectId: project.id }}>
+            Invite a designer
+          </Link>
+        </>
+      }
+    >
+      First post the sound list, from your table or line by line. Then invite a designer: the link shows the list and
+      the delivery spec at once.
+    </EmptyState>
+  )
+}

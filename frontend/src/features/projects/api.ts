@@ -1,0 +1,373 @@
+import { keepPreviousData, queryOptions, useInfiniteQuery, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { meQuery } from '@/judging/api'
+
+type Schemas = components['schemas']
+export type Project = Schemas['ProjectRead']
+export type Overview = Schemas['Overview']
+export type Step = Schemas['Step']
+export type PaletteSound = Schemas['PaletteSound']
+export type Happening = Schemas['Happening']
+export type Build = Schemas['BuildSummary']
+export type BuildBrief = Schemas['BuildBrief']
+export type Pack = Schemas['PackRead']
+export type Token = Schemas['TokenRead']
+export type TokenMade = Schemas['TokenMade']
+export type Scope = Schemas['Scope']
+export type Spec = Schemas['SpecRead']
+export type SpecBrief = Schemas['SpecBrief']
+export type SpecTried = Schemas['SpecTried']
+export type Member = Schemas['MemberRead']
+export type Engagement = Schemas['EngagementRead']
+export type EngagementKind = Schemas['EngagementKind']
+export type Invitation = Schemas['InvitationRead']
+export type DeciderChange = Schemas['DeciderChangeRead']
+export type Cue = Schemas['CueRead']
+
+/** A report of a build, as far as a page shows it. */
+export interface BuildReport {
+  spec?: { name: string; sha256: string } | null
+  files: ReportFile[]
+}
+export interface ReportFile {
+  path: string
+  verdict: 'conforming' | 'rejected' | 'unreadable' | 'unjudged'
+  findings: { code: string; severity: 'error' | 'warning'; message: string; fix?: string | null; waived?: boolean }[]
+}
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+
+const keys = {
+  projects: (archived: boolean) => ['projects', { archived }] as const,
+  project: (projectId: string) => ['project', projectId] as const,
+  overview: (projectId: string) => ['overview', projectId] as const,
+  spec: (projectId: string) => ['spec', projectId] as const,
+  versions: (projectId: string) => ['spec-versions', projectId] as const,
+  builds: (projectId: string) => ['builds', projectId] as const,
+  tokens: (projectId: string) => ['tokens', projectId] as const,
+  packs: (projectId: string) => ['packs', projectId] as const,
+  invitations: (projectId: string) => ['project-invitations', projectId] as const,
+  deciders: (projectId: string) => ['deciders', projectId] as const,
+}
+
+// Projects
+
+export const useProjects = (archived: boolean) =>
+  useInfiniteQuery({
+    queryKey: keys.projects(archived),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(api.GET('/v1/projects', { params: { query: { cursor, archived } } })),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+
+export const projectQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.project(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
+  })
+
+export const overviewQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.overview(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/overview', inProject(projectId))),
+  })
+
+/** The cues of the list, for what stands beside their names: category and file names. */
+export const cuesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['sound-list', projectId, 'of the project'],
+    queryFn: async () => (await answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId)))).cues,
+  })
+
+export function useOpenProject() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['ProjectAdd']) => answered(api.POST('/v1/projects', { body })),
+    onSuccess: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: meQuery.queryKey }),
+        client.invalidateQueries({ queryKey: ['projects'] }),
+      ]),
+  })
+}
+
+export function useChangeProject(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['ProjectChange']) =>
+      answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body })),
+    onSuccess: (project) => {
+      client.setQueryData(keys.project(projectId), project)
+      return Promise.all([
+        client.invalidateQueries({ queryKey: meQuery.queryKey }),
+        client.invalidateQueries({ queryKey: ['projects'] }),
+        client.invalidateQueries({ queryKey: keys.overview(projectId) }),
+      ])
+    },
+  })
+}
+
+// Spec
+
+export const specQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.spec(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId))),
+  })
+
+export const specVersionQuery = (projectId: string, version: number) =>
+  queryOptions({
+    queryKey: ['spec-version', projectId, version],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/spec/versions/{version}', {
+          params: { path: { project_id: projectId, version } },
+        }),
+      ),
+    staleTime: Infinity,
+  })
+
+export const useSpecVersions = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: keys.versions(projectId),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/spec/versions', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+
+/** A spec as it is being written: its text, or the tables of the form. */
+export type Written = { toml: string } | { tables: Record<string, unknown> }
+
+/** What a text or a form's tables come to; nothing is saved. */
+export const useSpecTry = (projectId: string, written: Written, enabled: boolean) =>
+  useQuery({
+    queryKey: ['spec-try', projectId, written],
+    queryFn: () => answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
+    enabled,
+    placeholderData: keepPreviousData,
+    staleTime: Infinity,
+    gcTime: 60_000,
+  })
+
+export type SpecToSave = Written & { note: string; based_on_version: number }
+
+export function useSaveSpec(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: SpecToSave) =>
+      'toml' in body
+        ? answered(api.PUT('/v1/projects/{project_id}/spec', { ...inProject(projectId), body }))
+        : answered(api.POST('/v1/projects/{project_id}/spec/form', { ...inProject(projectId), body })),
+    onSuccess: (spec) => {
+      client.setQueryData(keys.spec(projectId), spec)
+      return Promise.all(
+        [
+          keys.versions(projectId),
+          keys.project(projectId),
+          keys.overview(projectId),
+          keys.packs(projectId),
+          ['accepted-kinds', projectId],
+        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      )
+    },
+  })
+}
+
+// Builds, tokens, packs
+
+export const useBuilds = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: keys.builds(projectId),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/builds', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+
+export const useBuildReport = (buildId: string) =>
+  useQuery({
+    queryKey: ['build', buildId],
+    queryFn: async () => {
+      const { report } = await answered(api.GET('/v1/builds/{build_id}', { params: { path: { build_id: buildId } } }))
+      return report as unknown as BuildReport
+    },
+    staleTime: Infinity,
+  })
+
+export const ciQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['ci', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', inProject(projectId))),
+  })
+
+export const useTokens = (projectId: string, enabled: boolean) =>
+  useQuery({
+    queryKey: keys.tokens(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/tokens', inProject(projectId))),
+    enabled,
+  })
+
+export function useMakeToken(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['TokenAdd']) =>
+      answered(api.POST('/v1/projects/{project_id}/tokens', { ...inProject(projectId), body })),
+    onSuccess: () => client.invalidateQueries({ queryKey: keys.tokens(projectId) }),
+  })
+}
+
+export function useRevokeToken(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (tokenId: string) =>
+      answered(
+        api.DELETE('/v1/projects/{project_id}/tokens/{token_id}', {
+          params: { path: { project_id: projectId, token_id: tokenId } },
+        }),
+      ),
+    onSettled: () => client.invalidateQueries({ queryKey: keys.tokens(projectId) }),
+  })
+}
+
+/** The approved pack of every target, in the order of the spec. */
+export const packsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.packs(projectId),
+    queryFn: async (): Promise<Pack[]> => {
+      const read = (target?: string) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/pack', { params: { path: { project_id: projectId }, query: { target } } }),
+        )
+      const first = await read()
+      return [first, ...(await Promise.all(first.targets.slice(1).map(read)))]
+    },
+  })
+
+const versioned = (projectId: string, file: string, query: Record<string, string>) =>
+  `/v1/projects/${projectId}/${file}?${new URLSearchParams(query).toString()}`
+
+/** Where a browser fetches a pack, and what says what its files are. */
+export const packUrl = (projectId: string, target: string, how: { masters: boolean; allowMissing: boolean }): string =>
+  versioned(projectId, 'pack.zip', {
+    target,
+    ...(how.masters ? { masters: 'true' } : {}),
+    ...(how.allowMissing ? { allow_missing: 'true' } : {}),
+  })
+export const keyUrl = (projectId: string, target: string, kind: 'csv' | 'xlsx'): string =>
+  versioned(projectId, `documentation-key.${kind}`, { target })
+
+// People
+
+export const membersQuery = (studioId: string) =>
+  queryOptions({
+    queryKey: ['studio-people', studioId],
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', { params: { path: { studio_id: studioId } } })),
+  })
+
+/** The newest link that was written to each address and not sent: what to copy where no mail leaves. */
+export const useInvitationLinks = (studioId: string, enabled: boolean) =>
+  useQuery({
+    queryKey: ['outbox', studioId],
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', { params: { path: { studio_id: studioId } } })),
+    enabled,
+    select: ({ can_send, mails }) => {
+      const links = new Map<string, string>()
+      for (const { recipient, link, sent_at } of mails) {
+        if (link?.includes('/invitation/') && sent_at === null && !links.has(recipient)) links.set(recipient, link)
+      }
+      return { canSend: can_send, links }
+    },
+  })
+
+function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Promise<Project>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSuccess: (project) => client.setQueryData(keys.project(projectId), project),
+    onSettled: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: meQuery.queryKey }),
+        client.invalidateQueries({ queryKey: keys.deciders(projectId) }),
+      ]),
+  })
+}
+
+export const useSetLiaison = (projectId: string) =>
+  useProjectChange(projectId, ({ personId, speaks }: { personId: string; speaks: boolean }) => {
+    const where = { params: { path: { project_id: projectId, person_id: personId } } }
+    const path = '/v1/projects/{project_id}/liaisons/{person_id}'
+    return answered(speaks ? api.PUT(path, where) : api.DELETE(path, where))
+  })
+
+export const useNameDecider = (projectId: string) =>
+  useProjectChange(projectId, (body: Schemas['DeciderAdd']) =>
+    answered(api.PUT('/v1/projects/{project_id}/decider', { ...inProject(projectId), body })),
+  )
+
+export const deciderHistoryQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.deciders(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/decider-history', inProject(projectId))),
+  })
+
+export const invitationsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.invitations(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/invitations', inProject(projectId))),
+  })
+
+export function useInviteDesigner(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['InvitationAdd']) =>
+      answered(api.POST('/v1/projects/{project_id}/invitations', { ...inProject(projectId), body })),
+    onSuccess: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
+        client.invalidateQueries({ queryKey: ['outbox'] }),
+      ]),
+  })
+}
+
+export function useRevokeInvitation(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (invitationId: string) =>
+      answered(
+        api.DELETE('/v1/projects/{project_id}/invitations/{invitation_id}', {
+          params: { path: { project_id: projectId, invitation_id: invitationId } },
+        }),
+      ),
+    onSettled: () => client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
+  })
+}
+
+export function useChangeEngagement(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ id, ...body }: { id: string } & Schemas['EngagementChange']) =>
+      answered(
+        api.PATCH('/v1/projects/{project_id}/engagements/{engagement_id}', {
+          params: { path: { project_id: projectId, engagement_id: id } },
+          body,
+        }),
+      ),
+    onSettled: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: keys.project(projectId) }),
+        client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
+      ]),
+  })
+}

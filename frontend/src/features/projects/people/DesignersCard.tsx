@@ -1,0 +1,242 @@
+import { Select, Textarea, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { Face } from '@/ui/Face'
+import { age, dueDay, shortDay } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import {
+  type Engagement,
+  type EngagementKind,
+  type Invitation,
+  invitationsQuery,
+  type Project,
+  useChangeEngagement,
+  useInvitationLinks,
+  useInviteDesigner,
+  useRevokeInvitation,
+} from '../api'
+import { Refusal } from '../Refusal'
+import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
+import classes from './People.module.css'
+
+const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
+const isKind = (value: string | null): value is EngagementKind => KINDS.some((kind) => kind === value)
+
+/** Who makes the sounds, who is asked to, and asking another. */
+export function DesignersCard({ project }: { project: Project }) {
+  const { data: invitations, error } = useQuery(invitationsQuery(project.id))
+  const open = invitations?.filter(({ accepted_at }) => accepted_at === null) ?? []
+  const may = speaks(project)
+  const nobody = project.engagements.length === 0 && invitations?.length === 0
+  return (
+    <Card aria-labelledby="designers">
+      <CardHead id="designers" title="Designers" note="make the sounds and deliver them" />
+      {nobody && (
+        <div className={classes.empty}>
+          <EmptyState head="Nobody makes the sounds yet." level={3}>
+            An invitation by mail shows the sound list and the delivery spec at once, before any account.
+          </EmptyState>
+        </div>
+      )}
+      <Rows aria-label="Designers">
+        {project.engagements.map((engagement) => (
+          <Designer key={engagement.id} engagement={engagement} project={project} />
+        ))}
+      </Rows>
+      <Refusal error={error} />
+      {open.length > 0 && <Invitations project={project} open={open} />}
+      {may && <Invite project={project} first={nobody} />}
+    </Card>
+  )
+}
+
+function Designer({ engagement, project }: { engagement: Engagement; project: Project }) {
+  const { id, designer, kind, created_at, ended_at } = engagement
+  const change = useChangeEngagement(project.id)
+  const ended = ended_at !== null
+  const setEnded = (end: boolean) =>
+    change.mutate(
+      { id, ended: end },
+      {
+        onSuccess: () =>
+          showToast(
+            end ? `${designer.name} delivers no longer; what was delivered stays.` : `${designer.name} delivers again.`,
+            () => change.mutate({ id, ended: !end }),
+          ),
+      },
+    )
+  return (
+    <>
+      <Row className={classes.person}>
+        <Face name={designer.name} />
+        <div className="grow">
+          <p className={ended ? 'struck' : 'strong'}>{designer.name}</p>
+          <p className="small mid">
+            {ended
+              ? `${KIND_WORDS[kind]}, ${shortDay(created_at)} to ${shortDay(ended_at)}`
+              : `${KIND_WORDS[kind]}, since ${shortDay(created_at)}`}
+          </p>
+        </div>
+        {project.mine.is_producer && !ended && (
+          <Select
+            aria-label={`How ${designer.name} is engaged`}
+            className={classes.kind}
+            data={KINDS.map((value) => ({ value, label: KIND_WORDS[value] }))}
+            value={kind}
+            allowDeselect={false}
+            onChange={(value) => {
+              if (isKind(value) && value !== kind) change.mutate({ id, kind: value })
+            }}
+          />
+        )}
+        {project.mine.is_producer && (
+          <Button
+            variant="quiet"
+            onClick={() => setEnded(!ended)}
+          >
+            <span>
+              {ended ? 'Take up again' : 'End'}
+              <span className="visually-hidden">{`: the engagement of ${designer.name}`}</span>
+            </span>
+          </Button>
+        )}
+      </Row>
+      <Refusal error={change.error} />
+    </>
+  )
+}
+
+function Invitations({ project, open }: { project: Project; open: readonly Invitation[] }) {
+  const revoke = useRevokeInvitation(project.id)
+  const { data: outbox } = useInvitationLinks(project.studio.id, project.mine.is_producer)
+  const copy = async (link: string) => {
+    await navigator.clipboard.writeText(link)
+    showToast('The link is copied.')
+  }
+  const waitsHere = outbox?.canSend === false
+  return (
+    <>
+      <h3 className={classes.part}>Open invitations</h3>
+      {waitsHere && (
+        <p className={`row small tone-warn ${classes.hint}`}>
+          <Icon name="triangle" />
+          No mail server is set, so nothing leaves: copy the link and send it yourself.
+        </p>
+      )}
+      <Refusal error={revoke.error} />
+      <Rows aria-label="Open invitations">
+        {open.map(({ id, email, kind, note, inviter, created_at, expires_at }) => {
+          const link = outbox?.links.get(email)
+          const expired = new Date(expires_at) < new Date()
+          return (
+            <Row key={id} className={classes.person}>
+              <Icon name="mail" />
+              <div className="grow">
+                <p className={`strong ${classes.mail}`}>{email}</p>
+                <p className="small mid">
+                  {`${KIND_WORDS[kind]}, asked by ${inviter.name}, ${age(created_at)}; ${expired ? 'too old since' : 'good until'} ${dueDay(expires_at)}`}
+                </p>
+                {note !== '' && <p className="small dim">{note}</p>}
+              </div>
+              {expired && <State kind="late">Too old</State>}
+              {link !== undefined && !expired && (
+                <Button icon="copy" onClick={() => void copy(link)}>
+                  <span>
+                    Copy link<span className="visually-hidden">{` for ${email}`}</span>
+                  </span>
+                </Button>
+              )}
+              {speaks(project) && (
+                <Button
+                  variant="quiet"
+                  onClick={() =>
+                    revoke.mutate(id, {
+                      onSuccess: () => showToast(`The link of ${email} shows nothing any more.`),
+                    })
+                  }
+                >
+                  <span>
+                    Revoke<span className="visually-hidden">{` the invitation of ${email}`}</span>
+                  </span>
+                </Button>
+              )}
+            </Row>
+          )
+        })}
+      </Rows>
+    </>
+  )
+}
+
+function Invite({ project, first }: { project: Project; first: boolean }) {
+  const invite = useInviteDesigner(project.id)
+  const [email, setEmail] = useState('')
+  const [kind, setKind] = useState<EngagementKind>('contract')
+  const [note, setNote] = useState('')
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (invite.isPending) return
+    invite.mutate(
+      { email, kind, note },
+      {
+        onSuccess: (made) => {
+          showToast(`${made.email} is invited.`)
+          setEmail('')
+          setNote('')
+        },
+      },
+    )
+  }
+  const fields = invite.error instanceof ApiProblem && invite.error.errors.length > 0
+  return (
+    <>
+      <h3 className={classes.part}>Invite a designer</h3>
+      <form onSubmit={send} noValidate className={classes.invite} aria-label="Invite a designer">
+        <TextInput
+          label="Mail address"
+          type="email"
+          inputMode="email"
+          spellCheck={false}
+          autoComplete="off"
+          value={email}
+          onChange={({ currentTarget }) => setEmail(currentTarget.value)}
+          error={against(invite.error, 'email')}
+        />
+        <Select
+          label="Engaged how"
+          data={KIND_CHOICES}
+          value={kind}
+          allowDeselect={false}
+          onChange={(value) => {
+            if (isKind(value)) setKind(value)
+          }}
+        />
+        <Textarea
+          className={classes.whole}
+          label="Note, above the list; it may stay empty"
+          autosize
+          minRows={2}
+          value={note}
+          onChange={({ currentTarget }) => setNote(currentTarget.value)}
+          error={against(invite.error, 'note')}
+        />
+        {!fields && <Refusal error={invite.error} />}
+        <div className={`row wrap ${classes.whole}`}>
+          <Button type="submit" variant={first ? 'primary' : 'plain'} aria-busy={invite.isPending}>
+            Send the invitation
+          </Button>
+          <span className="small mid">The link shows the list at once, is good for 30 days, and can be revoked.</span>
+        </div>
+      </form>
+    </>
+  )
+}

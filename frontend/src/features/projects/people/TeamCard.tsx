@@ -1,0 +1,79 @@
+import { Link } from '@tanstack/react-router'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Face } from '@/ui/Face'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type Member, type Project, useSetLiaison } from '../api'
+import { Refusal } from '../Refusal'
+import classes from './People.module.css'
+
+/** The members of the studio, and which of them speak for the team here. */
+export function TeamCard({ project, members }: { project: Project; members: readonly Member[] | undefined }) {
+  const set = useSetLiaison(project.id)
+  const speaking = new Set(project.liaisons.map(({ id }) => id))
+  const change = (member: Member, speaks: boolean) =>
+    set.mutate(
+      { personId: member.person.id, speaks },
+      {
+        onSuccess: () =>
+          showToast(
+            speaks ? `${member.person.name} speaks for the team.` : `${member.person.name} speaks for the team no longer.`,
+            () => set.mutate({ personId: member.person.id, speaks: !speaks }),
+          ),
+      },
+    )
+  return (
+    <Card aria-labelledby="team">
+      <CardHead
+        id="team"
+        title="The team"
+        note={project.studio.name}
+        end={
+          <Link className="link" to="/studio">
+            Studio
+          </Link>
+        }
+      />
+      <p className={`small mid ${classes.says}`}>
+        A liaison speaks for the team: changes the spec, invites designers, can be named approver. Reviewers listen and
+        comment.
+      </p>
+      <Refusal error={set.error} />
+      <Rows aria-label="Members of the studio">
+        {members?.map((member) => {
+          const { person, roles, email } = member
+          const isLiaison = speaking.has(person.id)
+          const parts = [
+            ...roles.filter((role) => role !== 'liaison'),
+            ...(isLiaison ? ['liaison here'] : []),
+            ...(person.id === project.decider.id ? ['approver'] : []),
+          ]
+          return (
+            <Row key={person.id} className={classes.person}>
+              <Face name={person.name} />
+              <div className="grow">
+                <p className="strong">{person.name}</p>
+                <p className={`small mid ${classes.mail}`}>{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>
+              </div>
+              {project.mine.is_producer && (
+                <Button
+                  variant={isLiaison ? 'quiet' : 'plain'}
+                  aria-busy={set.isPending}
+                  onClick={() => change(member, !isLiaison)}
+                >
+                  <span>
+                    {isLiaison ? 'Remove as liaison' : 'Make liaison'}
+                    <span className="visually-hidden">{`: ${person.name}`}</span>
+                  </span>
+                </Button>
+              )}
+            </Row>
+          )
+        })}
+      </Rows>
+    </Card>
+  )
+}

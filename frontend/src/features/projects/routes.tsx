@@ -1,0 +1,58 @@
+import type { QueryClient } from '@tanstack/react-query'
+import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
+
+import { shellRoute } from '@/app/roots'
+import { meQuery } from '@/judging/api'
+
+const version = (value: unknown): number | undefined =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 1 ? value : undefined
+
+/** Whoever may open projects and sees none begins by opening one. */
+async function beginWithOne({ context }: { context: { queryClient: QueryClient } }): Promise<void> {
+  const me = await context.queryClient.ensureQueryData(meQuery)
+  if (me.projects.length > 0 || !me.studios.some(({ roles }) => roles.includes('producer'))) return
+  throw redirect({ href: '/projects/new', replace: true })
+}
+
+export const projectRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects',
+    beforeLoad: beginWithOne,
+    component: lazyRouteComponent(() => import('./ProjectsPage'), 'ProjectsPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/new',
+    component: lazyRouteComponent(() => import('./NewProjectPage'), 'NewProjectPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId',
+    component: lazyRouteComponent(() => import('./ProjectPage'), 'ProjectPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/people',
+    component: lazyRouteComponent(() => import('./PeoplePage'), 'PeoplePage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/builds',
+    component: lazyRouteComponent(() => import('./BuildsPage'), 'BuildsPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/spec',
+    component: lazyRouteComponent(() => import('./spec/SpecPage'), 'SpecPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/spec/versions',
+    validateSearch: (search: Record<string, unknown>): { version?: number; against?: number } => ({
+      version: version(search.version),
+      against: version(search.against),
+    }),
+    component: lazyRouteComponent(() => import('./spec/VersionsPage'), 'VersionsPage'),
+  }),
+] as const

@@ -1,0 +1,173 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { showToast } from '@/app/toast'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { countOf, figure, shortDay } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import { cuesQuery, packsQuery, type Pack, type Project, type Spec, specQuery } from '../api'
+import { Refusal } from '../Refusal'
+import { listed, speaks } from '../words'
+import { acceptLines, differences, kindOf, type Line, limitLines, targetLines } from './say'
+import classes from './SpecCard.module.css'
+import { tableIn } from './tables'
+
+/** What a file must be, in words: what a master may be, its limits, what is made from it. */
+export function SpecCard({ project }: { project: Project }) {
+  const { id: projectId, mine } = project
+  const { data: spec, error } = useQuery(specQuery(projectId))
+  const { data: packs } = useQuery({ ...packsQuery(projectId), enabled: mine.is_team })
+  const copy = async (toml: string) => {
+    await navigator.clipboard.writeText(toml)
+    showToast('The TOML is copied.')
+  }
+  return (
+    <Card aria-labelledby="spec">
+      <CardHead
+        id="spec"
+        title="Delivery spec"
+        note={spec && `version ${spec.version}, ${shortDay(spec.created_at)}`}
+        end={
+          spec && (
+            <>
+              <Link className={`link ${classes.versions}`} to="/projects/$projectId/spec/versions" params={{ projectId }} search={{}}>
+                Versions
+              </Link>
+              <Button variant="quiet" icon="copy" aria-label="Copy the TOML" onClick={() => void copy(spec.toml)}>
+                TOML
+              </Button>
+              <ButtonLink
+                variant="quiet"
+                square
+                icon="download"
+                aria-label="Download the TOML"
+                href={`/v1/projects/${projectId}/spec.toml`}
+                download="spec.toml"
+              />
+              {speaks(project) && (
+                <ButtonLink component={Link} keys="e" to={`/projects/${projectId}/spec`}>
+                  Change
+                </ButtonLink>
+              )}
+            </>
+          )
+        }
+      />
+      <Refusal error={error} />
+      {spec && (
+        <>
+          <div className={classes.parts}>
+            <Part head="A master may be" lines={acceptLines(spec)} />
+            <Part head="Limits" lines={limitLines(spec)} legend />
+            <Part head="Game files, made from each master" lines={[...targetLines(spec), ...madeLine(packs)]} />
+          </div>
+          <Categories spec={spec} projectId={projectId} />
+          {spec.warnings.map((warning) => (
+            <p key={warning} className={`row small mid tone-warn ${classes.warning}`}>
+              <Icon name="triangle" />
+              {warning}
+            </p>
+          ))}
+        </>
+      )}
+    </Card>
+  )
+}
+
+/** How many of the accepted sounds have their game files. */
+function madeLine(packs: readonly Pack[] | undefined): Line[] {
+  if (packs === undefined || packs.every(({ files, missing }) => files + missing.length === 0)) return []
+  const made = packs.reduce((sum, { files }) => sum + files, 0)
+  const whole = packs.reduce((sum, { files, missing }) => sum + files + missing.length, 0)
+  return [{ word: 'Made', value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}` }]
+}
+
+function Part({ head, lines, legend = false }: { head: string; lines: readonly Line[]; legend?: boolean }) {
+  return (
+    <section>
+      <h3 className={classes.partHead}>
+        {head}
+        {legend && (
+          <span className="row" aria-hidden="true">
+            <span className={`tone-bad toned ${classes.sign}`}>
+              <Icon name="back" /> returns
+            </span>
+            <span className={`tone-warn toned ${classes.sign}`}>
+              <Icon name="triangle" /> warns
+            </span>
+          </span>
+        )}
+      </h3>
+      <dl className={classes.pairs}>
+        {lines.map(({ word, value, severity }) => (
+          <div key={word}>
+            <dt>{word}</dt>
+            <dd>
+              {value}
+              {severity && (
+                <span className={`${severity === 'error' ? 'tone-bad' : 'tone-warn'} ${classes.mark}`}>
+                  <Icon name={severity === 'error' ? 'back' : 'triangle'} />
+                  <span className="visually-hidden">{severity === 'error' ? ', returns' : ', warns'}</span>
+                </span>
+              )}
+            </dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  )
+}
+
+function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
+  const { data: cues = [] } = useQuery(cuesQuery(projectId))
+  const counts = new Map<string, number>()
+  for (const { category, state } of cues) if (category && state !== 'cut') counts.set(category, (counts.get(category) ?? 0) + 1)
+  const named = Object.keys(tableIn(spec.tables.categories))
+  const rows = [...new Set([...named, ...counts.keys()])].map((name) => ({
+    name,
+    cues: counts.get(name) ?? 0,
+    kind: kindOf(spec.tables, name),
+    differs: differences(spec.tables, name),
+  }))
+  const shown = rows.filter(({ cues: count, differs }) => differs.length > 0 && count > 0)
+  const plain = rows.filter(({ cues: count, differs }) => differs.length === 0 && count > 0)
+  const unused = rows.filter(({ cues: count }) => count === 0)
+  return (
+    <>
+      {shown.length > 0 && (
+        <table className={classes.table}>
+          <thead>
+            <tr>
+              <th scope="col">Category</th>
+              <th scope="col" className="num">
+                Cues
+              </th>
+              <th scope="col" className="wide-only">
+                Sounds are
+              </th>
+              <th scope="col">Differs from the above in</th>
+            </tr>
+          </thead>
+          <tbody>
+            {shown.map(({ name, cues: count, kind, differs }) => (
+              <tr key={name}>
+                <th scope="row">{name}</th>
+                <td className="num">{figure(count)}</td>
+                <td className="mid wide-only">{kind}</td>
+                <td>{differs.join('; ')}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      {rows.length > 0 && (
+        <p className={`small mid ${classes.plain}`}>
+          {plain.length > 0 && `As above: ${listed(plain.map(({ name, cues: count }) => `${name} (${figure(count)})`))}. `}
+          {unused.length > 0 && `Not on the list: ${listed(unused.map(({ name }) => name))}.`}
+        </p>
+      )}
+    </>
+  )
+}

@@ -1,0 +1,1 @@
+export function SpecPage() { return <h1>SpecPage</h1> }

@@ -1,0 +1,58 @@
+/** What breaks a rule of the spec: the take comes back, a warning stands beside it, or nothing is said. */
+export type Severity = 'error' | 'warning' | 'off'
+
+export interface CheckName {
+  name: string
+  word: string
+  /** What holds when the spec says nothing. */
+  usual: Severity
+}
+
+/** The checks of a file's form, which no limit names. */
+export const FORM_CHECKS: readonly CheckName[] = [
+  { name: 'container', word: 'Container', usual: 'error' },
+  { name: 'encoding', word: 'Encoding', usual: 'error' },
+  { name: 'sample-rate', word: 'Rate', usual: 'error' },
+  { name: 'bit-depth', word: 'Depth', usual: 'error' },
+  { name: 'channels', word: 'Channels', usual: 'error' },
+  { name: 'duration', word: 'Length', usual: 'error' },
+  { name: 'naming', word: 'Name', usual: 'error' },
+  { name: 'clipping', word: 'Flat tops', usual: 'warning' },
+  { name: 'placeholder', word: 'Placeholder', usual: 'warning' },
+]
+
+export interface LimitName {
+  key: string
+  word: string
+  unit: string
+  /** The check that keeps it; without one the limit only tunes others. */
+  check?: string
+  hint?: string
+  /** What holds when the spec says nothing. */
+  usual?: number
+}
+
+export const LIMITS: readonly LimitName[] = [
+  { key: 'sample_peak_dbfs', word: 'Sample peak', unit: 'dBFS', check: 'sample-peak' },
+  { key: 'true_peak_dbtp', word: 'True peak', unit: 'dBTP', check: 'true-peak' },
+  { key: 'dc_offset_percent', word: 'DC offset', unit: '%', check: 'dc-offset' },
+  { key: 'silence_below_dbfs', word: 'Silent below', unit: 'dBFS', check: 'silence' },
+  { key: 'head_silence_ms', word: 'Silence first', unit: 'ms', check: 'head-silence' },
+  { key: 'tail_silence_ms', word: 'Silence last', unit: 'ms', check: 'tail-silence' },
+]
+
+export const TUNING: readonly LimitName[] = [
+  {
+    key: 'edge_silence_below_dbfs',
+    word: 'Silence at the edges begins below',
+    unit: 'dBFS',
+    usual: -60,
+  },
+  { key: 'tolerance_db', word: 'A level fails when over by more than', unit: 'dB', usual: 0.05 },
+]
+
+/** How severe a check is by what the tables say. */
+export function severityOf(checks: Record<string, unknown>, name: string, usual: Severity = 'error'): Severity {
+  const said = checks[name]
+  return said === 'error' || said === 'warning' || said === 'off' ? said : usual
+}

@@ -1,0 +1,55 @@
+import { ApiProblem } from '@/api'
+
+import type { EngagementKind, Project } from './api'
+
+/** A sentence of the server as the screens write it: a capital first, a true minus before figures, an end. */
+export function sentence(text: string): string {
+  const written = text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')
+  const begun = written.charAt(0).toUpperCase() + written.slice(1)
+  return /[.?!]$/.test(begun) ? begun : `${begun}.`
+}
+
+/** What was refused, and what to do about it, in sentences. */
+export function refusal(error: unknown): { detail: string; fix?: string } {
+  if (!(error instanceof ApiProblem)) return { detail: 'The page itself broke while sending. Nothing typed is lost.' }
+  return { detail: sentence(error.detail), fix: error.fix === '' ? undefined : sentence(error.fix) }
+}
+
+/** What stands against one field, in a sentence. */
+export function against(error: unknown, field: string): string | undefined {
+  const problem = error instanceof ApiProblem ? error.of(field) : undefined
+  return problem && sentence(problem.message)
+}
+
+export const KIND_WORDS: Record<EngagementKind, string> = {
+  advisory: 'advisory',
+  contract: 'by contract',
+  'in-house': 'in-house',
+}
+
+export const KIND_MEANINGS: Record<EngagementKind, string> = {
+  advisory: 'helps without a fee',
+  contract: 'paid by contract',
+  'in-house': 'on the payroll',
+}
+
+export const KINDS = Object.keys(KIND_WORDS) as EngagementKind[]
+
+/** Who may change the spec and invite: a producer, a liaison or the approver. */
+export const speaks = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_decider
+
+/** "A", "A and B", "A, B and C". */
+export function listed(words: readonly string[], joint = 'and'): string {
+  return words.length < 2 ? (words[0] ?? '') : `${words.slice(0, -1).join(', ')} ${joint} ${words.at(-1)}`
+}
+
+/** A project's prefix as it would be shortened by hand: initials of several words, the beginning of one. */
+export function proposedPrefix(name: string): string {
+  const plain = name
+    .normalize('NFD')
+    .toUpperCase()
+    .replace(/[^A-Z0-9\s_-]/g, '')
+  const words = plain.split(/[\s_-]+/).filter(Boolean)
+  const letters = words.length > 1 ? words.map((word) => word.charAt(0)).join('') : (words[0] ?? '').slice(0, 3)
+  return letters.replace(/^[0-9]+/, '').slice(0, 8)
+}
