@@ -233,7 +233,7 @@ function Cell({ id, cell, label, field, draft, fault, onChange, onKeyDown, onPas
         >
           {SETTLED.map((option) => (
             <option key={option.value} value={option.value}>
-              {option.label}
+              {option.label.split(',')[0]}
             </option>
           ))}
         </select>

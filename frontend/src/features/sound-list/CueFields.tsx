@@ -22,6 +22,7 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
   })
   const flag = (field: DraftField, label: string) => (
     <Checkbox
+      classNames={{ input: classes.box, label: classes.boxLabel }}
       label={label}
       checked={draft[field] as boolean}
       onChange={(event) => onChange(field, event.currentTarget.checked)}

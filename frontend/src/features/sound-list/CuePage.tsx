@@ -27,6 +27,7 @@ import classes from './Cue.module.css'
 import { CutCue } from './CutCue'
 import { EditCue } from './EditCue'
 import { History } from './History'
+import { keepLastCue } from './lastCue'
 import { AskForm, QuestionLine } from './Questions'
 import { categoriesOf, rowsOf } from './rows'
 import { Versions } from './Versions'
@@ -109,7 +110,10 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     { keys: 'q', label: 'Ask a question', group: 'Cue', run: ask },
     { keys: 'e', label: 'Edit', group: 'Cue', run: () => setDoing('edit'), disabled: !mayEdit },
   ])
-  useEffect(() => window.scrollTo({ top: 0 }), [])
+  useEffect(() => {
+    window.scrollTo({ top: 0 })
+    keepLastCue(projectId, cue.id)
+  }, [projectId, cue.id])
 
   const stands = row?.stands
   const open = cue.questions.filter(({ answer }) => answer === null)
@@ -118,7 +122,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
         <div className={classes.title}>
-          <p className="small dim">
+          <p className="row small dim">
             <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
               Sound list
             </Link>{' '}
@@ -236,9 +240,9 @@ function Facts({ cue }: { cue: CueDetail }) {
     [
       'Length',
       cue.duration_s !== null &&
-        `${length(cue.duration_s)}${
-          cue.length_locked ? `, exact to a frame at ${cue.frame_rate_fps ?? 60} a second` : ', about'
-        }`,
+        (cue.length_locked
+          ? `${length(cue.duration_s)}, exact to a frame of ${cue.frame_rate_fps ?? 60} a second`
+          : `about ${length(cue.duration_s)}`),
     ],
     ['Plays', cue.loop ? 'as a loop' : 'once'],
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
@@ -255,11 +259,6 @@ function Facts({ cue }: { cue: CueDetail }) {
   return (
     <div className={classes.inside}>
       {cue.description && <p className={classes.description}>{cue.description}</p>}
-      {cue.state === 'concept' && (
-        <p className="tone-warn">
-          <span className="toned">Concept:</span> not settled, work on it may be lost.
-        </p>
-      )}
       <dl className={classes.facts}>
         {facts
           .filter(([, value]) => value !== '' && value !== false && value !== null)

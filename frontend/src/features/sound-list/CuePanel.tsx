@@ -49,14 +49,21 @@ interface AskPanelProps {
 }
 
 function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
-  const { data } = useQuery(cueQuery(cue.id))
+  const { data, isPending } = useQuery(cueQuery(cue.id))
   const open = data?.questions.filter(({ answer }) => answer === null) ?? []
+  const answers = mayAnswer && open.length > 0
   return (
     <section className={classes.panel} aria-label={`Questions on ${cue.name}`}>
-      {open.map((question) => (
-        <QuestionLine key={question.id} question={question} projectId={projectId} mayAnswer={mayAnswer} />
+      {open.map((question, at) => (
+        <QuestionLine
+          key={question.id}
+          question={question}
+          projectId={projectId}
+          mayAnswer={mayAnswer}
+          opens={at === 0}
+        />
       ))}
-      <AskForm cue={cue} projectId={projectId} opens onAsked={onClose} />
+      <AskForm cue={cue} projectId={projectId} opens={!isPending && !answers} onAsked={onClose} />
       <div className={classes.acts}>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close

@@ -146,9 +146,13 @@ function Line({ row: { row, read, faults }, at, measure }: LineProps) {
         )}
       </td>
       <td className="mono dim">{read?.label ?? ''}</td>
-      <th scope="row" className={classes.cue}>
-        {read?.name}
-      </th>
+      {read ? (
+        <th scope="row" className={classes.cue}>
+          {read.name}
+        </th>
+      ) : (
+        <td />
+      )}
       <td className="mid">{read?.category}</td>
       <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
       <td className={classes.why}>

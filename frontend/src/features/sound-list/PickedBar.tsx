@@ -1,9 +1,9 @@
 import { useState } from 'react'
 
-import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type Cue, problemIn, type SharedField, useSetForSeveral } from './api'
@@ -24,7 +24,6 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
   const problem = problemIn(set.error)
   const live = cues.filter(({ state }) => state !== 'cut')
   const cut = cues.length - live.length
-  useHotkeys([{ keys: 'Escape', label: 'Clear the selection', group: 'List', run: onClear }])
 
   const put = (field: SharedField, value: string | boolean, done: string) => {
     const differing = live.filter((cue) => cue[field] !== value)
@@ -90,6 +89,7 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
               </option>
             ))}
           </select>
+          <Icon name="chevron" />
         </span>
         <Button icon="dashedSquare" onClick={() => put('placeholder', true, 'marked: the game plays a stand-in')}>
           Placeholder

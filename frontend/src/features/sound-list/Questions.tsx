@@ -8,6 +8,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
 import { type Cue, problemIn, type Question, useAnswer, useAsk } from './api'
+import fields from './CueFields.module.css'
 import classes from './Panel.module.css'
 
 const kept = new Map<string, string>()
@@ -32,10 +33,13 @@ export function QuestionLine({
   question,
   projectId,
   mayAnswer,
+  opens = false,
 }: {
   question: Question
   projectId: string
   mayAnswer: boolean
+  /** Its field takes the focus as it opens. */
+  opens?: boolean
 }) {
   return (
     <article className={classes.question} aria-label={`Question: ${question.text}`}>
@@ -56,16 +60,20 @@ export function QuestionLine({
           <p className={classes.quote}>{question.answer}</p>
         </>
       )}
-      {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} />}
+      {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} opens={opens} />}
       {question.answer === null && !mayAnswer && <p className="small dim">The team answers; it waits with them.</p>}
     </article>
   )
 }
 
-function AnswerForm({ question, projectId }: { question: Question; projectId: string }) {
+function AnswerForm({ question, projectId, opens }: { question: Question; projectId: string; opens: boolean }) {
   const [text, setText] = useKept(`answer ${question.id}`)
   const [joins, setJoins] = useState(true)
   const answer = useAnswer(projectId)
+  const field = useRef<HTMLTextAreaElement>(null)
+  useEffect(() => {
+    if (opens) field.current?.focus()
+  }, [opens])
   const problem = problemIn(answer.error)
   const send = () => {
     const said = text.trim()
@@ -90,6 +98,7 @@ function AnswerForm({ question, projectId }: { question: Question; projectId: st
     >
       <div className={classes.say}>
         <Textarea
+          ref={field}
           label="Your answer"
           autosize
           minRows={1}
@@ -105,6 +114,7 @@ function AnswerForm({ question, projectId }: { question: Question; projectId: st
       </div>
       <Checkbox
         mt="xs"
+        classNames={{ input: fields.box, label: fields.boxLabel }}
         label="It joins the description of the cue"
         checked={joins}
         onChange={(event) => setJoins(event.currentTarget.checked)}

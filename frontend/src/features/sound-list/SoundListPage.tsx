@@ -25,6 +25,7 @@ import {
 } from './api'
 import { CuePanel, type PanelKind } from './CuePanel'
 import { CueTable } from './CueTable'
+import { keepLastCue, lastCue } from './lastCue'
 import { ListTools } from './ListTools'
 import { EMPTY_SHEET, keepSheet } from './pasted'
 import { PickedBar } from './PickedBar'
@@ -33,9 +34,6 @@ import classes from './SoundList.module.css'
 
 const NO_CUES: Cue[] = []
 const NONE: ReadonlySet<string> = new Set()
-
-/** The row that was in the hand, by project, so that coming back from a cue finds it again. */
-const lastSelected = new Map<string, string>()
 
 const LIST = 'List'
 
@@ -57,7 +55,7 @@ export function SoundListPage(): ReactNode {
   const [panel, setPanel] = useState<{ id: string; kind: PanelKind } | null>(null)
   const [picked, setPicked] = useState<ReadonlySet<string>>(NONE)
   const [anchor, setAnchor] = useState<string | null>(null)
-  const [selectedId, setSelectedOnly] = useState<string | null>(() => lastSelected.get(projectId) ?? null)
+  const [selectedId, setSelectedOnly] = useState(() => lastCue(projectId))
   const chips = useRef<HTMLDivElement>(null)
   const filter = useRef<HTMLInputElement>(null)
 
@@ -79,7 +77,7 @@ export function SoundListPage(): ReactNode {
 
   const select = useCallback(
     (id: string) => {
-      lastSelected.set(projectId, id)
+      keepLastCue(projectId, id)
       setSelectedOnly(id)
     },
     [projectId],
@@ -134,10 +132,15 @@ export function SoundListPage(): ReactNode {
     [navigate, projectId],
   )
   const add = (name?: string) => {
+    setPanel(null)
     setAdding({ name })
     window.scrollTo({ top: 0 })
   }
-  const openPanel = (kind: PanelKind) => selected && setPanel({ id: selected.id, kind })
+  const openPanel = (kind: PanelKind) => {
+    if (selected === undefined) return
+    setAdding(null)
+    setPanel({ id: selected.id, kind })
+  }
   const closePanel = useCallback(() => {
     setPanel(null)
     if (selectedId === null) return
@@ -152,6 +155,7 @@ export function SoundListPage(): ReactNode {
   const escape = () => {
     if (panel) closePanel()
     else if (adding) setAdding(null)
+    else if (picked.size > 0) setPicked(NONE)
     else {
       filter.current?.blur()
       clear()
@@ -168,7 +172,7 @@ export function SoundListPage(): ReactNode {
 
   const isCut = selected?.status === 'cut'
   const editing: Hotkey[] = [
-    { keys: 'n', label: 'Add a cue', group: LIST, run: () => add() },
+    { keys: 'n', label: 'Add a cue', group: LIST, run: () => add(shown.length === 0 ? words : undefined) },
     { keys: 'e', label: 'Edit', group: LIST, run: () => openPanel('edit'), disabled: !selected || isCut },
     { keys: 'i', label: 'Paste or import', group: LIST, run: toImport },
     { keys: 'x', label: 'Select', group: LIST, run: () => selected && pick(selected.id, false), disabled: !selected },
@@ -181,7 +185,7 @@ export function SoundListPage(): ReactNode {
     },
   ]
   useHotkeys([
-    { keys: 'Escape', label: 'Close, or clear the filter', group: LIST, run: escape },
+    { keys: 'Escape', label: 'Close, or show all', group: LIST, run: escape },
     { keys: 'j', label: 'Next', group: LIST, run: () => step(1), repeats: true },
     { keys: 'k', label: 'Previous', group: LIST, run: () => step(-1), repeats: true },
     { keys: 'Enter', label: 'Open', group: LIST, run: () => selected && openCue(selected), disabled: !selected },
