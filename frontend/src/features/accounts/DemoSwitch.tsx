@@ -40,7 +40,7 @@ export function DemoSwitch({ projectId }: { projectId: string | undefined }) {
   const me = client.getQueryData(meQuery.queryKey)
   const now = me && demoPartOf(me)
   const toBuild = async () => {
-    const href = `/projects/${projectId}/build`
+    const href = `/projects/${projectId}/builds`
     if (now === 'designer') await play('producer', href)
     else await router.navigate({ href })
   }

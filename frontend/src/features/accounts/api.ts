@@ -170,9 +170,3 @@ export function useSendMail(studioId: string) {
     onSettled: () => client.invalidateQueries({ queryKey: outboxKey(studioId) }),
   })
 }
-
-export const ciLinesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: ['ci', projectId],
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', { params: { path: { project_id: projectId } } })),
-  })

@@ -43,9 +43,4 @@ export const accountRoutes = [
     path: '/studio',
     component: lazyRouteComponent(() => import('./StudioPage'), 'StudioPage'),
   }),
-  createRoute({
-    getParentRoute: () => shellRoute,
-    path: '/projects/$projectId/build',
-    component: lazyRouteComponent(() => import('./BuildPage'), 'BuildPage'),
-  }),
 ]

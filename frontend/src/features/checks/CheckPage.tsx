@@ -8,7 +8,10 @@ import classes from './Check.module.css'
 import { blocksOf, type Inline } from './markdown'
 
 /** The pages of docs/checks, made from each check's own words; one is fetched when it is asked for. */
-const PAGES = import.meta.glob<string>('../../../../docs/checks/*.md', { query: '?raw', import: 'default' })
+const PAGES = import.meta.glob<string>(['../../../../docs/checks/*.md', '!**/README.md'], {
+  query: '?raw',
+  import: 'default',
+})
 
 const pageOf = (check: string) => Object.entries(PAGES).find(([path]) => path.endsWith(`/${check}.md`))?.[1]
 

@@ -246,8 +246,7 @@ function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: strin
       />
       <Textarea
         label="Question"
-        autosize
-        minRows={2}
+        rows={3}
         maxLength={2000}
         value={text}
         onChange={(event) => setText(event.currentTarget.value)}

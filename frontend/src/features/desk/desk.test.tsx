@@ -1,0 +1,418 @@
+import { File as NodeFile } from 'node:buffer'
+
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { answer, type Answers, refusal, serve } from '@/test/server'
+
+const CUE = { id: 'c9', label: 'SW-009', name: 'airlock_cycle' }
+const WARP = { id: 'c18', label: 'SW-018', name: 'warp_in' }
+const STING = { id: 'c13', label: 'SW-013', name: 'victory_sting' }
+
+const FINDINGS = [
+  {
+    check: 'head-silence',
+    code: 'head-silence:over',
+    severity: 'warning',
+    message: '412.0 ms of silence before the sound, limit 5 ms',
+    fix: 'trim 407.0 ms or more from the start',
+    measured: 412,
+    limit: 5,
+    unit: 'ms',
+    start_s: 0,
+    end_s: 0.412,
+  },
+  {
+    check: 'sample-peak',
+    code: 'sample-peak:over',
+    severity: 'error',
+    message: 'sample peak 0.00 dBFS, limit -0.1 dBFS',
+    fix: 'lower the level by 0.10 dB or more',
+    measured: 0,
+    limit: -0.1,
+    unit: 'dBFS',
+    start_s: 0.418,
+    end_s: 0.418,
+  },
+]
+const RETURNED = {
+  take_id: 't9',
+  cue: CUE,
+  number: 1,
+  variation: 1,
+  file_name: 'airlock_cycle.wav',
+  status: 'returned',
+  since: '2026-11-17T09:00:00Z',
+  duration_s: 2.412,
+  thumb: null,
+  preview_url: '/v1/sounds/s9/preview',
+  peaks_url: '/v1/sounds/s9/peaks.json',
+  findings: FINDINGS,
+  changes: [],
+  round: null,
+  limit_dbfs: -0.1,
+}
+const CHANGED = {
+  ...RETURNED,
+  take_id: 't19',
+  cue: { id: 'c19', label: 'SW-019', name: 'missile_launch' },
+  number: 2,
+  file_name: 'missile_launch.wav',
+  status: 'change_requested',
+  findings: [],
+  changes: [{ text: 'Thrust comes too late', start_s: 0.5, end_s: null }],
+  round: 1,
+}
+const toMake = (cue: typeof CUE, more: object = {}) => ({
+  cue,
+  use: 'Own ship arrives',
+  category: 'vehicle',
+  duration_s: 1.4,
+  loop: false,
+  variations: 1,
+  missing: 1,
+  state: 'locked',
+  status: 'to_make',
+  ...more,
+})
+const DESK = {
+  came_back: [RETURNED, CHANGED],
+  to_make: [
+    toMake(WARP),
+    toMake({ id: 'c3', label: 'SW-003', name: 'laser_fire' }, { variations: 4, missing: 2 }),
+    toMake({ id: 'c21', label: 'SW-021', name: 'void_whale' }, { state: 'concept' }),
+  ],
+  with_approver: [{ id: 'c7', label: 'SW-007', name: 'shield_hit' }],
+  with_approver_files: 3,
+  accepted: 6,
+  cues: 23,
+  unmatched: 1,
+  checking: 0,
+  questions: [
+    {
+      id: 'q1',
+      cue: { id: 'c10', label: 'SW-010', name: 'coolant_splash' },
+      text: 'What falls in?',
+      asked_by: { id: 'x3', name: 'Sound designer' },
+      asked_at: '2026-11-12T09:00:00Z',
+      answer: 'A tool.',
+      answered_at: '2026-11-13T09:00:00Z',
+    },
+  ],
+}
+const UNMATCHED = {
+  id: 't30',
+  project_id: 'p1',
+  delivery_id: 'd3',
+  designer: { id: 'x3', name: 'Sound designer' },
+  cue: null,
+  variation: 1,
+  number: null,
+  alternate: null,
+  state: 'returned',
+  late: false,
+  file_name: 'final_FINAL_sting2.wav',
+  note: '',
+  master_sha256: 'a',
+  master_bytes: 1000,
+  received_at: '2026-11-17T09:00:00Z',
+  state_since: '2026-11-17T09:00:00Z',
+  guesses: [
+    { cue_id: STING.id, label: STING.label, name: STING.name, variation: 1, reason: 'the name has "sting"' },
+    { cue_id: WARP.id, label: WARP.label, name: WARP.name, variation: 1, reason: 'nothing delivered yet' },
+  ],
+  already_here: false,
+}
+const SOUNDS = {
+  take_id: 't30',
+  master: {
+    picture_id: 's30',
+    duration_s: 3.02,
+    thumb: null,
+    preview_url: '/v1/sounds/s30/preview',
+    peaks_url: null,
+    spectrum_url: null,
+    state: 'drawn',
+    facts: { channels: 2, sample_rate_hz: 96_000 },
+    file_bytes: 1000,
+  },
+  renders: [],
+}
+const DELIVERY = {
+  id: 'd4',
+  project_id: 'p1',
+  number: 4,
+  note: '',
+  created_at: '2026-11-17T09:00:00Z',
+  closed_at: null,
+  designer: { id: 'x3', name: 'Sound designer' },
+  takes_count: 0,
+}
+const ME = {
+  person: { id: 'x3', name: 'Sound designer' },
+  email: 'designer@sound.example',
+  studios: [],
+  projects: [
+    {
+      id: 'p1',
+      name: 'Shield Wing',
+      studio_id: 's1',
+      studio_name: 'Shield Wing studio',
+      cue_prefix: 'SW',
+      part: 'designer',
+      is_producer: false,
+      is_liaison: false,
+      is_decider: false,
+      engagement_kind: 'contract',
+    },
+  ],
+}
+const cue = ({ id, label, name }: typeof CUE) => ({ id, label, name, use: '', stems: [name], cut_at: null })
+
+let personNumber = 0
+/** Uploads outlive a page for one person, so every test is somebody else. */
+const answers = (more: Answers = {}): Answers => {
+  const person = { id: `x${personNumber++}`, name: 'Sound designer' }
+  return {
+    'GET /v1/session': { signed_in: true, demo: false, person },
+    'GET /v1/me': { ...ME, person },
+    'GET /v1/projects/p1/desk': DESK,
+    'GET /v1/projects/p1/spec': { tables: { accept: { containers: ['wav'] } } },
+    'GET /v1/projects/p1/deliveries': { items: [], next: null },
+    'GET /v1/projects/p1/takes': { items: [UNMATCHED], next: null },
+    'GET /v1/projects/p1/sound-list': { revision: 7, cues: [CUE, WARP, STING].map(cue) },
+    'GET /v1/takes/t30/sounds': SOUNDS,
+    ...more,
+  }
+}
+const choose = (label: string, files: NodeFile[]) => {
+  const field = screen.getByLabelText(label)
+  Object.defineProperty(field, 'files', { value: files, configurable: true })
+  fireEvent.change(field)
+}
+const mp3 = (name: string) => new NodeFile(['ID3\x04 and then some'], name)
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('what came back', () => {
+  test('stands with its findings, errors first, each with figure, limit, what to do and its page', async () => {
+    serve(answers())
+    openApp('/desk')
+    const card = await screen.findByRole('article', { name: 'airlock_cycle' })
+    const found = within(within(card).getByRole('list', { name: 'What the check found' })).getAllByRole('listitem')
+    expect(found[0]).toHaveTextContent(
+      /^Error: Sample peak 0\.00 dBFS\s*Limit −0\.1 dBFS\. Lower the level by 0\.10 dB or more\./,
+    )
+    expect(found[1]).toHaveTextContent(/^Warning: 412\.0 ms of silence before the sound\s*Limit 5 ms\./)
+    expect(within(card).getByRole('link', { name: /^sample-peak/ })).toHaveAttribute('href', '/checks/sample-peak')
+    expect(within(card).getByRole('slider', { name: 'Position in airlock_cycle' })).toBeInTheDocument()
+  })
+
+  test('the next one opens by its key, with what is to change and where', async () => {
+    serve(answers())
+    const user = userEvent.setup()
+    openApp('/desk')
+    await screen.findByRole('article', { name: 'airlock_cycle' })
+    await user.keyboard('j')
+    const card = await screen.findByRole('article', { name: 'missile_launch' })
+    expect(card).toHaveTextContent('“Thrust comes too late”')
+    expect(within(card).getByRole('button', { name: '0.500 s' })).toBeInTheDocument()
+    expect(within(card).getByRole('button', { name: 'Comment 1 at 0.500 seconds' })).toBeInTheDocument()
+    expect(within(card).getByText('Round 1.')).toBeInTheDocument()
+  })
+
+  test('a check that broke is our fault, and is asked for again by one press', async () => {
+    const unjudged = { ...RETURNED, status: 'unjudged', findings: [] }
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/desk': { ...DESK, came_back: [unjudged] },
+        'POST /v1/takes/t9/recheck': answer({ ...UNMATCHED, id: 't9' }, 202),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    expect(await screen.findByText(/nothing is wrong with your file, and no round counts/)).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Check it again' }))
+    await waitFor(() => expect(asked.some(({ path }) => path === '/v1/takes/t9/recheck')).toBe(true))
+  })
+
+  test('nothing: said so', async () => {
+    serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, came_back: [] } }))
+    openApp('/desk')
+    expect(await screen.findByRole('heading', { name: 'Nothing came back.' })).toBeInTheDocument()
+  })
+})
+
+describe('an unmatched file', () => {
+  test('is given to its likeliest cue by one key', async () => {
+    const { asked } = serve(answers({ 'PUT /v1/takes/t30/match': { ...UNMATCHED, cue: STING, guesses: [] } }))
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    expect(
+      await within(tray).findByText(/3\.02 s, stereo, 96 kHz\. It will be named for the cue\./),
+    ).toBeInTheDocument()
+    await user.keyboard('1')
+    expect(await screen.findByText(/final_FINAL_sting2\.wav is for victory_sting/)).toBeInTheDocument()
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ cue_id: STING.id, variation: 1 })
+  })
+
+  test('is given to another cue by searching the list', async () => {
+    const { asked } = serve(answers({ 'PUT /v1/takes/t30/match': { ...UNMATCHED, cue: CUE, guesses: [] } }))
+    const user = userEvent.setup()
+    openApp('/desk')
+    await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.keyboard('/')
+    const field = await screen.findByRole('combobox', { name: 'Cue for final_FINAL_sting2.wav' })
+    expect(field).toHaveFocus()
+    await user.type(field, 'airl')
+    await user.click(await screen.findByRole('option', { name: /airlock_cycle/ }))
+    await waitFor(() => expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ cue_id: CUE.id }))
+  })
+
+  test('a refusal names the file, and the guesses stay', async () => {
+    serve(
+      answers({ 'PUT /v1/takes/t30/match': refusal(409, 'wrong-state', 'an approved take cannot become received') }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.click(within(tray).getByRole('button', { name: /^warp_in/ }))
+    expect(await within(tray).findByRole('alert')).toHaveTextContent(
+      'final_FINAL_sting2.wav: An approved take cannot become received.',
+    )
+    expect(within(tray).getByRole('button', { name: /^victory_sting/ })).toBeEnabled()
+  })
+
+  test('waits for later where nobody knows', async () => {
+    serve(answers())
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.click(within(tray).getByRole('button', { name: /^Later/ }))
+    expect(within(tray).getByText('1 kept for later')).toBeInTheDocument()
+    await user.click(within(tray).getByRole('button', { name: 'Show it' }))
+    expect(within(tray).getByRole('button', { name: /^victory_sting/ })).toBeInTheDocument()
+  })
+})
+
+describe('delivering', () => {
+  test('an MP3 named .wav stays in the browser, in words', async () => {
+    const { asked } = serve(answers({ 'POST /v1/projects/p1/deliveries': answer(DELIVERY, 201) }))
+    openApp('/desk')
+    await screen.findByRole('button', { name: 'Choose a folder' })
+    choose('Files to deliver', [mp3('vo_oath.wav')])
+    const list = await screen.findByRole('list', { name: 'Files of this delivery' })
+    expect(list).toHaveTextContent('vo_oath.wav')
+    expect(list).toHaveTextContent('This is an MP3 named .wav. Export a WAV, 48 or 96 kHz, 24 bit. Nothing was sent.')
+    expect(within(list).getByText('Not sent')).toBeInTheDocument()
+    expect(asked.some(({ path }) => path.startsWith('/v1/uploads'))).toBe(false)
+    expect(screen.getByRole('heading', { name: 'Delivery 4' })).toBeInTheDocument()
+  })
+
+  test('a project that takes no files from me says so where files go', async () => {
+    serve(
+      answers({
+        'POST /v1/projects/p1/deliveries': refusal(403, 'designer-needed', 'your engagement here has ended', {
+          fix: 'ask the producer',
+        }),
+      }),
+    )
+    openApp('/desk')
+    await screen.findByRole('button', { name: 'Choose a folder' })
+    choose('Files to deliver', [mp3('a.wav')])
+    expect(await screen.findByRole('alert')).toHaveTextContent('Your engagement here has ended. Ask the producer.')
+  })
+
+  test('a thousand rows are drawn only where they are seen', async () => {
+    serve(answers({ 'POST /v1/projects/p1/deliveries': answer(DELIVERY, 201) }))
+    openApp('/desk')
+    await screen.findByRole('button', { name: 'Choose a folder' })
+    choose(
+      'Files to deliver',
+      Array.from({ length: 1000 }, (_, index) => mp3(`take_${index}.wav`)),
+    )
+    const region = await screen.findByRole('region', { name: '1,000 files, scrolls' })
+    expect(within(region).queryAllByRole('listitem').length).toBeLessThan(100)
+  })
+
+  test('what the server has is shown with its state; the note is kept, and the delivery closed', async () => {
+    const takes = [
+      { ...UNMATCHED, id: 'a', cue: WARP, number: 1, state: 'conforming', file_name: 'warp_in.wav' },
+      { ...UNMATCHED, id: 'b', cue: CUE, number: 2, state: 'returned', file_name: 'airlock_cycle.wav' },
+    ]
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/deliveries': { items: [DELIVERY], next: null },
+        'GET /v1/deliveries/d4': { ...DELIVERY, takes, archives: [] },
+        'PATCH /v1/deliveries/d4': { ...DELIVERY, note: 'Doors.' },
+        'POST /v1/deliveries/d4/close': { ...DELIVERY, closed_at: '2026-11-17T10:00:00Z' },
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const list = await screen.findByRole('list', { name: 'Files of this delivery' })
+    expect(within(list).getByText('Returned')).toBeInTheDocument()
+    expect(screen.getByText('1 file through the check')).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Show them' }))
+    expect(await screen.findByText('warp_in.wav')).toBeInTheDocument()
+    await user.type(screen.getByLabelText('Note to delivery 4'), 'Doors.')
+    await user.click(screen.getByRole('button', { name: 'Nothing more to come' }))
+    expect(await screen.findByText('Delivery 4 is closed. The next file opens a new one.')).toBeInTheDocument()
+    expect(asked.find(({ method }) => method === 'PATCH')?.body).toEqual({ note: 'Doors.' })
+  })
+})
+
+describe('beside it', () => {
+  test('what is to make says what is missing and what is not settled', async () => {
+    serve(answers())
+    openApp('/desk')
+    const card = await screen.findByRole('region', { name: 'To make' })
+    const [warp, laser, whale] = within(card).getAllByRole('listitem')
+    expect(warp).toHaveTextContent('warp_in')
+    expect(laser).toHaveTextContent('2 of 4 missing')
+    expect(whale).toHaveTextContent('not settled; ask before you start')
+    expect(within(card).getByRole('button', { name: 'Choose files for warp_in' })).toBeInTheDocument()
+    expect(screen.getByText('1 cue, 3 files')).toBeInTheDocument()
+  })
+
+  test('a question goes to the cue in the hand unless told otherwise; empty ones are not sent', async () => {
+    const { asked } = serve(
+      answers({
+        'POST /v1/cues/c9/questions': answer({ ...DESK.questions[0], cue_id: 'c9', cue_name: 'airlock_cycle' }, 201),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    expect(await screen.findByText('A tool.')).toBeInTheDocument()
+    await user.keyboard('q')
+    const field = await screen.findByRole('textbox', { name: 'Question' })
+    expect(field).toHaveFocus()
+    await user.click(screen.getByRole('button', { name: 'Ask the studio' }))
+    expect(await screen.findByText('Write what you must know.')).toBeInTheDocument()
+    expect(asked.some(({ method }) => method === 'POST')).toBe(false)
+    await user.type(field, 'How heavy is the door?')
+    await user.click(screen.getByRole('button', { name: 'Ask the studio' }))
+    expect(await screen.findByText(/Asked about airlock_cycle/)).toBeInTheDocument()
+    expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ text: 'How heavy is the door?' })
+  })
+})
+
+test('who is of the team has no desk here', async () => {
+  serve(answers({ 'GET /v1/projects/p1/desk': refusal(403, 'designer-needed', 'only its designers have a desk') }))
+  openApp('/projects/p1/desk')
+  expect(await screen.findByRole('heading', { name: 'You have no desk in this project.' })).toBeInTheDocument()
+})
+
+test('whom no project engaged is told how it begins', async () => {
+  serve(answers({ 'GET /v1/me': { ...ME, projects: [] } }))
+  openApp('/desk')
+  expect(
+    await screen.findByRole('heading', { name: 'No project has you as its sound designer yet.' }),
+  ).toBeInTheDocument()
+})
