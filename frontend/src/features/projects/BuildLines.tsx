@@ -17,7 +17,9 @@ export function BuildLine({ build, children }: { build: Build | BuildBrief; chil
       <span className="strong cut-text">{build.label}</span>
       <State kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</State>
       <span className={`small dim ${classes.when}`}>
-        {[when === 'now' ? 'just now' : `${when} ago`, build.target, build.commit.slice(0, 8)].filter(Boolean).join(', ')}
+        {[when === 'now' ? 'just now' : `${when} ago`, build.target, build.commit.slice(0, 8)]
+          .filter(Boolean)
+          .join(', ')}
       </span>
       {children}
     </div>
@@ -57,7 +59,10 @@ export function BuildReasons({ build, projectId, most = 1000 }: BuildReasonsProp
 function Files({ files, tone }: { files: readonly RefusedFile[]; tone: 'bad' | 'warn' }) {
   if (files.length === 0) return null
   return (
-    <ul className={`small ${classes.files} tone-${tone}`} aria-label={tone === 'bad' ? 'Refused files' : 'Files that warn'}>
+    <ul
+      className={`small ${classes.files} tone-${tone}`}
+      aria-label={tone === 'bad' ? 'Refused files' : 'Files that warn'}
+    >
       {files.map(({ path, reasons }) => (
         <li key={path}>
           <span className={`mono ${classes.path}`}>{path}</span>

@@ -78,7 +78,11 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
 /** One square a build, the oldest first; height and colour say how it ended, and words do for those who listen. */
 function Squares({ builds }: { builds: readonly BuildBrief[] }) {
   return (
-    <div className={classes.run} role="img" aria-label={`${plural(builds.length, 'build')}: ${outcomesInWords(builds)}`}>
+    <div
+      className={classes.run}
+      role="img"
+      aria-label={`${plural(builds.length, 'build')}: ${outcomesInWords(builds)}`}
+    >
       {builds.toReversed().map((build) => (
         <i key={build.id} data-outcome={outcomeOf(build)} title={build.label} />
       ))}

@@ -46,7 +46,8 @@ export function LatelyCard({ happened }: { happened: readonly Happening[] }) {
       {told.length === 0 && <p className={`mid ${classes.quiet}`}>Nothing has happened yet.</p>}
       <ul>
         {told.map((one) => {
-          const { icon, tone } = one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
+          const { icon, tone } =
+            one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
           return (
             <li key={`${one.at} ${one.text}`} className={`small ${classes.act}`}>
               <span className="dim">{age(one.at)}</span>

@@ -119,12 +119,16 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
             label="Prefix of cue numbers"
             value={prefix}
             onChange={({ currentTarget }) => setTyped(currentTarget.value.toUpperCase())}
-            description={prefix === '' ? 'One to eight capitals or digits' : `Cues are numbered ${prefix}-001, ${prefix}-002 …`}
+            inputWrapperOrder={['label', 'input', 'description', 'error']}
+            description={
+              prefix === '' ? 'One to eight capitals or digits' : `Cues are numbered ${prefix}-001, ${prefix}-002 …`
+            }
             error={against(open.error, 'cue_prefix')}
           />
           <Textarea
             className={classes.whole}
             label="What game is it, and where is it heard?"
+            inputWrapperOrder={['label', 'input', 'description', 'error']}
             description="A designer reads this first. It may stay empty."
             autosize
             minRows={2}

@@ -29,7 +29,9 @@ export function PackCard({ projectId }: { projectId: string }) {
         end={first && !nothing && `${countOf(first.cues_accepted, first.cues_wanted)} cues`}
       />
       {noTarget ? (
-        <p className={`mid ${classes.quiet}`}>The spec names no target, so no game file is made. Add one to the spec.</p>
+        <p className={`mid ${classes.quiet}`}>
+          The spec names no target, so no game file is made. Add one to the spec.
+        </p>
       ) : (
         <Refusal error={error} />
       )}
@@ -79,10 +81,20 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
       </div>
       <p className="row small mid wrap">
         Documentation key
-        <a className="link" href={keyUrl(projectId, target, 'csv')} download aria-label={`Documentation key of ${target} as CSV`}>
+        <a
+          className="link"
+          href={keyUrl(projectId, target, 'csv')}
+          download
+          aria-label={`Documentation key of ${target} as CSV`}
+        >
           CSV
         </a>
-        <a className="link" href={keyUrl(projectId, target, 'xlsx')} download aria-label={`Documentation key of ${target} as XLSX`}>
+        <a
+          className="link"
+          href={keyUrl(projectId, target, 'xlsx')}
+          download
+          aria-label={`Documentation key of ${target} as XLSX`}
+        >
           XLSX
         </a>
       </p>

@@ -26,7 +26,9 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
   const { playing, goesOn, error, play, stop } = useOneAfterAnother(palette)
   const heard = palette.filter(({ preview_url }) => preview_url !== null)
   const all = () => (goesOn ? stop() : play(heard[0]?.cue.id, true))
-  useHotkeys([{ keys: 'Space', label: 'Play the palette, pause', group: 'Project', run: all, disabled: heard.length === 0 }])
+  useHotkeys([
+    { keys: 'Space', label: 'Play the palette, pause', group: 'Project', run: all, disabled: heard.length === 0 },
+  ])
   if (cues === 0) return null
   const list = `/projects/${projectId}/sound-list`
   return (

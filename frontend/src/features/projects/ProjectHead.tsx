@@ -25,7 +25,9 @@ function usePeople(project: Project): Someone[] {
   const { data: members } = useQuery({ ...membersQuery(project.studio.id), enabled: project.mine.is_team })
   const { decider } = project
   const designers = project.engagements.filter(({ ended_at }) => ended_at === null)
-  const producers = (members ?? []).filter(({ roles, person }) => roles.includes('producer') && person.id !== decider.id)
+  const producers = (members ?? []).filter(
+    ({ roles, person }) => roles.includes('producer') && person.id !== decider.id,
+  )
   return [
     { ...decider, part: `${decider.name}, decides` },
     ...producers.map(({ person: { id, name } }) => ({
@@ -114,8 +116,9 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
       { archived },
       {
         onSuccess: ({ name }) => {
-          showToast(archived ? `${name} is put away.` : `${name} runs again.`, () =>
-            void change.mutate({ archived: !archived }),
+          showToast(
+            archived ? `${name} is put away.` : `${name} runs again.`,
+            () => void change.mutate({ archived: !archived }),
           )
           onDone()
         },

@@ -56,7 +56,9 @@ export function ProjectsPage() {
       <Refusal error={error} />
       {projects?.length === 0 &&
         (which === 'away' ? (
-          <EmptyState head="Nothing is put away.">A producer puts a project away on its page, once it is done.</EmptyState>
+          <EmptyState head="Nothing is put away.">
+            A producer puts a project away on its page, once it is done.
+          </EmptyState>
         ) : (
           <EmptyState head="You are part of no project.">
             {mayOpen

@@ -1,4 +1,11 @@
-import { keepPreviousData, queryOptions, useInfiniteQuery, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+import {
+  keepPreviousData,
+  queryOptions,
+  useInfiniteQuery,
+  useMutation,
+  useQuery,
+  useQueryClient,
+} from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
@@ -57,8 +64,7 @@ const keys = {
 export const useProjects = (archived: boolean) =>
   useInfiniteQuery({
     queryKey: keys.projects(archived),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(api.GET('/v1/projects', { params: { query: { cursor, archived } } })),
+    queryFn: ({ pageParam: cursor }) => answered(api.GET('/v1/projects', { params: { query: { cursor, archived } } })),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
@@ -150,7 +156,8 @@ export type Written = { toml: string } | { tables: Record<string, unknown> }
 export const useSpecTry = (projectId: string, written: Written, enabled: boolean) =>
   useQuery({
     queryKey: ['spec-try', projectId, written],
-    queryFn: () => answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
+    queryFn: () =>
+      answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
     enabled,
     placeholderData: keepPreviousData,
     staleTime: Infinity,

@@ -32,7 +32,12 @@ export function groupsOf(steps: readonly Step[]): StepGroup[] {
   const group = (title: string, palette: boolean): StepGroup => {
     const own = steps.filter((step) => step.palette === palette)
     const wanted = own.filter(({ status }) => status !== 'cut')
-    return { title, steps: own, wanted: wanted.length, accepted: wanted.filter(({ status }) => status === 'accepted').length }
+    return {
+      title,
+      steps: own,
+      wanted: wanted.length,
+      accepted: wanted.filter(({ status }) => status === 'accepted').length,
+    }
   }
   const palette = group('Palette', true)
   const rest = group(palette.steps.length > 0 ? 'The rest of the list' : 'The list', false)

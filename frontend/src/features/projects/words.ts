@@ -29,7 +29,7 @@ export const KIND_WORDS: Record<EngagementKind, string> = {
 
 export const KIND_MEANINGS: Record<EngagementKind, string> = {
   advisory: 'helps without a fee',
-  contract: 'paid by contract',
+  contract: 'for a fee',
   'in-house': 'on the payroll',
 }
 

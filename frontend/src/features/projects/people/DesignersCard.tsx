@@ -99,10 +99,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
           />
         )}
         {project.mine.is_producer && (
-          <Button
-            variant="quiet"
-            onClick={() => setEnded(!ended)}
-          >
+          <Button variant="quiet" onClick={() => setEnded(!ended)}>
             <span>
               {ended ? 'Take up again' : 'End'}
               <span className="visually-hidden">{`: the engagement of ${designer.name}`}</span>

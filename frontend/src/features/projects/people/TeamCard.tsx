@@ -20,7 +20,9 @@ export function TeamCard({ project, members }: { project: Project; members: read
       {
         onSuccess: () =>
           showToast(
-            speaks ? `${member.person.name} speaks for the team.` : `${member.person.name} speaks for the team no longer.`,
+            speaks
+              ? `${member.person.name} speaks for the team.`
+              : `${member.person.name} speaks for the team no longer.`,
             () => set.mutate({ personId: member.person.id, speaks: !speaks }),
           ),
       },

@@ -32,7 +32,12 @@ export function SpecCard({ project }: { project: Project }) {
         end={
           spec && (
             <>
-              <Link className={`link ${classes.versions}`} to="/projects/$projectId/spec/versions" params={{ projectId }} search={{}}>
+              <Link
+                className={`link ${classes.versions}`}
+                to="/projects/$projectId/spec/versions"
+                params={{ projectId }}
+                search={{}}
+              >
                 Versions
               </Link>
               <Button variant="quiet" icon="copy" aria-label="Copy the TOML" onClick={() => void copy(spec.toml)}>
@@ -81,7 +86,9 @@ function madeLine(packs: readonly Pack[] | undefined): Line[] {
   if (packs === undefined || packs.every(({ files, missing }) => files + missing.length === 0)) return []
   const made = packs.reduce((sum, { files }) => sum + files, 0)
   const whole = packs.reduce((sum, { files, missing }) => sum + files + missing.length, 0)
-  return [{ word: 'Made', value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}` }]
+  return [
+    { word: 'Made', value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}` },
+  ]
 }
 
 function Part({ head, lines, legend = false }: { head: string; lines: readonly Line[]; legend?: boolean }) {
@@ -123,7 +130,8 @@ function Part({ head, lines, legend = false }: { head: string; lines: readonly L
 function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
   const { data: cues = [] } = useQuery(cuesQuery(projectId))
   const counts = new Map<string, number>()
-  for (const { category, state } of cues) if (category && state !== 'cut') counts.set(category, (counts.get(category) ?? 0) + 1)
+  for (const { category, state } of cues)
+    if (category && state !== 'cut') counts.set(category, (counts.get(category) ?? 0) + 1)
   const named = Object.keys(tableIn(spec.tables.categories))
   const rows = [...new Set([...named, ...counts.keys()])].map((name) => ({
     name,
@@ -164,7 +172,8 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
       )}
       {rows.length > 0 && (
         <p className={`small mid ${classes.plain}`}>
-          {plain.length > 0 && `As above: ${listed(plain.map(({ name, cues: count }) => `${name} (${figure(count)})`))}. `}
+          {plain.length > 0 &&
+            `As above: ${listed(plain.map(({ name, cues: count }) => `${name} (${figure(count)})`))}. `}
           {unused.length > 0 && `Not on the list: ${listed(unused.map(({ name }) => name))}.`}
         </p>
       )}

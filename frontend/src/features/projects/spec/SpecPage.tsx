@@ -1,1 +1,46 @@
-export function SpecPage() { return <h1>SpecPage</h1> }
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { EmptyState } from '@/ui/EmptyState'
+
+import { projectQuery, specQuery } from '../api'
+import { Refusal } from '../Refusal'
+import { speaks } from '../words'
+import { SpecEditor } from './SpecEditor'
+
+/** Change what a file must be, by form or as TOML. */
+export function SpecPage() {
+  useTitle('Delivery spec')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/spec' })
+  const { data: project, error } = useQuery(projectQuery(projectId))
+  const { data: spec, error: noSpec } = useQuery(specQuery(projectId))
+  if (project && !speaks(project)) {
+    return (
+      <div className="page page-narrow">
+        <EmptyState
+          head="A producer or a liaison changes the spec."
+          level={1}
+          action={
+            <>
+              <Link className="link" to="/projects/$projectId/spec/versions" params={{ projectId }} search={{}}>
+                Read it, and its versions
+              </Link>
+              <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+                To the project
+              </Link>
+            </>
+          }
+        >
+          {`Say to ${project.decider.name} what you would have otherwise.`}
+        </EmptyState>
+      </div>
+    )
+  }
+  return (
+    <div className="page">
+      {project && spec ? <SpecEditor key={projectId} project={project} spec={spec} /> : <h1>Delivery spec</h1>}
+      <Refusal error={error ?? noSpec} />
+    </div>
+  )
+}

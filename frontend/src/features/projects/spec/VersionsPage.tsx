@@ -1,1 +1,170 @@
-export function VersionsPage() { return <h1>VersionsPage</h1> }
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { Segmented } from '@/ui/Segmented'
+
+import { projectQuery, specVersionQuery, useSpecVersions } from '../api'
+import { Refusal } from '../Refusal'
+import { speaks } from '../words'
+import { draftOf, keepDraft } from './draft'
+import { LineDiff } from './LineDiff'
+import classes from './VersionsPage.module.css'
+
+/** Every version of the spec: its text, and what it changed against another. */
+export function VersionsPage() {
+  useTitle('Versions of the spec')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/spec/versions' })
+  const search = useSearch({ from: '/shell/projects/$projectId/spec/versions' })
+  const navigate = useNavigate()
+  const { data: project } = useQuery(projectQuery(projectId))
+  const { data, error, hasNextPage, fetchNextPage } = useSpecVersions(projectId)
+  const versions = data?.pages.flatMap(({ items }) => items) ?? []
+  const newest = versions[0]?.version
+  const version = search.version ?? newest
+  const against = search.against ?? (version !== undefined && version > 1 ? version - 1 : undefined)
+  const show = (next: { version?: number; against?: number }) =>
+    void navigate({ to: '/projects/$projectId/spec/versions', params: { projectId }, search: next, replace: true })
+  const at = versions.findIndex((one) => one.version === version)
+  const step = (by: number) => {
+    const next = versions[at + by]
+    if (next) show({ version: next.version })
+  }
+  useHotkeys([
+    { keys: 'j', label: 'Next version', group: 'Versions', run: () => step(1) },
+    { keys: 'k', label: 'Version before', group: 'Versions', run: () => step(-1) },
+  ])
+  const takeUp = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
+  return (
+    <div className="page">
+      <div className={classes.head}>
+        <h1>Versions of the delivery spec</h1>
+        <p className="mid">
+          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+            {project?.name ?? 'The project'}
+          </Link>
+        </p>
+      </div>
+      <Refusal error={error} />
+      <div className={classes.columns}>
+        <Card aria-label="Versions">
+          <Rows aria-label="Versions">
+            {versions.map((one) => (
+              <Row key={one.version} selected={one.version === version} className={classes.version}>
+                <button type="button" className={classes.pick} onClick={() => show({ version: one.version })}>
+                  <span className="strong">{`Version ${one.version}`}</span>
+                  <span className="small mid">{one.note || 'No note.'}</span>
+                  <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
+                </button>
+              </Row>
+            ))}
+          </Rows>
+          {hasNextPage && (
+            <div className={classes.more}>
+              <Button onClick={() => void fetchNextPage()}>Earlier versions</Button>
+            </div>
+          )}
+        </Card>
+        {version !== undefined && (
+          <OneVersion
+            key={version}
+            projectId={projectId}
+            version={version}
+            against={against}
+            numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
+            onAgainst={(other) => show({ version, against: other })}
+            newest={newest ?? version}
+            onTakeUp={project && speaks(project) ? takeUp : undefined}
+          />
+        )}
+      </div>
+    </div>
+  )
+}
+
+interface OneVersionProps {
+  projectId: string
+  version: number
+  against: number | undefined
+  newest: number
+  numbers: readonly number[]
+  onAgainst: (version: number) => void
+  onTakeUp?: () => void
+}
+
+function OneVersion({ projectId, version, against, newest, numbers, onAgainst, onTakeUp }: OneVersionProps) {
+  const { data: spec, error } = useQuery(specVersionQuery(projectId, version))
+  const { data: other, error: noOther } = useQuery({
+    ...specVersionQuery(projectId, against ?? version),
+    enabled: against !== undefined,
+  })
+  const { data: held } = useQuery({ ...specVersionQuery(projectId, newest), enabled: version !== newest })
+  const [chosen, setChosen] = useState<'changes' | 'text'>('changes')
+  const view = against === undefined ? 'text' : chosen
+  const takeUp = () => {
+    if (!spec || !held || !onTakeUp) return
+    keepDraft(projectId, { ...draftOf(spec, 'toml'), basedOn: held.version, note: `As version ${version}` })
+    onTakeUp()
+  }
+  return (
+    <Card aria-labelledby="version" className={classes.one}>
+      <CardHead
+        id="version"
+        title={`Version ${version}`}
+        note={version === newest ? 'holds now' : undefined}
+        end={
+          <>
+            {against !== undefined && (
+              <Segmented
+                label="What is shown"
+                options={[
+                  { value: 'changes', label: 'Changes' },
+                  { value: 'text', label: 'Text' },
+                ]}
+                value={view}
+                onChange={setChosen}
+              />
+            )}
+            {onTakeUp && held && <Button onClick={takeUp}>Take it up again</Button>}
+          </>
+        }
+      />
+      <Refusal error={error ?? noOther} />
+      {view === 'changes' && numbers.length > 1 && (
+        <p className={`row wrap small mid ${classes.against}`}>
+          <label htmlFor="against">Against version</label>
+          <select
+            id="against"
+            className={classes.select}
+            value={against}
+            onChange={({ currentTarget }) => onAgainst(Number(currentTarget.value))}
+          >
+            {numbers
+              .filter((number) => number !== version)
+              .map((number) => (
+                <option key={number} value={number}>
+                  {number}
+                </option>
+              ))}
+          </select>
+        </p>
+      )}
+      {view === 'changes' && spec && other && (
+        <LineDiff before={other.toml} after={spec.toml} label={`Version ${other.version} against ${spec.version}`} />
+      )}
+      {view === 'text' && spec && (
+        // A long line scrolls, so the keyboard must reach it.
+        // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
+        <pre className={classes.text} tabIndex={0} role="region" aria-label={`Text of version ${version}`}>
+          {spec.toml}
+        </pre>
+      )}
+    </Card>
+  )
+}

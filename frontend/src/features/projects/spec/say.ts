@@ -146,8 +146,20 @@ function acceptDifferences(own: Tables, base: Tables): string[] {
     else if (key === 'channels') said.push(numbers(value).map(channels).join(' or '))
     else if (key === 'sample_rates_hz') said.push(ratesOf(numbers(value)))
     else if (key === 'bit_depths') said.push(depthsOf(numbers(value)))
-    else if (key === 'containers') said.push(listed(words(value).map((one) => CONTAINERS[one] ?? one), 'or'))
-    else if (key === 'encodings') said.push(listed(words(value).map((one) => ENCODINGS[one] ?? one), 'or'))
+    else if (key === 'containers')
+      said.push(
+        listed(
+          words(value).map((one) => CONTAINERS[one] ?? one),
+          'or',
+        ),
+      )
+    else if (key === 'encodings')
+      said.push(
+        listed(
+          words(value).map((one) => ENCODINGS[one] ?? one),
+          'or',
+        ),
+      )
     else if (key === 'duration_s') said.push(lengthOf(range({ ...tableIn(base.duration_s), ...tableIn(value) })))
   }
   return said
@@ -157,14 +169,19 @@ function limitDifferences({ head_silence_ms: head, tail_silence_ms: tail, ...own
   const edges =
     typeof head === 'number' && typeof tail === 'number'
       ? [`silence first ${exact(head)}, last ${exact(tail)} ms`]
-      : limitWords({ ...(head === undefined ? {} : { head_silence_ms: head }), ...(tail === undefined ? {} : { tail_silence_ms: tail }) })
+      : limitWords({
+          ...(head === undefined ? {} : { head_silence_ms: head }),
+          ...(tail === undefined ? {} : { tail_silence_ms: tail }),
+        })
   return [...limitWords(own), ...edges]
 }
 
 function limitWords(own: Tables): string[] {
   return Object.entries(own).map(([key, value]) => {
     const limit = LIMITS.find((one) => one.key === key)
-    const word = (limit?.key === 'dc_offset_percent' ? limit.word : limit?.word.toLowerCase()) ?? key.replace(/_(lufs|dbfs|db)$/, '').replaceAll('_', ' ')
+    const word =
+      (limit?.key === 'dc_offset_percent' ? limit.word : limit?.word.toLowerCase()) ??
+      key.replace(/_(lufs|dbfs|db)$/, '').replaceAll('_', ' ')
     if (value === 'any') return `${word} not limited`
     if (key === 'loudness_lufs') return `loudness ${loudnessOf(range(value))}`
     const unit = limit?.unit ?? (key.endsWith('dbfs') ? 'dBFS' : 'dB')
@@ -180,11 +197,14 @@ export function differences(tables: Tables, category: string): string[] {
   return [
     ...acceptDifferences(tableIn(own.accept), tableIn(tables.accept)),
     ...Object.entries(tableIn(own.checks)).map(
-      ([name, severity]) => `${CHECK_WORDS.get(name) ?? name} ${SEVERITY_VERBS[severity as Severity] ?? String(severity)}`,
+      ([name, severity]) =>
+        `${CHECK_WORDS.get(name) ?? name} ${SEVERITY_VERBS[severity as Severity] ?? String(severity)}`,
     ),
     ...limitDifferences(tableIn(own.limits)),
     ...('pattern' in naming ? [naming.pattern === 'any' ? 'any name' : `named ${String(naming.pattern)}`] : []),
-    ...(Array.isArray(adds) ? [adds.length === 0 ? 'the engine adds nothing' : `the engine adds ${listed(words(adds))}`] : []),
+    ...(Array.isArray(adds)
+      ? [adds.length === 0 ? 'the engine adds nothing' : `the engine adds ${listed(words(adds))}`]
+      : []),
     ...Object.entries(tableIn(own.targets)).map(([name, value]) => {
       const { sample_rate_hz: hz, bit_depth: bits, channels: count } = tableIn(value)
       const facts = [

@@ -41,7 +41,10 @@ export function same(one: unknown, other: unknown): boolean {
 
 /** A number as somebody types it; what is none stays as typed, so that it is refused in words and not lost. */
 export function typedNumber(text: string): number | string | undefined {
-  const plain = text.trim().replace('−', '-').replace(/^(-?\d*),(\d+)$/, '$1.$2')
+  const plain = text
+    .trim()
+    .replace('−', '-')
+    .replace(/^(-?\d*),(\d+)$/, '$1.$2')
   if (plain === '') return undefined
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : plain
 }

@@ -1,0 +1,117 @@
+import { TextInput } from '@mantine/core'
+import { useState } from 'react'
+
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { plural } from '@/ui/format'
+
+import type { Cue } from '../api'
+import { FORM_CHECKS } from './checks'
+import { Against, Choice, SeverityField, useWriting } from './fields'
+import { AcceptFields, LimitFields } from './GroupFields'
+import { differences, kindOf, SOUND_KINDS } from './say'
+import classes from './SpecForm.module.css'
+import { at, type Tables, tableIn } from './tables'
+import { isAt } from './trouble'
+
+const KINDS = [
+  { value: '', label: 'not said' },
+  ...Object.entries(SOUND_KINDS).map(([value, label]) => ({ value, label })),
+]
+
+/** What one category asks otherwise than the spec at large. */
+export function Categories({ cues }: { cues: readonly Cue[] }) {
+  const { tables, change } = useWriting()
+  const [name, setName] = useState('')
+  const named = Object.keys(tableIn(tables.categories))
+  const unnamed = [...new Set(cues.map(({ category }) => category))].filter((one) => one !== '' && !named.includes(one))
+  const slug = name.trim().toLowerCase().replace(/\s+/g, '_')
+  const add = (category: string) => {
+    if (category === '' || named.includes(category)) return
+    // An empty table is a category all the same.
+    change((whole) => ({ ...whole, categories: { ...tableIn(whole.categories), [category]: {} } }))
+    setName('')
+  }
+  return (
+    <Card aria-labelledby="form-categories">
+      <CardHead id="form-categories" title="Categories" note="only what differs from the above" />
+      {named.map((category) => (
+        <Category key={category} name={category} cues={cues.filter((cue) => cue.category === category).length} />
+      ))}
+      <form
+        className={`row wrap ${classes.inside}`}
+        onSubmit={(event) => {
+          event.preventDefault()
+          add(slug)
+        }}
+      >
+        <TextInput
+          aria-label="Name of a category"
+          placeholder="Name of a category"
+          value={name}
+          spellCheck={false}
+          onChange={({ currentTarget }) => setName(currentTarget.value)}
+        />
+        <Button type="submit" icon="plus">
+          Add the category
+        </Button>
+        {unnamed.length > 0 && <span className="small mid">On the list, and not named here:</span>}
+        {unnamed.map((category) => (
+          <button type="button" key={category} className="link small" onClick={() => add(category)}>
+            {category}
+          </button>
+        ))}
+      </form>
+    </Card>
+  )
+}
+
+function Category({ name, cues }: { name: string; cues: number }) {
+  const { tables, set, change, trouble } = useWriting()
+  const base = ['categories', name]
+  const wrong = isAt(trouble, base)
+  const [opened, setOpened] = useState(false)
+  const open = opened || wrong
+  const differs = differences(tables, name)
+  const kind = at(tables, [...base, 'kind'])
+  const remove = () =>
+    change((whole: Tables) => {
+      const { [name]: gone, ...left } = tableIn(whole.categories)
+      return gone === undefined ? whole : { ...whole, categories: left }
+    })
+  return (
+    <details className={classes.category} open={open} onToggle={({ currentTarget }) => setOpened(currentTarget.open)}>
+      <summary className={classes.summary}>
+        <span className="strong">{name}</span>
+        <span className="small dim nowrap">{cues > 0 ? plural(cues, 'cue') : 'no cue'}</span>
+        <span className="small mid grow">
+          {[kindOf(tables, name), ...differs].filter(Boolean).join('; ') || 'as above'}
+        </span>
+      </summary>
+      {open && (
+        <div className={classes.inside}>
+          <div className={classes.two}>
+            <Choice
+              label="Its sounds are"
+              value={typeof kind === 'string' ? kind : ''}
+              options={KINDS}
+              onChange={(value) => set([...base, 'kind'], value === '' ? undefined : value)}
+            />
+            <AcceptFields base={base} />
+          </div>
+          <LimitFields base={base} />
+          <ul className={classes.checks}>
+            {FORM_CHECKS.map(({ name: check, word, usual }) => (
+              <li key={check}>
+                <span>{word}</span>
+                <SeverityField base={[...base, 'checks']} check={check} label={`${word} of ${name}`} usual={usual} />
+              </li>
+            ))}
+          </ul>
+          <Against place={base} />
+          <Button variant="quiet" icon="cross" onClick={remove}>{`Remove ${name}`}</Button>
+        </div>
+      )}
+    </details>
+  )
+}

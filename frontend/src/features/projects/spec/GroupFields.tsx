@@ -1,0 +1,78 @@
+import { rate } from '@/ui/format'
+
+import { type LimitName, LIMITS } from './checks'
+import { Choices, NumberField, SeverityField } from './fields'
+import classes from './SpecForm.module.css'
+
+const RATES = [44100, 48000, 88200, 96000, 192000].map((value) => ({ value, label: rate(value) }))
+const DEPTHS = [16, 24, 32].map((value) => ({ value, label: `${value} bit` }))
+const CHANNELS = [
+  { value: 1, label: 'mono' },
+  { value: 2, label: 'stereo' },
+]
+const CONTAINERS = [
+  { value: 'wav', label: 'WAV' },
+  { value: 'rf64', label: 'RF64' },
+]
+const ENCODINGS = [
+  { value: 'pcm', label: 'PCM' },
+  { value: 'float', label: 'float' },
+]
+/** What a file may be: of the spec at large, or of one category. */
+export function AcceptFields({ base }: { base: readonly string[] }) {
+  const accept = (key: string) => [...base, 'accept', key]
+  return (
+    <>
+      <Choices place={accept('containers')} label="Container" options={CONTAINERS} />
+      <Choices place={accept('encodings')} label="Encoding" options={ENCODINGS} />
+      <Choices place={accept('sample_rates_hz')} label="Rate" options={RATES} />
+      <Choices place={accept('bit_depths')} label="Depth" options={DEPTHS} />
+      <Choices place={accept('channels')} label="Channels" options={CHANNELS} />
+      <div className={classes.field}>
+        <div className={classes.pair}>
+          <NumberField place={[...accept('duration_s'), 'min']} label="Length, at least" unit="s" />
+          <NumberField place={[...accept('duration_s'), 'max']} label="Length, at most" unit="s" />
+        </div>
+      </div>
+    </>
+  )
+}
+
+/** The levels and edges, each with what follows when it is broken. */
+export function LimitFields({ base }: { base: readonly string[] }) {
+  return (
+    <div className={classes.limits}>
+      {LIMITS.map((limit) => (
+        <LimitLine key={limit.key} limit={limit} base={base} />
+      ))}
+      <div className={classes.limit}>
+        <span>Loudness</span>
+        <div className={classes.pair}>
+          <NumberField
+            place={[...base, 'limits', 'loudness_lufs', 'min']}
+            label="Loudness, at least"
+            unit="LUFS"
+            hideLabel
+          />
+          <NumberField
+            place={[...base, 'limits', 'loudness_lufs', 'max']}
+            label="Loudness, at most"
+            unit="LUFS"
+            hideLabel
+          />
+        </div>
+        <SeverityField base={[...base, 'checks']} check="loudness" label="Loudness" />
+      </div>
+    </div>
+  )
+}
+
+function LimitLine({ limit: { key, word, unit, check }, base }: { limit: LimitName; base: readonly string[] }) {
+  return (
+    <div className={classes.limit}>
+      <span>{word}</span>
+      <NumberField place={[...base, 'limits', key]} label={word} unit={unit} hideLabel />
+      {check && <SeverityField base={[...base, 'checks']} check={check} label={word} />}
+    </div>
+  )
+}

@@ -1,0 +1,49 @@
+import { useMemo } from 'react'
+
+import { plural } from '@/ui/format'
+
+import { diffLines, folded } from './diff'
+import classes from './LineDiff.module.css'
+
+interface LineDiffProps {
+  before: string
+  after: string
+  /** What is compared, for those who listen. */
+  label: string
+}
+
+const SIGNS = { same: ' ', gone: '−', new: '+' }
+const WORDS = { same: '', gone: 'gone: ', new: 'new: ' }
+
+/** Two texts line by line: what went is struck, what came is marked. */
+export function LineDiff({ before, after, label }: LineDiffProps) {
+  const parts = useMemo(() => folded(diffLines(before, after)), [before, after])
+  if (before === after) return <p className={`mid ${classes.same}`}>The two say the same, to the letter.</p>
+  return (
+    // A long line scrolls, so the keyboard must reach it.
+    // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
+    <div className={classes.diff} role="region" aria-label={label} tabIndex={0}>
+      {parts.map((part, index) =>
+        part.kind === 'skipped' ? (
+          <p key={index} className={classes.skipped}>
+            {`${plural(part.count, 'line')} the same`}
+          </p>
+        ) : (
+          <div key={index} className={classes.line} data-kind={part.kind}>
+            <span className={classes.number} aria-hidden="true">
+              {part.before ?? ''}
+            </span>
+            <span className={classes.number} aria-hidden="true">
+              {part.after ?? ''}
+            </span>
+            <span aria-hidden="true">{SIGNS[part.kind]}</span>
+            <span className={classes.text}>
+              {WORDS[part.kind] && <span className="visually-hidden">{WORDS[part.kind]}</span>}
+              {part.text}
+            </span>
+          </div>
+        ),
+      )}
+    </div>
+  )
+}

@@ -1,0 +1,310 @@
+import { Textarea } from '@mantine/core'
+import { useDebouncedValue } from '@mantine/hooks'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { Link, useNavigate } from '@tanstack/react-router'
+import { useEffect, useMemo, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { shortDay } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { Segmented } from '@/ui/Segmented'
+
+import { cuesQuery, type Project, type Spec, specQuery, useSaveSpec, useSpecTry } from '../api'
+import { Refusal } from '../Refusal'
+import { sentence } from '../words'
+import { differs, draftOf, keepDraft, keptDraft, type SpecDraft, written } from './draft'
+import { Writing } from './fields'
+import { LineDiff } from './LineDiff'
+import { correctionOf, hasComments, lineOf } from './places'
+import classes from './SpecEditor.module.css'
+import { SpecForm } from './SpecForm'
+import { put, same, type Tables } from './tables'
+import { TomlEditor } from './TomlEditor'
+import { troubleOf } from './trouble'
+
+const TRY_AFTER_MS = 400
+const NO_CUES: never[] = []
+
+/** Opens the field or the line where something is wrong. */
+function goTo(place: string) {
+  const keys = place.replace(/\[\d+\]/g, '').split('.')
+  for (let count = keys.length; count > 0; count -= 1) {
+    const field = document.getElementById(`spec-${keys.slice(0, count).join('.')}`)
+    if (field) {
+      field.scrollIntoView({ block: 'center' })
+      const target = field.matches('input, textarea, button')
+        ? field
+        : field.querySelector<HTMLElement>('button, input')
+      target?.focus()
+      return
+    }
+  }
+}
+
+export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) {
+  const { id: projectId } = project
+  const client = useQueryClient()
+  const navigate = useNavigate()
+  const { data: cues = NO_CUES } = useQuery(cuesQuery(projectId))
+  const [draft, setDraft] = useState<SpecDraft>(() => keptDraft(projectId) ?? draftOf(spec))
+  const [wasKept, setWasKept] = useState(() => keptDraft(projectId) !== null)
+  const save = useSaveSpec(projectId)
+  const changed = differs(draft, spec)
+  const movedOn = spec.version !== draft.basedOn
+  useEffect(() => keepDraft(projectId, changed ? draft : null), [projectId, draft, changed])
+  // Nothing was written yet: the newer version is simply the one to write on.
+  useEffect(() => {
+    if (movedOn && !changed) setDraft((old) => ({ ...draftOf(spec, old.mode), note: old.note }))
+  }, [movedOn, changed, spec])
+
+  const sent = useMemo(() => written(draft), [draft])
+  const [settled] = useDebouncedValue(sent, TRY_AFTER_MS)
+  const tried = useSpecTry(projectId, settled, changed)
+  const isCurrent = same(settled, sent) && !tried.isFetching && !tried.isPlaceholderData
+  const trouble = troubleOf(changed ? (troubleOf(save.error) && save.error) || (isCurrent ? tried.error : null) : null)
+  const result = changed ? (isCurrent && tried.data ? tried.data : null) : spec
+  const mine = 'toml' in sent ? sent.toml : (tried.data?.toml ?? draft.from.toml)
+
+  const change = (next: Partial<SpecDraft>) => {
+    save.reset()
+    setDraft((old) => ({ ...old, ...next }))
+  }
+  const changeTables = (tell: (tables: Tables) => Tables) => {
+    save.reset()
+    setDraft((old) => ({ ...old, tables: tell(old.tables) }))
+  }
+  const switchTo = (mode: SpecDraft['mode']) => {
+    if (mode === draft.mode) return
+    if (mode === 'toml') {
+      change({ mode, toml: 'toml' in sent ? sent.toml : mine })
+      return
+    }
+    const tables = draft.toml === spec.toml ? spec.tables : result?.tables
+    if (tables === undefined) return
+    change({ mode, tables, from: { toml: draft.toml, tables } })
+  }
+  const otherMode = draft.mode === 'form' ? 'TOML' : 'form'
+  const maySwitch = !changed || result !== null
+
+  const begin = (from: SpecDraft) => {
+    save.reset()
+    setWasKept(false)
+    setDraft(from)
+  }
+  const drop = () => {
+    const dropped = draft
+    begin(draftOf(spec, draft.mode))
+    showToast('What was written is dropped.', () => begin(dropped))
+  }
+  const send = () => {
+    if (!changed || save.isPending) return
+    const before = spec
+    save.mutate(
+      { ...sent, note: draft.note, based_on_version: draft.basedOn },
+      {
+        onSuccess: (saved) => {
+          keepDraft(projectId, null)
+          showToast(`Version ${saved.version} of the spec holds. Takes that it touches are judged anew.`, async () => {
+            await save.mutateAsync({
+              toml: before.toml,
+              note: `As version ${before.version}`,
+              based_on_version: saved.version,
+            })
+          })
+          void navigate({ to: '/projects/$projectId', params: { projectId } })
+        },
+        onError: (error) => {
+          if (error instanceof ApiProblem && error.code === 'spec-moved-on') {
+            void client.invalidateQueries({ queryKey: specQuery(projectId).queryKey })
+          }
+        },
+      },
+    )
+  }
+  useHotkeys([{ keys: 'mod+s', label: 'Save the spec', group: 'Delivery spec', run: send }])
+
+  const isMovedOn = save.error instanceof ApiProblem && save.error.code === 'spec-moved-on'
+  const correction = trouble && draft.mode === 'toml' ? correctionOf(draft.toml, trouble.place, trouble.message) : null
+  const line = trouble && draft.mode === 'toml' ? lineOf(draft.toml, trouble.place, trouble.message) : null
+  return (
+    <>
+      <div className={classes.head}>
+        <div>
+          <h1>Delivery spec</h1>
+          <p className="mid">
+            {`Version ${draft.basedOn}${movedOn ? '' : `, ${shortDay(spec.created_at)}`} of `}
+            <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+              {project.name}
+            </Link>
+          </p>
+        </div>
+        <div className="row wrap">
+          <Link className="link" to="/projects/$projectId/spec/versions" params={{ projectId }} search={{}}>
+            Versions
+          </Link>
+          <Segmented
+            label="Written as"
+            options={[
+              { value: 'form', label: 'Form' },
+              { value: 'toml', label: 'TOML' },
+            ]}
+            value={draft.mode}
+            onChange={(mode) => maySwitch && switchTo(mode)}
+          />
+        </div>
+      </div>
+      {wasKept && changed && (
+        <p className={`row wrap ${classes.note}`}>
+          What you wrote here before was kept.
+          <Button variant="quiet" onClick={drop}>
+            Drop it
+          </Button>
+        </p>
+      )}
+      {movedOn && changed && (
+        <MovedOn
+          spec={spec}
+          mine={mine}
+          basedOn={draft.basedOn}
+          onKeepMine={() => change({ basedOn: spec.version })}
+          onTakeTheirs={drop}
+        />
+      )}
+      <div className={`columns ${classes.columns}`}>
+        {draft.mode === 'form' ? (
+          <Writing
+            value={{
+              tables: draft.tables,
+              set: (place, value) => changeTables((tables) => put(tables, place, value)),
+              change: changeTables,
+              trouble,
+            }}
+          >
+            <SpecForm cues={cues} />
+          </Writing>
+        ) : (
+          <Card aria-labelledby="as-toml">
+            <CardHead id="as-toml" title="spec.toml" note="the file that audio-checks reads" />
+            <TomlEditor toml={draft.toml} onChange={(toml) => change({ toml })} trouble={trouble} />
+          </Card>
+        )}
+        <Card className={classes.save} aria-labelledby="save">
+          <CardHead id="save" title="Save" end={changed ? undefined : 'nothing is changed yet'} />
+          <div className={classes.inside}>
+            <div aria-live="polite" className={classes.stands}>
+              {changed && !isCurrent && trouble === null && <p className="mid">Being judged as a spec …</p>}
+              {trouble && (
+                <div className={`tone-bad ${classes.trouble}`} id="spec-trouble">
+                  <Icon name="back" />
+                  <div>
+                    {trouble.place !== '' && <p className="mono strong toned">{trouble.place}</p>}
+                    <p>{sentence(trouble.message)}</p>
+                    <p className="row wrap">
+                      {line !== null && <span className="small mid">{`Line ${line}`}</span>}
+                      {draft.mode === 'form' && trouble.place !== '' && (
+                        <button type="button" className="link small" onClick={() => goTo(trouble.place)}>
+                          Go there
+                        </button>
+                      )}
+                      {correction && (
+                        <button type="button" className="link" onClick={() => change({ toml: correction.toml })}>
+                          {correction.label}
+                        </button>
+                      )}
+                    </p>
+                  </div>
+                </div>
+              )}
+              {result && trouble === null && changed && (
+                <p className={`row tone-ok ${classes.sign}`}>
+                  <Icon name="tick" />
+                  It is a spec.
+                </p>
+              )}
+              {result?.warnings.map((warning) => (
+                <p key={warning} className={`row top tone-warn ${classes.sign}`}>
+                  <Icon name="triangle" />
+                  <span>{sentence(warning)}</span>
+                </p>
+              ))}
+              {!maySwitch && trouble && (
+                <p className="small dim">{`Put it right before it can be shown as ${otherMode}.`}</p>
+              )}
+            </div>
+            {draft.mode === 'form' && 'tables' in sent && hasComments(draft.from.toml) && (
+              <p className="small mid">
+                The form writes the TOML anew: its comments are not kept. Change the TOML itself to keep them.
+              </p>
+            )}
+            <Textarea
+              label="What is different, and why; for the versions"
+              autosize
+              minRows={2}
+              value={draft.note}
+              onChange={({ currentTarget }) => change({ note: currentTarget.value })}
+            />
+            {!isMovedOn && troubleOf(save.error) === null && <Refusal error={save.error} />}
+            <div className="row wrap">
+              <Button
+                variant="primary"
+                keys="mod+s"
+                disabled={!changed || movedOn || save.isPending}
+                aria-busy={save.isPending}
+                onClick={send}
+              >
+                {`Save version ${spec.version + 1}`}
+              </Button>
+              {changed && (
+                <Button variant="quiet" onClick={drop}>
+                  Drop changes
+                </Button>
+              )}
+            </div>
+            {changed && movedOn && <p className="small mid">First say above what becomes of both texts.</p>}
+            <p className="small dim">
+              Takes that wait and that it touches are judged anew. What was approved stays approved.
+            </p>
+          </div>
+          {changed && result && (
+            <details className={classes.diff}>
+              <summary>What changes in the TOML</summary>
+              <LineDiff before={spec.toml} after={mine} label="What changes in the TOML" />
+            </details>
+          )}
+        </Card>
+      </div>
+    </>
+  )
+}
+
+interface MovedOnProps {
+  spec: Spec
+  mine: string
+  basedOn: number
+  onKeepMine: () => void
+  onTakeTheirs: () => void
+}
+
+/** Somebody else saved while this was written: both texts stand until it is said which holds. */
+function MovedOn({ spec, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
+  return (
+    <Card className={classes.moved} aria-labelledby="moved">
+      <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you wrote`} />
+      <div className={classes.inside}>
+        <p>
+          {`Yours began from version ${basedOn}, and nothing of it is lost.`}{' '}
+          {spec.note !== '' && <span className="mid">{`They note: ${sentence(spec.note)}`}</span>}
+        </p>
+        <div className="row wrap">
+          <Button variant="primary" onClick={onKeepMine}>{`Go on with mine over version ${spec.version}`}</Button>
+          <Button onClick={onTakeTheirs}>{`Take version ${spec.version}, drop mine`}</Button>
+        </div>
+      </div>
+      <LineDiff before={spec.toml} after={mine} label={`Version ${spec.version} against yours`} />
+    </Card>
+  )
+}

@@ -1,0 +1,139 @@
+import { TextInput } from '@mantine/core'
+import { useState } from 'react'
+
+import { Card, CardHead } from '@/ui/Card'
+import { plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import type { Cue } from '../api'
+import { Categories } from './Categories'
+import { FORM_CHECKS, TUNING } from './checks'
+import { Against, Choices, NumberField, SeverityField, useWriting } from './fields'
+import { AcceptFields, LimitFields } from './GroupFields'
+import { fits } from './naming'
+import classes from './SpecForm.module.css'
+import { at } from './tables'
+import { Targets } from './Targets'
+
+const ENGINE = ['reverb', 'occlusion', 'pitch', 'doppler'].map((value) => ({ value, label: value }))
+
+/** The spec as fields, each at the place that its TOML names. */
+export function SpecForm({ cues }: { cues: readonly Cue[] }) {
+  return (
+    <div className="stack">
+      <Card aria-labelledby="form-accept">
+        <CardHead id="form-accept" title="A master may be" />
+        <div className={`${classes.inside} ${classes.two}`}>
+          <AcceptFields base={[]} />
+        </div>
+      </Card>
+      <Card aria-labelledby="form-limits">
+        <CardHead id="form-limits" title="Limits" note="an empty field does not limit" />
+        <div className={classes.inside}>
+          <LimitFields base={[]} />
+          <div className={`${classes.two} ${classes.tuning}`}>
+            {TUNING.map(({ key, word, unit, usual }) => (
+              <NumberField key={key} place={['limits', key]} label={word} unit={unit} usual={usual} />
+            ))}
+          </div>
+        </div>
+      </Card>
+      <Card aria-labelledby="form-checks">
+        <CardHead
+          id="form-checks"
+          title="What else is checked"
+          note="returns: the take comes back; warns: it goes on, with a word"
+        />
+        <ul className={`${classes.inside} ${classes.checks}`}>
+          {FORM_CHECKS.map(({ name, word, usual }) => (
+            <li key={name}>
+              <span>{word}</span>
+              <SeverityField base={['checks']} check={name} label={word} usual={usual} />
+              <Against place={['checks', name]} />
+            </li>
+          ))}
+        </ul>
+      </Card>
+      <Naming cues={cues} />
+      <Card aria-labelledby="form-engine">
+        <CardHead id="form-engine" title="Made by the engine" note="files come without it" />
+        <div className={classes.inside}>
+          <Choices place={['engine', 'adds']} label="The game adds" options={ENGINE} mayBeAny={false} />
+        </div>
+      </Card>
+      <Targets />
+      <Categories cues={cues} />
+    </div>
+  )
+}
+
+/** The pattern of names, tried on the list's own names and on any other. */
+function Naming({ cues }: { cues: readonly Cue[] }) {
+  const { tables, set, trouble } = useWriting()
+  const said = at(tables, ['naming', 'pattern'])
+  const ending = at(tables, ['naming', 'extension'])
+  const pattern = typeof said === 'string' ? said : ''
+  const extension = typeof ending === 'string' ? ending : ''
+  const [tried, setTried] = useState('')
+  const stems = cues.flatMap((cue) => cue.stems)
+  const odd = stems.filter((stem) => fits(pattern, stem) === false)
+  const fit = tried === '' ? null : fits(pattern, tried)
+  const error = (place: string) => (trouble?.place === place ? trouble.message : undefined)
+  return (
+    <Card aria-labelledby="form-naming">
+      <CardHead id="form-naming" title="Names of files" />
+      <div className={`${classes.inside} ${classes.two}`}>
+        <TextInput
+          id="spec-naming.pattern"
+          classNames={{ input: classes.code }}
+          label="Pattern, a regular expression for the whole name before its ending"
+          value={pattern}
+          placeholder="any name"
+          spellCheck={false}
+          error={error('naming.pattern')}
+          onChange={({ currentTarget: { value } }) => set(['naming', 'pattern'], value === '' ? undefined : value)}
+        />
+        <TextInput
+          id="spec-naming.extension"
+          classNames={{ input: classes.code }}
+          label="Ending"
+          value={extension}
+          placeholder="any"
+          spellCheck={false}
+          error={error('naming.extension')}
+          onChange={({ currentTarget: { value } }) => set(['naming', 'extension'], value === '' ? undefined : value)}
+        />
+        <TextInput
+          classNames={{ input: classes.code }}
+          label="Try a name"
+          value={tried}
+          placeholder={stems[0] ?? 'laser_fire_01'}
+          spellCheck={false}
+          onChange={({ currentTarget }) => setTried(currentTarget.value)}
+        />
+        <div className={classes.tried} role="status">
+          {tried !== '' && (
+            <p className={`row ${fit === false ? 'tone-bad' : 'tone-ok'}`}>
+              {fit !== null && <Icon name={fit ? 'tick' : 'back'} />}
+              <span>
+                <span className="mono">{tried + extension}</span>{' '}
+                {fit === null
+                  ? 'cannot be tried here; the pattern is judged when saved.'
+                  : fit
+                    ? 'fits.'
+                    : 'does not fit.'}
+              </span>
+            </p>
+          )}
+          {stems.length > 0 && (
+            <p className="small mid">
+              {odd.length === 0
+                ? `All ${plural(stems.length, 'name')} of the list fit.`
+                : `${plural(odd.length, 'name')} of ${stems.length} on the list would not fit: ${odd.slice(0, 3).join(', ')}${odd.length > 3 ? ' …' : ''}`}
+            </p>
+          )}
+        </div>
+      </div>
+    </Card>
+  )
+}

@@ -1,0 +1,56 @@
+import type { Spec } from '../api'
+import { same, type Tables } from './tables'
+
+/** A spec while it is being written, by form or as text. */
+export interface SpecDraft {
+  basedOn: number
+  mode: 'form' | 'toml'
+  toml: string
+  tables: Tables
+  /** The text that the form began from, which keeps its comments as long as the form says the same. */
+  from: { toml: string; tables: Tables }
+  note: string
+}
+
+export const draftOf = ({ version, toml, tables }: Spec, mode: SpecDraft['mode'] = 'form'): SpecDraft => ({
+  basedOn: version,
+  mode,
+  toml,
+  tables,
+  from: { toml, tables },
+  note: '',
+})
+
+/** Whether a draft says anything else than the spec that holds. */
+export const differs = (draft: SpecDraft, spec: Spec): boolean =>
+  draft.mode === 'toml'
+    ? draft.toml !== spec.toml
+    : draft.from.toml !== spec.toml || !same(draft.tables, draft.from.tables)
+
+/** What a draft sends: the form its tables, unless they say no more than a text that is there. */
+export const written = ({ mode, toml, tables, from }: SpecDraft): { toml: string } | { tables: Tables } =>
+  mode === 'toml' ? { toml } : same(tables, from.tables) ? { toml: from.toml } : { tables }
+
+const keyOf = (projectId: string) => `soundlist-spec-${projectId}`
+
+const isDraft = (value: unknown): value is SpecDraft =>
+  typeof value === 'object' && value !== null && 'basedOn' in value && 'from' in value && 'toml' in value
+
+/** What was typed and not saved, for as long as this tab stays open. */
+export function keptDraft(projectId: string): SpecDraft | null {
+  try {
+    const kept: unknown = JSON.parse(sessionStorage.getItem(keyOf(projectId)) ?? 'null')
+    return isDraft(kept) ? kept : null
+  } catch {
+    return null
+  }
+}
+
+export function keepDraft(projectId: string, draft: SpecDraft | null): void {
+  try {
+    if (draft === null) sessionStorage.removeItem(keyOf(projectId))
+    else sessionStorage.setItem(keyOf(projectId), JSON.stringify(draft))
+  } catch {
+    // A browser that keeps nothing keeps the text as long as the page stands.
+  }
+}
