@@ -25,10 +25,14 @@ export function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> 
       showToast('The part was not changed: the server did not answer.')
       return
     }
-    const kept = [sessionQuery.queryKey[0], meQuery.queryKey[0]] as unknown[]
-    client.removeQueries({ predicate: ({ queryKey }) => !kept.includes(queryKey[0]) })
-    await client.fetchQuery({ ...meQuery, staleTime: 0 })
+    // What is on the screen stays until the new page stands; asking for it anew as somebody else would be refused.
+    const forget = () => client.removeQueries({ type: 'inactive' })
+    forget()
+    client.setQueryData(meQuery.queryKey, await answered(api.GET('/v1/me')))
+    void client.invalidateQueries({ queryKey: sessionQuery.queryKey })
     await router.navigate({ href })
+    forget()
+    await client.invalidateQueries()
   }
 }
 
