@@ -19,8 +19,9 @@ import classes from './Review.module.css'
 interface CueHeadProps {
   review: CueReview
   hand: ReviewTake | undefined
-  handName: string
   waitingHere: boolean
+  /** Heard blind: what tells versions apart is hidden. */
+  blind: boolean
   targets: readonly string[]
   target: string
   onTarget: (target: string) => void
@@ -74,9 +75,7 @@ export function CueHead(props: CueHeadProps) {
               options={targets.map((one) => ({ value: one, label: one === MASTER ? 'Master' : capital(one) }))}
             />
           )}
-          {review.takes.length > 0 && (
-            <Versions review={review} hand={hand} handName={props.handName} onTake={props.onTake} />
-          )}
+          {review.takes.length > 0 && !props.blind && <Versions review={review} hand={hand} onTake={props.onTake} />}
           {props.mayCut && cue.state !== 'cut' && (
             <Menu position="bottom-end" transitionProps={{ duration: 0 }}>
               <Menu.Target>
@@ -113,12 +112,11 @@ function headState({ cue, accepted, takes }: CueReview, waiting: boolean): State
 interface VersionsProps {
   review: CueReview
   hand: ReviewTake | undefined
-  handName: string
   onTake: (take: ReviewTake) => void
 }
 
 /** Every version that was delivered, still there to be heard. */
-function Versions({ review, hand, handName, onTake }: VersionsProps) {
+function Versions({ review, hand, onTake }: VersionsProps) {
   const isSet = review.cue.variations > 1
   const versions = inOrder(review.takes).filter((take) => !isSet || take.variation === hand?.variation)
   return (
@@ -130,19 +128,15 @@ function Versions({ review, hand, handName, onTake }: VersionsProps) {
         </Button>
       </Menu.Target>
       <Menu.Dropdown>
-        <Menu.Label>
-          {isSet && hand ? `Versions of ${variationName(hand.variation)}` : 'Versions'}
-          {handName && `, ${handName} in the hand`}
-        </Menu.Label>
+        <Menu.Label>{isSet && hand ? `Versions of ${variationName(hand.variation)}` : 'Versions'}</Menu.Label>
         {versions.toReversed().map((take) => (
           <Menu.Item
             key={take.id}
-            role="menuitemradio"
-            aria-checked={take.id === hand?.id}
             rightSection={<State kind={STATE_OF_TAKE[take.state]} />}
             onClick={() => onTake(take)}
           >
             Version {take.number}, {shortDay(take.received_at)}
+            {take.id === hand?.id && ', in the hand'}{' '}
           </Menu.Item>
         ))}
       </Menu.Dropdown>

@@ -218,8 +218,8 @@ export function CueRoom(props: CueRoomProps) {
         <CueHead
           review={review}
           hand={hand}
-          handName={hand ? nameOf(hand) : ''}
           waitingHere={waiting.length > 0}
+          blind={blind !== null}
           targets={targets}
           target={target}
           onTarget={onTarget}

@@ -22,7 +22,7 @@ export function JudgedLately({ projectId }: { projectId: string }) {
               params={{ projectId, cueId }}
               search={{}}
             >
-              <span className="grow cut-text">{name}</span>
+              <span className="grow cut-text">{name}</span>{' '}
               <State kind={status === 'accepted' ? 'approved' : 'change_requested'} />
             </Link>
           </li>

@@ -99,8 +99,8 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
         aria-current={current || undefined}
         onClick={onOpen}
       >
-        <span className="strong cut-text">{cue.name}</span>
-        <span className="small dim nowrap num">{age(item.waiting_since)}</span>
+        <span className="strong cut-text">{cue.name}</span>{' '}
+        <span className="small dim nowrap num">{age(item.waiting_since)}</span>{' '}
         <span className={classes.itemWave}>
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} lit={current} heightPx={24} />
         </span>
@@ -110,7 +110,7 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
           </span>
         ) : (
           <span className="small mid cut-text">{waits.before}</span>
-        )}
+        )}{' '}
         <span className="small dim mono num">{cue.label}</span>
       </Link>
     </li>

@@ -62,8 +62,8 @@ function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
       >
-        <span className={`mono dim ${classes.number}`}>{cue.label}</span>
-        <span className="strong cut-text">{cue.name}</span>
+        <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
+        <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid cut-text ${classes.why}`}>
           {waits.before}
           {waits.odd && <span className="tone-warn toned">{waits.odd}</span>}
@@ -100,8 +100,8 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
         aria-controls={placeId}
         onClick={() => setOpen(!open)}
       >
-        <span className={`mono dim ${classes.number}`}>{cue.label}</span>
-        <span className="strong cut-text">{cue.name}</span>
+        <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
+        <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
         <span className={classes.lineWave} />
         <span className={classes.state}>

@@ -1,0 +1,279 @@
+import { configure, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import type { CueReview, QueueItem } from '@/judging/api'
+import { HandContext } from '@/test/audioContext'
+import {
+  aDraft,
+  aFinding,
+  aMe,
+  anItem,
+  aPreview,
+  aReview,
+  aServer,
+  aTake,
+  DECIDER,
+  PROJECT,
+  somePeaks,
+} from '@/test/review'
+import { openApp } from '@/test/openApp'
+import { refusal } from '@/test/server'
+
+// Whole pages are drawn here, which a busy machine takes its time for; their chunks are read once, before.
+vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
+configure({ asyncUtilTimeout: 5_000 })
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
+
+const shield = anItem({ id: 'shield', name: 'shield_hit' }, [
+  aTake('a', { number: 1, findings: [aFinding()] }),
+  aTake('b', { number: 2 }),
+])
+const walk = anItem({ id: 'walk', name: 'foot_deck_walk', label: 'SW-008', variations: 2 }, [
+  aTake('w1', { variation: 1 }),
+  aTake('w2', { variation: 2 }),
+])
+
+let server: ReturnType<typeof aServer>
+let queue: QueueItem[]
+
+const tell = (review: CueReview) => server.on(`GET /v1/cues/${review.cue.id}/review`, review)
+
+beforeEach(() => {
+  dismissToast()
+  vi.stubGlobal('AudioContext', HandContext)
+  queue = [shield, walk]
+  server = aServer()
+    .on('GET /v1/me', aMe())
+    .on('GET /v1/review-queue', () => ({ items: queue, next: null }))
+    .on(`GET /v1/projects/${PROJECT}/change-requests`, { items: [], next: null })
+    .on(`GET /v1/projects/${PROJECT}/overview`, { palette: [] })
+    .on(`GET /v1/projects/${PROJECT}/sound-list`, { revision: 1, cues: [{ id: 'clamp', name: 'dock_clamp' }] })
+    .on(`GET /v1/projects/${PROJECT}/sound-list/standing`, {
+      cues: [{ cue_id: 'clamp', status: 'accepted', since: new Date().toISOString() }],
+    })
+  for (const id of ['a', 'b', 'w1', 'w2', 'old']) {
+    server.on(`GET /v1/sounds/${id}/preview`, aPreview).on(`GET /v1/sounds/${id}/peaks.json`, somePeaks)
+  }
+  tell(aReview(shield))
+  tell(aReview(walk))
+})
+
+const open = (path = '/shield') => openApp(`/projects/${PROJECT}/review${path}`)
+const opened = async (path?: string) => {
+  const drawn = open(path)
+  await screen.findByRole('region', { name: 'Verdict' })
+  return drawn
+}
+const alternate = (letter: string) =>
+  within(screen.getByRole('group', { name: 'Alternates' })).getByRole('button', { name: new RegExp(`^${letter}`) })
+const posts = () => server.asked.filter(({ method }) => method === 'POST')
+
+describe('the queue', () => {
+  test('without a cue the first that waits opens', async () => {
+    await opened('')
+    expect(screen.getByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+    const waiting = within(screen.getByRole('complementary', { name: 'Queue' }))
+    expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveAttribute('aria-current')
+    expect(await waiting.findByRole('link', { name: /dock_clamp Approved/ })).toBeVisible()
+  })
+
+  test('j and k step through it', async () => {
+    await opened()
+    await userEvent.keyboard('j')
+    expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
+    await userEvent.keyboard('k')
+    expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+  })
+
+  test('the next one is asked for before it is needed', async () => {
+    await opened()
+    await waitFor(() => expect(server.of('GET /v1/cues/walk/review')).toHaveLength(1))
+    await waitFor(() => expect(server.of('GET /v1/sounds/w2/preview')).toHaveLength(1))
+  })
+
+  test('with nothing waiting it says so', async () => {
+    queue = []
+    open('')
+    expect(await screen.findByRole('heading', { name: 'Nothing waits for a verdict.' })).toBeVisible()
+  })
+
+  test('a cue out of sight is said', async () => {
+    server.on('GET /v1/cues/gone/review', () => refusal(404, 'cue-not-found', 'No cue of that id.'))
+    open('/gone')
+    expect(await screen.findByRole('alert')).toHaveTextContent('No cue of that id.')
+  })
+})
+
+describe('alternates', () => {
+  test('2 takes the second in the hand, a approves it, and the next cue stands there', async () => {
+    server.on('POST /v1/takes/b/verdict', {})
+    await opened()
+    await userEvent.keyboard('2')
+    expect(alternate('B')).toHaveAttribute('aria-pressed', 'true')
+    queue = [walk]
+    await userEvent.keyboard('a')
+    expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
+    expect(screen.getByRole('status')).toHaveTextContent('shield_hit B approved.')
+    expect(server.of('POST /v1/takes/b/verdict')[0]?.body).toMatchObject({ kind: 'approve', seen_state: 'conforming' })
+  })
+
+  test('undo leads back to it', async () => {
+    server.on('POST /v1/takes/a/verdict', {}).on('DELETE /v1/takes/a/verdict', {})
+    await opened()
+    await userEvent.keyboard('a')
+    await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })
+    await userEvent.keyboard('u')
+    expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+    expect(server.of('DELETE /v1/takes/a/verdict')).toHaveLength(1)
+  })
+
+  test('a refusal leads back to it and is said there', async () => {
+    server.on('POST /v1/takes/a/verdict', () => refusal(409, 'stale-view', 'It was set aside meanwhile.'))
+    await opened()
+    await userEvent.keyboard('a')
+    expect(await screen.findByRole('alert')).toHaveTextContent(
+      'shield_hit A is not approved. It was set aside meanwhile.',
+    )
+    expect(screen.getByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+  })
+
+  test('heard blind, what tells them apart is hidden until d or a pick', async () => {
+    await opened()
+    expect(screen.getByRole('button', { name: /True peak −0.60 dBTP/ })).toBeInTheDocument()
+    await userEvent.keyboard('d')
+    expect(screen.queryByRole('button', { name: /True peak/ })).toBeNull()
+    expect(screen.queryByRole('button', { name: /^Version/ })).toBeNull()
+    expect(alternate('A')).not.toHaveTextContent('version')
+    await userEvent.keyboard('d')
+    expect(alternate('A')).toHaveTextContent('version 1')
+  })
+
+  test('older versions can be heard, and get no verdict', async () => {
+    const old = aTake('old', { number: 3, state: 'change_requested' })
+    tell(aReview(shield, { takes: [...shield.takes, old] }))
+    await opened()
+    await userEvent.click(screen.getByRole('button', { name: /^Version 1 of 3/ }))
+    await userEvent.click(await screen.findByRole('menuitem', { name: /^Version 3/ }))
+    expect(await screen.findByText('This version went back with a change request.')).toBeVisible()
+    expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
+    expect(screen.getByRole('slider')).toHaveAccessibleName('Position in shield_hit, version 3')
+  })
+})
+
+describe('a set', () => {
+  test('is accepted with one version of each variation', async () => {
+    server.on('POST /v1/cues/walk/accept-set', {})
+    await opened('/walk')
+    await userEvent.keyboard('a')
+    await waitFor(() =>
+      expect(server.of('POST /v1/cues/walk/accept-set')[0]?.body).toEqual({ note: '', take_ids: ['w1', 'w2'] }),
+    )
+    expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+  })
+
+  test('a noted variation keeps it from being accepted whole', async () => {
+    const [w1, w2] = walk.takes
+    if (!w1 || !w2) throw new Error('the set has two variations')
+    tell(aReview({ ...walk, takes: [w1, { ...w2, draft_change: aDraft(w2, walk.cue, 'Too loud.') }] }))
+    await opened('/walk')
+    expect(screen.queryByRole('button', { name: 'Accept the set' })).toBeNull()
+    expect(screen.getByRole('button', { name: 'Approve _01' })).toBeVisible()
+  })
+
+  test('selected variations get one change together', async () => {
+    server.on('POST /v1/takes/w1/verdict', {}).on('POST /v1/takes/w2/verdict', {})
+    await opened('/walk')
+    await userEvent.keyboard('xb{Shift>}X{/Shift}')
+    expect(screen.getByRole('button', { name: 'Approve 2 variations' })).toBeVisible()
+    await userEvent.keyboard('rless scrape{Enter}')
+    await waitFor(() =>
+      expect(posts().map(({ path }) => path)).toEqual(['/v1/takes/w1/verdict', '/v1/takes/w2/verdict']),
+    )
+    expect(posts()[1]?.body).toMatchObject({ kind: 'request_change', note: 'less scrape' })
+  })
+})
+
+describe('what is said', () => {
+  test('c writes at once: no letter of it is taken for a verdict', async () => {
+    server.on('POST /v1/takes/a/comments', {
+      id: 'c1',
+      take_id: 'a',
+      text: 'a clear attack',
+      start_s: null,
+      end_s: null,
+      author: DECIDER,
+      decides: true,
+      created_at: '2026-11-20T10:00:00Z',
+      resolved_at: null,
+    })
+    await opened()
+    await userEvent.keyboard('ca clear attack{Control>}{Enter}{/Control}')
+    await waitFor(() => expect(posts()).toHaveLength(1))
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'a clear attack' } })
+  })
+
+  test('stays in its field when it is refused', async () => {
+    server.on('POST /v1/takes/a/comments', () => refusal(422, 'range-invalid', 'It lies beyond the end of the sound.'))
+    await opened()
+    await userEvent.keyboard('cclear{Control>}{Enter}{/Control}')
+    expect(await screen.findByRole('alert')).toHaveTextContent('It lies beyond the end of the sound.')
+    expect(screen.getByRole('textbox', { name: /^Comment/ })).toHaveValue('clear')
+  })
+
+  test('those who advise say which they would take, and are told who decides', async () => {
+    tell(aReview(shield, { may_decide: false }))
+    server.on('POST /v1/takes/a/comments', { id: 'c1', take_id: 'a' })
+    await opened()
+    expect(screen.getByText('You advise. Audio director decides.')).toBeVisible()
+    expect(screen.queryByRole('button', { name: /^Approve |^Request/ })).toBeNull()
+    await userEvent.keyboard('a')
+    await waitFor(() => expect(posts()).toHaveLength(1))
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I would take A.' } })
+  })
+
+  test('findings stand in their tab with the limit and what to do', async () => {
+    await opened()
+    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    const finding = screen.getByRole('article', { name: 'True peak −0.60 dBTP, limit −1 dBTP' })
+    expect(finding).toHaveTextContent('Lower the level by 0.40 dB or more.')
+    expect(within(finding).getByRole('button', { name: 'The spot' })).toBeVisible()
+  })
+})
+
+describe('cutting', () => {
+  beforeEach(() => {
+    server.on('GET /v1/me', aMe({ is_producer: true }))
+  })
+  const cut = async () => {
+    await opened()
+    await userEvent.click(await screen.findByRole('button', { name: 'More for shield_hit' }))
+    await userEvent.click(await screen.findByRole('menuitem', { name: 'Cut this cue' }))
+    await userEvent.type(await screen.findByRole('textbox', { name: 'Why shield_hit is cut' }), 'No shields any more')
+    await userEvent.click(screen.getByRole('button', { name: 'Cut shield_hit' }))
+  }
+
+  test('takes a reason, and goes on to the next', async () => {
+    server.on('POST /v1/cues/shield/cut', {})
+    await cut()
+    await waitFor(() =>
+      expect(server.of('POST /v1/cues/shield/cut')[0]?.body).toEqual({ reason: 'No shields any more' }),
+    )
+    expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
+  })
+
+  test('keeps the reason when it is refused', async () => {
+    server.on('POST /v1/cues/shield/cut', () => refusal(409, 'cue-is-cut', 'The cue is cut already.'))
+    await cut()
+    expect(await screen.findByRole('alert')).toHaveTextContent('The cue is cut already.')
+    expect(screen.getByRole('textbox', { name: 'Why shield_hit is cut' })).toHaveValue('No shields any more')
+  })
+})
+
+test.each(['/shield', '/walk'])('axe finds nothing in %s', async (path) => {
+  await opened(path)
+  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  expect(violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])
+})

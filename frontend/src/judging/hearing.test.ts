@@ -1,0 +1,64 @@
+import { expect, test } from 'vitest'
+
+import { aTake } from '@/test/review'
+
+import { awayFromSet, inOrder, letterOf, matchGainDb, oddOne, soundOf, targetsOf } from './hearing'
+
+const loud = (id: string, variation: number, lufs: number | null) => aTake(id, { variation, loudness_lufs: lufs })
+
+test('a take 2.1 LU above the first comes down by 2.1 dB', () => {
+  expect(matchGainDb(loud('b', 1, -13.9), loud('a', 1, -16))).toBeCloseTo(-2.1, 6)
+  expect(matchGainDb(loud('a', 1, -16), loud('a', 1, -16))).toBe(0)
+})
+
+test('what was not measured is left as sent, and no gain passes 24 dB', () => {
+  expect(matchGainDb(loud('b', 1, null), loud('a', 1, -16))).toBe(0)
+  expect(matchGainDb(loud('b', 1, -16), undefined)).toBe(0)
+  expect(matchGainDb(loud('b', 1, -70), loud('a', 1, -16))).toBe(24)
+})
+
+test('the odd one of a set is measured against the middle of the others', () => {
+  const set = [loud('1', 1, -19.5), loud('2', 2, -19.5), loud('3', 3, -15.5), loud('4', 4, -19.3)]
+  expect(awayFromSet(set[2]!, set)).toBeCloseTo(4, 6)
+  expect(oddOne(set)).toEqual({ take: set[2], awayDb: expect.closeTo(4, 6) as number })
+})
+
+test('a set within 3 dB has no odd one, and two variations say nothing of each other', () => {
+  const near = [loud('1', 1, -19), loud('2', 2, -17), loud('3', 3, -18)]
+  expect(oddOne(near)).toBeNull()
+  expect(oddOne([loud('1', 1, -30), loud('2', 2, -10)])).toBeNull()
+})
+
+test('letters follow the order of delivery within a variation', () => {
+  const takes = [aTake('new', { number: 3 }), aTake('old', { number: 1 }), aTake('mid', { number: 2 })]
+  expect(inOrder(takes).map(({ id }) => id)).toEqual(['old', 'mid', 'new'])
+  expect(takes.map((take) => letterOf(take, takes))).toEqual(['C', 'A', 'B'])
+})
+
+test('a target is heard from its own file, and its refusal is kept', () => {
+  const game = {
+    picture_id: null,
+    thumb: null,
+    spectrum_url: null,
+    duration_s: 0.79,
+    preview_url: '/game',
+    peaks_url: '/game-peaks',
+  }
+  const take = aTake('a', {
+    renders: [
+      { ...game, target: 'game', state: 'made', refusal: null, attenuation_db: 0.4 },
+      {
+        ...game,
+        target: 'handheld',
+        state: 'refused',
+        preview_url: null,
+        refusal: 'too low a rate',
+        attenuation_db: null,
+      },
+    ],
+  })
+  expect(targetsOf([take])).toEqual(['master', 'game', 'handheld'])
+  expect(soundOf(take, 'game')).toMatchObject({ previewUrl: '/game', durationS: 0.79, attenuationDb: 0.4 })
+  expect(soundOf(take, 'handheld')).toMatchObject({ previewUrl: null, refusal: 'too low a rate' })
+  expect(soundOf(take, 'master').previewUrl).toBe('/v1/sounds/a/preview')
+})
