@@ -4,6 +4,7 @@ WORKDIR /src/frontend
 COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
 RUN npm ci
 COPY frontend ./
+COPY docs/checks /src/docs/checks
 RUN npm run build
 
 FROM python:3.13-slim-bookworm

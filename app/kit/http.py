@@ -268,5 +268,22 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
 
 
 def _in_words(error: Any) -> str:
-    message = str(error["msg"])
-    return message.removeprefix("Value error, ")
+    given, limits = error.get("input"), error.get("ctx", {})
+    match error["type"]:
+        case "missing":
+            return "this is missing"
+        case "extra_forbidden":
+            return "there is no such field here"
+        case "string_too_short":
+            return "this must not be empty" if not given else f"at least {limits['min_length']} characters are wanted"
+        case "string_too_long":
+            return f"this has {len(given)} characters; at most {limits['max_length']} are taken"
+        case "uuid_parsing" | "uuid_type":
+            return "this is no id"
+        case "enum" | "literal_error":
+            return f"{_shown(given)} is none of {limits['expected']}"
+    return str(error["msg"]).removeprefix("Value error, ")
+
+
+def _shown(given: Any) -> str:
+    return repr(given)[:60]

@@ -38,6 +38,7 @@ def test_a_refused_request_may_come_again_mended(world: World):
     key = str(uuid4())
     refused = open_project(world, key, name="")
     assert refused.status_code == 422
+    assert refused.json()["errors"] == [{"where": "name", "message": "this must not be empty"}]
     assert open_project(world, key).status_code == 201
 
 
@@ -46,7 +47,9 @@ def test_a_refusal_is_a_problem_that_names_every_field(world: World):
     assert answer.headers["content-type"] == "application/problem+json"
     problem = answer.json()
     assert problem["code"] == "invalid-request"
-    assert {"name", "studio_id"} <= {error["where"] for error in problem["errors"]}
+    told = {error["where"]: error["message"] for error in problem["errors"]}
+    assert told["studio_id"] == "this is missing"
+    assert "name" in told
     assert problem["request_id"] == answer.headers["x-request-id"]
 
 
