@@ -2,11 +2,19 @@ import { defineConfig } from '@playwright/test'
 
 export default defineConfig({
   testDir: 'e2e',
-  workers: 1,
-  timeout: 30_000,
+  globalSetup: './e2e/setup.ts',
+  workers: 2,
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+  forbidOnly: true,
   reporter: [['list']],
+  // The demo makes itself while the first ones run.
+  projects: [
+    { name: 'job', testMatch: ['main-job.spec.ts', 'resume.spec.ts'] },
+    { name: 'parts', testMatch: 'parts.spec.ts' },
+    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts'] },
+  ],
   use: {
-    baseURL: process.env.E2E_BASE_URL ?? 'http://127.0.0.1:4173',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: [
@@ -20,12 +28,4 @@ export default defineConfig({
       ],
     },
   },
-  webServer: process.env.E2E_BASE_URL
-    ? undefined
-    : {
-        command: 'npx vite build --mode test --outDir test-results/dist && npx vite preview --outDir test-results/dist',
-        url: 'http://127.0.0.1:4173',
-        timeout: 60_000,
-        reuseExistingServer: false,
-      },
 })

@@ -8,7 +8,7 @@ const NARROW = { width: 390, height: 844 }
 async function open(page: Page, scheme: 'light' | 'dark', size: { width: number; height: number }): Promise<void> {
   await page.setViewportSize(size)
   await page.emulateMedia({ colorScheme: scheme })
-  await page.goto('/parts')
+  await page.goto(`${process.env.E2E_PARTS_URL}/parts`)
   await expect(page.getByRole('heading', { level: 1, name: 'Parts' })).toBeVisible({ timeout: 15_000 })
 }
 

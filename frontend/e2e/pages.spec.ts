@@ -1,0 +1,148 @@
+import { type BrowserContext, expect, type Page } from '@playwright/test'
+
+import { ask } from './api'
+import { expectAccessible } from './axe'
+import { test } from './fixtures'
+import type { Demo } from './server'
+
+interface Place {
+  name: string
+  path: string
+  /** What stands there once the page has what it needs. */
+  shows: string | RegExp
+}
+
+const SIZES = { wide: { width: 1440, height: 900 }, narrow: { width: 390, height: 844 } }
+const SCHEMES = ['light', 'dark'] as const
+
+type Part = 'producer' | 'decider' | 'designer' | 'guest'
+
+async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: string): Promise<Place[]> {
+  const { url, projectId } = demo
+  const project = `/projects/${projectId}`
+  const { cues } = await ask<{ cues: { id: string; name: string }[] }>(context, `${url}/v1${project}/sound-list`)
+  const cue = (name: string) => cues.find((one) => one.name === name)?.id ?? ''
+  const list: Place[] = [
+    { name: 'sound-list', path: `${project}/sound-list`, shows: 'drone_swarm_loop' },
+    {
+      name: 'cue',
+      path: `${project}/sound-list/cues/${cue('shield_hit')}`,
+      shows: 'An enemy shot meets the shield; must read over laser fire.',
+    },
+    { name: 'compare', path: `${project}/sound-list/compare`, shows: 'Compare revisions' },
+    { name: 'project', path: project, shows: 'Delivery spec' },
+    { name: 'spec-versions', path: `${project}/spec/versions`, shows: /version/i },
+    { name: 'account', path: '/account', shows: 'Password' },
+  ]
+  const team: Place[] = [
+    { name: 'today', path: `${project}/today`, shows: /^Pick one of three for / },
+    { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
+    { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'As game' },
+    { name: 'people', path: `${project}/people`, shows: 'has the last word on every sound' },
+    { name: 'builds', path: `${project}/builds`, shows: '482' },
+    { name: 'projects', path: '/projects', shows: 'Shield Wing' },
+    { name: 'studio', path: '/studio', shows: 'Shield Wing studio' },
+    ...list,
+  ]
+  switch (part) {
+    case 'producer':
+      return [
+        ...team,
+        { name: 'import', path: `${project}/sound-list/import`, shows: 'The sheet' },
+        { name: 'spec', path: `${project}/spec`, shows: /TOML/ },
+        { name: 'new-project', path: '/projects/new', shows: '48 kHz game' },
+        { name: 'nowhere', path: '/no/such/page', shows: 'Nothing stands at this address.' },
+      ]
+    case 'decider':
+      return team
+    case 'designer':
+      return [{ name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' }, ...list]
+    case 'guest':
+      return [
+        { name: 'sign-in', path: '/sign-in', shows: 'Forgotten password' },
+        { name: 'sign-up', path: '/sign-up', shows: 'Open a studio' },
+        { name: 'forgotten-password', path: '/forgotten-password', shows: 'Mail address' },
+        { name: 'new-password', path: '/new-password/none', shows: 'New password' },
+        { name: 'join', path: await joinPath(context, demo, size), shows: 'Join Shield Wing studio' },
+        { name: 'invitation', path: await invitationPath(context, demo, size), shows: 'How files must come' },
+        { name: 'check', path: '/checks/true-peak', shows: 'true-peak' },
+      ]
+  }
+}
+
+async function linkTo(context: BrowserContext, { url }: Demo, studioId: string, email: string): Promise<string> {
+  let link: string | null | undefined
+  await expect(async () => {
+    const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(
+      context,
+      `${url}/v1/studios/${studioId}/outbox`,
+    )
+    link = mails.find(({ recipient }) => recipient === email)?.link
+    expect(link).toBeTruthy()
+  }).toPass()
+  return new URL(link ?? '').pathname
+}
+
+const studioOf = async (context: BrowserContext, url: string) =>
+  (await ask<{ studios: { id: string }[] }>(context, `${url}/v1/me`)).studios[0]?.id ?? ''
+
+async function joinPath(context: BrowserContext, demo: Demo, size: string): Promise<string> {
+  const studioId = await studioOf(context, demo.url)
+  const email = `reviewer.${size}@soundlist.example`
+  await ask(context, `${demo.url}/v1/studios/${studioId}/invitations`, 'POST', { email, roles: ['reviewer'] })
+  return linkTo(context, demo, studioId, email)
+}
+
+async function invitationPath(context: BrowserContext, demo: Demo, size: string): Promise<string> {
+  const studioId = await studioOf(context, demo.url)
+  const email = `second.designer.${size}@soundlist.example`
+  const note = 'Ambiences only; the rest is in good hands.'
+  await ask(context, `${demo.url}/v1/projects/${demo.projectId}/invitations`, 'POST', { email, kind: 'contract', note })
+  return linkTo(context, demo, studioId, email)
+}
+
+/** What goes wrong on a page without showing on it. */
+function troubles(page: Page): string[] {
+  const found: string[] = []
+  page.on('pageerror', (error) => found.push(error.message))
+  page.on('console', (message) => {
+    if (message.type() === 'error') found.push(message.text())
+  })
+  page.on('request', (request) => {
+    if (!/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request.url())) found.push(`asked for ${request.url()}`)
+  })
+  return found
+}
+
+for (const part of ['producer', 'decider', 'designer', 'guest'] as const) {
+  for (const size of ['wide', 'narrow'] as const) {
+    test.describe(() => {
+      test.describe.configure({ mode: 'parallel' })
+      test(`pages of the ${part}, ${size}`, async ({ demo, context, page }) => {
+        await context.addCookies([
+          { name: 'soundlist_demo_part', value: part === 'guest' ? 'producer' : part, url: demo.url },
+        ])
+        await page.setViewportSize(SIZES[size])
+        await page.goto(`${demo.url}/sign-in`)
+        await expect(page.getByText('This is the demo, which needs no account')).toBeVisible()
+        const broken = troubles(page)
+        for (const { name, path, shows } of await placesOf(part, context, demo, size)) {
+          await test.step(name, async () => {
+            await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' })
+            await page.goto(demo.url + path)
+            await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
+            await expect(page.getByText(shows).first()).toBeAttached()
+            for (const scheme of SCHEMES) {
+              await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })
+              await expectAccessible(page, `${name}, ${scheme}`, scheme === 'light' ? 'everything' : 'contrast')
+              const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
+              expect.soft(sideways, `${name} scrolls sideways`).toBeLessThanOrEqual(0)
+              await page.screenshot({ path: `test-results/pages/${part}-${name}-${size}-${scheme}.png` })
+            }
+            expect.soft(broken.splice(0), `${name}: errors in the console`).toEqual([])
+          })
+        }
+      })
+    })
+  }
+}
