@@ -303,3 +303,9 @@ def schema() -> dict[str, Any]:
             "not_run": {"type": "array", "items": {"type": "string"}},
         },
     }
+
+
+def level_shown(level: float) -> str:
+    """Return a limit in decibels as the spec states it, with one decimal at least: −1 reads -1.0, −0.15 stays."""
+    text = f"{level:g}"
+    return text if "." in text or "e" in text else f"{text}.0"

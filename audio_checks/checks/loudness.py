@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
+from audio_checks.findings import Finding, level_shown
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     if bounds.max is not None and level > bounds.max + tolerance:
         yield Finding(
             code="loudness:over",
-            message=f"{figure} {level:z.1f} LUFS, at most {bounds.max:g} LUFS",
+            message=f"{figure} {level:z.1f} LUFS, at most {level_shown(bounds.max)} LUFS",
             fix=f"lower the level by {level - bounds.max:.1f} dB or more",
             measured=level,
             limit=bounds.max,
@@ -45,7 +45,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     if bounds.min is not None and -math.inf < level < bounds.min - tolerance:
         yield Finding(
             code="loudness:under",
-            message=f"{figure} {level:z.1f} LUFS, at least {bounds.min:g} LUFS",
+            message=f"{figure} {level:z.1f} LUFS, at least {level_shown(bounds.min)} LUFS",
             fix=f"raise the level by {bounds.min - level:.1f} dB or more, keeping to the peak limits",
             measured=level,
             limit=bounds.min,

@@ -9,7 +9,7 @@ Source: the delivery spec, `[limits] sample_peak_dbfs`; ±1.0 is 0 dBFS.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
+from audio_checks.findings import Finding, level_shown
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         at_s = file.measurements.sample_peak_s
         yield Finding(
             code="sample-peak:over",
-            message=f"sample peak {peak:z.2f} dBFS, limit {limit:g} dBFS",
+            message=f"sample peak {peak:z.2f} dBFS, limit {level_shown(limit)} dBFS",
             fix=f"lower the level by {peak - limit:.2f} dB or more",
             measured=peak,
             limit=limit,

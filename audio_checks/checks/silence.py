@@ -9,7 +9,7 @@ Source: the delivery spec, `[limits] silence_below_dbfs`.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
+from audio_checks.findings import Finding, level_shown
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         level = "digital silence" if peak == float("-inf") else f"never louder than {peak:.1f} dBFS"
         yield Finding(
             code="silence:file",
-            message=f"{level}, silent below {limit:g} dBFS",
+            message=f"{level}, silent below {level_shown(limit)} dBFS",
             fix="unmute the track or choose the right range, and export again",
             measured=peak,
             limit=limit,

@@ -9,7 +9,7 @@ Source: ITU-R BS.1770, Annex 2.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
+from audio_checks.findings import Finding, level_shown
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         at_s = file.measurements.true_peak_s
         yield Finding(
             code="true-peak:over",
-            message=f"true peak {level:z.2f} dBTP, limit {limit:g} dBTP",
+            message=f"true peak {level:z.2f} dBTP, limit {level_shown(limit)} dBTP",
             fix=f"lower the level by {level - limit:.2f} dB or more",
             measured=level,
             limit=limit,
