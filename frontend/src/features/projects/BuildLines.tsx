@@ -1,25 +1,22 @@
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { age, plural } from '@/ui/format'
+import { plural } from '@/ui/format'
 import { State } from '@/ui/State'
 
 import { type Build, type BuildBrief, useBuildReport } from './api'
 import classes from './Builds.module.css'
 import { OUTCOME_STATES, outcomeInWords, outcomeOf, type RefusedFile, refusedFiles, warnedFiles } from './reports'
-import { refusal } from './words'
+import { ago, refusal } from './words'
 
 /** One build: its label, how it ended, when and what for. */
 export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {
-  const when = age(build.created_at)
   return (
     <div className={classes.line}>
       <span className="strong cut-text">{build.label}</span>
       <State kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</State>
       <span className={`small dim ${classes.when}`}>
-        {[when === 'now' ? 'just now' : `${when} ago`, build.target, build.commit.slice(0, 8)]
-          .filter(Boolean)
-          .join(', ')}
+        {[ago(build.created_at), build.target, build.commit.slice(0, 8)].filter(Boolean).join(', ')}
       </span>
       {children}
     </div>

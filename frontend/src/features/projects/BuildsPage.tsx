@@ -34,7 +34,7 @@ export function BuildsPage() {
         </p>
       </div>
       <Refusal error={error} />
-      <div className="columns">
+      <div className={`columns ${classes.columns}`}>
         <Card aria-labelledby="all-builds">
           <CardHead id="all-builds" title="Builds" note="the newest first" />
           {builds?.length === 0 && (

@@ -5,7 +5,7 @@ import type { Tone } from '@/ui/State'
 
 import type { Happening } from './api'
 import classes from './Project.module.css'
-import { sentence } from './words'
+import { trueMinus } from './words'
 
 const SIGNS: Record<Happening['kind'], { icon: IconName; tone: Tone }> = {
   delivery: { icon: 'upload', tone: 'idle' },
@@ -32,8 +32,9 @@ function once(happened: readonly Happening[]): (Happening & { times: number })[]
   return told
 }
 
+// Names of sounds and files keep their small letters.
 const said = ({ kind, who, text, times }: Happening & { times: number }) => {
-  const words = sentence(SPEAKS_FOR_ITSELF.has(kind) ? text : `${who} ${text}`).replace(/\.$/, '')
+  const words = trueMinus(SPEAKS_FOR_ITSELF.has(kind) ? text : `${who} ${text}`)
   return times > 1 ? `${words}, ${times} files` : words
 }
 

@@ -7,6 +7,7 @@ import { membersQuery, projectQuery } from './api'
 import { ApproverCard } from './people/ApproverCard'
 import { DesignersCard } from './people/DesignersCard'
 import { TeamCard } from './people/TeamCard'
+import classes from './Project.module.css'
 import { Refusal } from './Refusal'
 
 /** Who speaks for the team, who has the last word, who makes the sounds. */
@@ -34,7 +35,7 @@ export function PeoplePage() {
       <Refusal error={error ?? noMembers} />
       {project && !isTeam && <p>{`${project.decider.name} decides. The team keeps its own list of people.`}</p>}
       {project && isTeam && (
-        <div className="columns" style={{ '--side': '436px' } as React.CSSProperties}>
+        <div className={`columns ${classes.columns}`}>
           <div className="stack">
             <DesignersCard project={project} />
             <TeamCard project={project} members={members} />

@@ -5,14 +5,13 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { age } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, useTokens } from './api'
 import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
-import { against, listed } from './words'
+import { against, ago, listed } from './words'
 
 const SCOPE_WORDS: Record<Scope, string> = {
   'spec:read': 'reads the spec',
@@ -132,7 +131,7 @@ function TokenRow({ token, onRevoke }: { token: Token; onRevoke: () => void }) {
         <p className={revoked_at ? 'struck' : 'strong'}>{name}</p>
         <p className="small mid">{listed(scopes.map((scope) => SCOPE_WORDS[scope]))}</p>
         <p className="small dim">
-          {`made by ${creator.name}, ${age(created_at)}; ${last_used_at ? `used ${age(last_used_at)} ago` : 'never used'}`}
+          {`made by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}`}
         </p>
       </div>
       {revoked_at !== null && <State kind="cut">Worthless</State>}

@@ -8,7 +8,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
-import { age, dueDay, shortDay } from '@/ui/format'
+import { dueDay, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
@@ -25,7 +25,7 @@ import {
   useRevokeInvitation,
 } from '../api'
 import { Refusal } from '../Refusal'
-import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
+import { against, ago, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
 import classes from './People.module.css'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
@@ -140,7 +140,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
               <div className="grow">
                 <p className={`strong ${classes.mail}`}>{email}</p>
                 <p className="small mid">
-                  {`${KIND_WORDS[kind]}, asked by ${inviter.name}, ${age(created_at)}; ${expired ? 'too old since' : 'good until'} ${dueDay(expires_at)}`}
+                  {`${KIND_WORDS[kind]}, asked by ${inviter.name} ${ago(created_at)}; ${expired ? 'too old since' : 'good until'} ${dueDay(expires_at)}`}
                 </p>
                 {note !== '' && <p className="small dim">{note}</p>}
               </div>

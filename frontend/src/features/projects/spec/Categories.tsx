@@ -4,6 +4,7 @@ import { useState } from 'react'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
 import { FORM_CHECKS } from './checks'
@@ -82,6 +83,7 @@ function Category({ name, cues }: { name: string; cues: number }) {
   return (
     <details className={classes.category} open={open} onToggle={({ currentTarget }) => setOpened(currentTarget.open)}>
       <summary className={classes.summary}>
+        <Icon name="right" />
         <span className="strong">{name}</span>
         <span className="small dim nowrap">{cues > 0 ? plural(cues, 'cue') : 'no cue'}</span>
         <span className="small mid grow">

@@ -10,15 +10,17 @@ interface LineDiffProps {
   after: string
   /** What is compared, for those who listen. */
   label: string
+  /** Where there is no difference. */
+  same?: string
 }
 
 const SIGNS = { same: ' ', gone: '−', new: '+' }
 const WORDS = { same: '', gone: 'gone: ', new: 'new: ' }
 
 /** Two texts line by line: what went is struck, what came is marked. */
-export function LineDiff({ before, after, label }: LineDiffProps) {
+export function LineDiff({ before, after, label, same = 'The two say the same, to the letter.' }: LineDiffProps) {
   const parts = useMemo(() => folded(diffLines(before, after)), [before, after])
-  if (before === after) return <p className={`mid ${classes.same}`}>The two say the same, to the letter.</p>
+  if (before === after) return <p className={`mid ${classes.same}`}>{same}</p>
   return (
     // A long line scrolls, so the keyboard must reach it.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex

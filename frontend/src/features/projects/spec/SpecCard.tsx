@@ -139,9 +139,10 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
     kind: kindOf(spec.tables, name),
     differs: differences(spec.tables, name),
   }))
-  const shown = rows.filter(({ cues: count, differs }) => differs.length > 0 && count > 0)
-  const plain = rows.filter(({ cues: count, differs }) => differs.length === 0 && count > 0)
-  const unused = rows.filter(({ cues: count }) => count === 0)
+  const isUsed = (row: { cues: number }) => counts.size === 0 || row.cues > 0
+  const shown = rows.filter((row) => row.differs.length > 0 && isUsed(row))
+  const plain = rows.filter((row) => row.differs.length === 0 && isUsed(row))
+  const unused = rows.filter((row) => !isUsed(row))
   return (
     <>
       {shown.length > 0 && (
@@ -173,7 +174,7 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
       {rows.length > 0 && (
         <p className={`small mid ${classes.plain}`}>
           {plain.length > 0 &&
-            `As above: ${listed(plain.map(({ name, cues: count }) => `${name} (${figure(count)})`))}. `}
+            `As above: ${listed(plain.map(({ name, cues: count }) => (count > 0 ? `${name} (${figure(count)})` : name)))}. `}
           {unused.length > 0 && `Not on the list: ${listed(unused.map(({ name }) => name))}.`}
         </p>
       )}

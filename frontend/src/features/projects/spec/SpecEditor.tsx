@@ -45,6 +45,18 @@ function goTo(place: string) {
   }
 }
 
+/** Takes the caret to a line of the text. */
+function goToLine(toml: string, line: number) {
+  const field = document.getElementById('spec-toml')
+  if (!(field instanceof HTMLTextAreaElement)) return
+  const lines = toml.split('\n')
+  const start = lines.slice(0, line - 1).reduce((sum, text) => sum + text.length + 1, 0)
+  field.focus({ preventScroll: true })
+  field.setSelectionRange(start, start + (lines[line - 1]?.length ?? 0))
+  const top = field.getBoundingClientRect().top + window.scrollY
+  window.scrollTo({ top: top + (line / lines.length) * field.offsetHeight - window.innerHeight / 2 })
+}
+
 export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) {
   const { id: projectId } = project
   const client = useQueryClient()
@@ -68,6 +80,10 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
   const trouble = troubleOf(changed ? (troubleOf(save.error) && save.error) || (isCurrent ? tried.error : null) : null)
   const result = changed ? (isCurrent && tried.data ? tried.data : null) : spec
   const mine = 'toml' in sent ? sent.toml : (tried.data?.toml ?? draft.from.toml)
+
+  // A form is compared with what a form would write of the spec, or every comment would count as a change.
+  const { data: plain } = useSpecTry(projectId, { tables: spec.tables }, changed && 'tables' in sent)
+  const theirs = 'tables' in sent ? plain?.toml : spec.toml
 
   const change = (next: Partial<SpecDraft>) => {
     save.reset()
@@ -168,6 +184,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
       {movedOn && changed && (
         <MovedOn
           spec={spec}
+          theirs={theirs}
           mine={mine}
           basedOn={draft.basedOn}
           onKeepMine={() => change({ basedOn: spec.version })}
@@ -204,7 +221,11 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
                     {trouble.place !== '' && <p className="mono strong toned">{trouble.place}</p>}
                     <p>{sentence(trouble.message)}</p>
                     <p className="row wrap">
-                      {line !== null && <span className="small mid">{`Line ${line}`}</span>}
+                      {line !== null && (
+                        <button type="button" className="link small" onClick={() => goToLine(draft.toml, line)}>
+                          {`Line ${line}`}
+                        </button>
+                      )}
                       {draft.mode === 'form' && trouble.place !== '' && (
                         <button type="button" className="link small" onClick={() => goTo(trouble.place)}>
                           Go there
@@ -269,10 +290,10 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
               Takes that wait and that it touches are judged anew. What was approved stays approved.
             </p>
           </div>
-          {changed && result && (
+          {changed && result && theirs !== undefined && (
             <details className={classes.diff}>
-              <summary>What changes in the TOML</summary>
-              <LineDiff before={spec.toml} after={mine} label="What changes in the TOML" />
+              <summary>What changes</summary>
+              <LineDiff before={theirs} after={mine} label="What changes" />
             </details>
           )}
         </Card>
@@ -283,6 +304,8 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
 
 interface MovedOnProps {
   spec: Spec
+  /** Undefined while it is on its way. */
+  theirs: string | undefined
   mine: string
   basedOn: number
   onKeepMine: () => void
@@ -290,7 +313,7 @@ interface MovedOnProps {
 }
 
 /** Somebody else saved while this was written: both texts stand until it is said which holds. */
-function MovedOn({ spec, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
+function MovedOn({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
   return (
     <Card className={classes.moved} aria-labelledby="moved">
       <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you wrote`} />
@@ -304,7 +327,9 @@ function MovedOn({ spec, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps
           <Button onClick={onTakeTheirs}>{`Take version ${spec.version}, drop mine`}</Button>
         </div>
       </div>
-      <LineDiff before={spec.toml} after={mine} label={`Version ${spec.version} against yours`} />
+      {theirs !== undefined && (
+        <LineDiff before={theirs} after={mine} label={`Version ${spec.version} against yours`} />
+      )}
     </Card>
   )
 }

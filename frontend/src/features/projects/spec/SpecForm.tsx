@@ -86,7 +86,7 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
         <TextInput
           id="spec-naming.pattern"
           classNames={{ input: classes.code }}
-          label="Pattern, a regular expression for the whole name before its ending"
+          label="Pattern of the whole name, before its ending"
           value={pattern}
           placeholder="any name"
           spellCheck={false}

@@ -10,7 +10,7 @@ import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 
-import { projectQuery, specVersionQuery, useSpecVersions } from '../api'
+import { projectQuery, specVersionQuery, useSpecTry, useSpecVersions } from '../api'
 import { Refusal } from '../Refusal'
 import { speaks } from '../words'
 import { draftOf, keepDraft } from './draft'
@@ -105,8 +105,11 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
     enabled: against !== undefined,
   })
   const { data: held } = useQuery({ ...specVersionQuery(projectId, newest), enabled: version !== newest })
-  const [chosen, setChosen] = useState<'changes' | 'text'>('changes')
+  const [chosen, setChosen] = useState<'rules' | 'letters' | 'text'>('rules')
   const view = against === undefined ? 'text' : chosen
+  // Written anew from what they say, two texts differ by that alone.
+  const rules = useSpecTry(projectId, { tables: spec?.tables ?? {} }, spec !== undefined && view === 'rules').data
+  const before = useSpecTry(projectId, { tables: other?.tables ?? {} }, other !== undefined && view === 'rules').data
   const takeUp = () => {
     if (!spec || !held || !onTakeUp) return
     keepDraft(projectId, { ...draftOf(spec, 'toml'), basedOn: held.version, note: `As version ${version}` })
@@ -124,19 +127,20 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
               <Segmented
                 label="What is shown"
                 options={[
-                  { value: 'changes', label: 'Changes' },
+                  { value: 'rules', label: 'What changed' },
+                  { value: 'letters', label: 'To the letter' },
                   { value: 'text', label: 'Text' },
                 ]}
                 value={view}
                 onChange={setChosen}
               />
             )}
-            {onTakeUp && held && <Button onClick={takeUp}>Take it up again</Button>}
+            {onTakeUp && held && version !== newest && <Button onClick={takeUp}>Take it up again</Button>}
           </>
         }
       />
       <Refusal error={error ?? noOther} />
-      {view === 'changes' && numbers.length > 1 && (
+      {view !== 'text' && numbers.length > 1 && (
         <p className={`row wrap small mid ${classes.against}`}>
           <label htmlFor="against">Against version</label>
           <select
@@ -155,7 +159,15 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
           </select>
         </p>
       )}
-      {view === 'changes' && spec && other && (
+      {view === 'rules' && rules && before && (
+        <LineDiff
+          before={before.toml}
+          after={rules.toml}
+          label={`What version ${version} changed`}
+          same="Both ask the same; only comments and layout differ."
+        />
+      )}
+      {view === 'letters' && spec && other && (
         <LineDiff before={other.toml} after={spec.toml} label={`Version ${other.version} against ${spec.version}`} />
       )}
       {view === 'text' && spec && (
