@@ -1,9 +1,10 @@
 /** The arrows of the frontend: features stand on app, uploads, audio, ui and api, and never on one another. */
 const lower = {
-  api: 'app|audio|ui|uploads|parts',
-  ui: 'app|api|audio|uploads|parts',
-  audio: 'app|api|uploads|parts',
-  uploads: 'app|audio|ui|parts',
+  api: 'app|audio|judging|ui|uploads|parts',
+  ui: 'app|api|audio|judging|uploads|parts',
+  audio: 'app|api|judging|uploads|parts',
+  uploads: 'app|audio|judging|ui|parts',
+  judging: 'uploads|parts',
 }
 
 module.exports = {

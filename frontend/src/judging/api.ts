@@ -120,7 +120,8 @@ export function useSending(projectId: string) {
           body: { note },
         }),
       ),
-    onSettled: () => refresh(client, projectId),
+    // Not waited for: what was done is said before the lists are read anew.
+    onSettled: () => void refresh(client, projectId),
   })
 }
 
@@ -134,6 +135,7 @@ export function useDropDraft(projectId: string) {
           params: { path: { change_request_id: draft.id } },
         }),
       ),
-    onSettled: () => refresh(client, projectId),
+    // Not waited for: what was done is said before the lists are read anew.
+    onSettled: () => void refresh(client, projectId),
   })
 }

@@ -113,7 +113,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
       for (const take of takes) await giveVerdict(take, 'request_change', said)
     },
-    onSettled: () => refresh(client, projectId),
+    // Not waited for: what was done is said before the lists are read anew.
+    onSettled: () => void refresh(client, projectId),
   })
 
   const changeProblem = change.error === null ? null : asProblem(change.error)

@@ -57,16 +57,16 @@ export function CueHead(props: CueHeadProps) {
             <h1>{cue.name}</h1>
             <State kind={state} pill />
             <span className="small dim mono">{cue.label}</span>
-            <span className={`end ${classes.queueButton}`}>
-              <Button icon="headphones" onClick={props.onQueue} aria-controls="queue">
-                {props.queued} waiting
-              </Button>
-            </span>
           </div>
           <p className="mid">{cue.description || cue.use}</p>
           <p className="small dim">{asked(cue)}</p>
         </div>
         <div className={`row ${classes.cueActs}`}>
+          <span className={classes.queueButton}>
+            <Button icon="headphones" onClick={props.onQueue} aria-controls="queue">
+              {props.queued} waiting
+            </Button>
+          </span>
           {targets.length > 1 && (
             <Segmented
               label="Listen to"

@@ -167,7 +167,7 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
   const where = spot(said.startS, said.endS)
   const resolved = Boolean(said.comment?.resolved_at)
   const role =
-    said.kind === 'change' ? (said.draft ? 'notes a change' : 'wants a change') : said.decides ? 'decides' : 'advises'
+    said.kind === 'change' ? (said.draft ? 'change, not sent' : 'wants a change') : said.decides ? 'decides' : 'advises'
   return (
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <p className="row">
@@ -179,13 +179,12 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
       <p className={classes.saidText}>
         {on && <span className="dim">On {on}: </span>}
         {said.text}
-        {said.draft && <span className="dim"> Not sent yet.</span>}
         {resolved && <span className="dim"> Resolved.</span>}
       </p>
       {(where !== undefined || on !== null || onResolve) && (
         <p className={classes.saidActs}>
           {(where !== undefined || on !== null) && (
-            <Button variant="quiet" className="small" aria-pressed={undefined} onClick={onOpen}>
+            <Button variant="quiet" className="small" onClick={onOpen}>
               {where === undefined ? `Take ${on} in the hand` : 'The spot'}
               <span className="visually-hidden">{said.number === null ? '' : ` of ${said.number}`}</span>
             </Button>

@@ -91,7 +91,7 @@ export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
               <Icon name="dashedSquare" />
             </span>
             <span className="grow">{plural(count, 'cue plays', 'cues play')} a placeholder. None may ship.</span>
-            <Link to={`/projects/${projectId}/sound-list` as '/'} className="link small">
+            <Link to="/projects/$projectId/sound-list" params={{ projectId }} search={{}} className="link small">
               Sound list
             </Link>
           </Row>

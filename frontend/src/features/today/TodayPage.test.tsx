@@ -277,6 +277,7 @@ describe('a question', () => {
         joins: true,
       }),
     )
+    expect(await screen.findByText('Answered; it joins what coolant_splash says.')).toBeVisible()
   })
 
   test('keeps the answer when it is refused', async () => {

@@ -114,7 +114,7 @@ export function TodayPage(): ReactNode {
             <EmptyState
               head="Nothing waits for you."
               action={
-                <Link to={`/projects/${projectId}/sound-list` as '/'} className="link">
+                <Link to="/projects/$projectId/sound-list" params={{ projectId }} search={{}} className="link">
                   To the sound list
                 </Link>
               }

@@ -24,6 +24,7 @@ export function useAnswer(projectId: string, questionId: string) {
           body: { text, joins: true },
         }),
       ),
-    onSettled: () => refresh(client, projectId),
+    // Not waited for: what was done is said before the lists are read anew.
+    onSettled: () => void refresh(client, projectId),
   })
 }
