@@ -44,7 +44,7 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
       <TextInput {...text('trigger', 'two')} />
       <TextInput {...text('duration_s')} label="Length, s" inputMode="decimal" />
       <TextInput {...text('variations')} inputMode="numeric" />
-      <Textarea {...text('description', 'four')} autosize minRows={2} maxRows={8} />
+      <Textarea {...text('description', 'four')} rows={2} classNames={{ input: classes.grows }} />
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
       <fieldset className={classes.flags}>

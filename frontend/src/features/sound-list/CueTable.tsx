@@ -1,5 +1,5 @@
 import { Link } from '@tanstack/react-router'
-import { Fragment, memo, type MouseEvent, type ReactNode, useCallback, useEffect, useRef } from 'react'
+import { memo, type MouseEvent, type ReactNode, useCallback, useEffect, useMemo, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
 import { figure } from '@/ui/format'
@@ -16,9 +16,18 @@ const ROW_PX = 26
 const NARROW_ROW_PX = 56
 const HEAD_PX = 25
 const OPEN_PX = 280
-const MANY_VARIATIONS = 8
+const MANY_VARIATIONS = 6
 
-type Item = { key: string; group: Group; row?: undefined } | { key: string; group?: undefined; row: CueRow }
+/** One line of the table: a heading, a cue, or what is open below a cue. */
+type Item = { key: string; group?: Group; row?: CueRow }
+
+function itemsOf(groups: readonly Group[], openId: string | undefined): Item[] {
+  const headed = groups.length > 1
+  return groups.flatMap((group) => [
+    ...(headed ? [{ key: group.id, group }] : []),
+    ...group.rows.flatMap((row) => [{ key: row.id, row }, ...(row.id === openId ? [{ key: `open ${row.id}` }] : [])]),
+  ])
+}
 
 interface CueTableProps {
   groups: readonly Group[]
@@ -38,33 +47,26 @@ interface CueTableProps {
 export function CueTable(props: CueTableProps) {
   const { groups, projectId, selectedId, picked, mayPick, playingId, open, onSelect, onPick, onPlay } = props
   const table = useRef<HTMLTableElement>(null)
-  const headed = groups.length > 1
-  const items: Item[] = groups.flatMap((group) => [
-    ...(headed ? [{ key: group.id, group }] : []),
-    ...group.rows.map((row) => ({ key: row.id, row })),
-  ])
+  const openId = open?.id
+  const items = useMemo(() => itemsOf(groups, openId), [groups, openId])
+  const places = useMemo(() => new Map(items.map(({ key }, place) => [key, place])), [items])
   const narrow = window.matchMedia('(max-width: 760px)').matches
   const estimate = useCallback(
     (place: number) => {
-      const row = items[place]?.row
-      if (row === undefined) return HEAD_PX
-      return (narrow ? NARROW_ROW_PX : ROW_PX) + (row.id === open?.id ? OPEN_PX : 0)
+      const item = items[place]
+      if (item?.group) return HEAD_PX
+      return item?.row ? (narrow ? NARROW_ROW_PX : ROW_PX) : OPEN_PX
     },
-    [items, narrow, open?.id],
+    [items, narrow],
   )
-  const { places, beforePx, afterPx, measure, scrollTo } = useVirtualRows(
-    items.length,
-    estimate,
-    (place) => items[place]?.key ?? place.toString(),
-    table,
-  )
+  const keyOf = useCallback((place: number) => items[place]?.key ?? String(place), [items])
+  const drawn = useVirtualRows(items.length, estimate, keyOf, table)
 
-  const place = items.findIndex(({ row }) => row?.id === selectedId)
   const shown = useRef<string | null>(selectedId)
   useEffect(() => {
     if (selectedId === null || selectedId === shown.current) return
     shown.current = selectedId
-    scrollTo(place)
+    drawn.scrollTo(places.get(selectedId) ?? 0)
     // A row far away is drawn only after the scroll.
     const focus = () => {
       const row = table.current?.querySelector<HTMLElement>(`tr[data-row="${selectedId}"]`)
@@ -76,6 +78,10 @@ export function CueTable(props: CueTableProps) {
     const frame = requestAnimationFrame(focus)
     return () => cancelAnimationFrame(frame)
   })
+
+  useEffect(() => {
+    if (openId !== undefined) table.current?.querySelector('tr[data-open]')?.scrollIntoView({ block: 'nearest' })
+  }, [openId])
 
   return (
     <table ref={table} className={classes.table} aria-label="Sound list" aria-rowcount={items.length + 1}>
@@ -106,13 +112,13 @@ export function CueTable(props: CueTableProps) {
         </tr>
       </thead>
       <tbody>
-        {beforePx > 0 && <Gap heightPx={beforePx} />}
-        {places.map((at) => {
+        {drawn.beforePx > 0 && <Gap heightPx={drawn.beforePx} />}
+        {drawn.places.map((at) => {
           const item = items[at]
           if (item === undefined) return null
           if (item.group) {
             return (
-              <tr key={item.key} className={classes.group} data-index={at} ref={measure} aria-rowindex={at + 2}>
+              <tr key={item.key} className={classes.group} data-index={at} ref={drawn.measure} aria-rowindex={at + 2}>
                 <th colSpan={COLUMNS} scope="colgroup">
                   <span className={`strong ${classes.groupName}`}>{item.group.name}</span>{' '}
                   <span className="small dim">{item.group.note}</span>
@@ -121,31 +127,32 @@ export function CueTable(props: CueTableProps) {
             )
           }
           const { row } = item
+          if (row === undefined) {
+            return (
+              <tr key={item.key} className={classes.open} data-index={at} data-open ref={drawn.measure}>
+                <td colSpan={COLUMNS}>{open?.inside}</td>
+              </tr>
+            )
+          }
           return (
-            <Fragment key={item.key}>
-              <Line
-                row={row}
-                projectId={projectId}
-                at={at}
-                selected={row.id === selectedId}
-                picked={picked.has(row.id)}
-                picking={picked.size > 0}
-                mayPick={mayPick}
-                playing={row.id === playingId}
-                onSelect={onSelect}
-                onPick={onPick}
-                onPlay={onPlay}
-                measure={measure}
-              />
-              {open?.id === row.id && (
-                <tr className={classes.open}>
-                  <td colSpan={COLUMNS}>{open.inside}</td>
-                </tr>
-              )}
-            </Fragment>
+            <Line
+              key={item.key}
+              row={row}
+              projectId={projectId}
+              at={at}
+              selected={row.id === selectedId}
+              picked={picked.has(row.id)}
+              picking={picked.size > 0}
+              mayPick={mayPick}
+              playing={row.id === playingId}
+              onSelect={onSelect}
+              onPick={onPick}
+              onPlay={onPlay}
+              measure={drawn.measure}
+            />
           )
         })}
-        {afterPx > 0 && <Gap heightPx={afterPx} />}
+        {drawn.afterPx > 0 && <Gap heightPx={drawn.afterPx} />}
       </tbody>
     </table>
   )

@@ -67,7 +67,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
   }
 
   const takeTheirs = async () => {
-    const fresh = await readAgain(client, cue.id)
+    const fresh = await readAgain(client, projectId, cue.id)
     const next = { base: fresh, draft: rebased(base, fresh, draft) }
     setTheirs(changesBetween(base, fresh))
     setEdit(next)

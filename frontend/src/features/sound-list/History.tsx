@@ -44,7 +44,7 @@ export function History({ cue, versions, changes }: HistoryProps) {
         ))}
       </ol>
       {changes.hasNextPage && (
-        <p className={classes.inside}>
+        <p className={classes.further}>
           <Button disabled={changes.isFetchingNextPage} onClick={() => void changes.fetchNextPage()}>
             Look further back
           </Button>

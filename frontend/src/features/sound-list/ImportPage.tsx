@@ -44,7 +44,7 @@ export function ImportPage(): ReactNode {
   const [asked] = useDebouncedValue(sheet, sheet.text === '' ? 0 : TYPING_MS)
   const picker = useRef<HTMLInputElement>(null)
   const plan = useQuery({
-    queryKey: ['sound-list', projectId, 'import plan', bodyOf(asked)],
+    queryKey: ['import-plan', projectId, bodyOf(asked)],
     queryFn: () => importSheet(projectId, { ...bodyOf(asked), dry_run: true }),
     enabled: rights.edits && isGiven(asked),
     placeholderData: keepPreviousData,
@@ -165,9 +165,7 @@ export function ImportPage(): ReactNode {
             <Textarea
               label="Pasted rows"
               placeholder={'name\tcategory\tlength\nshield_hit\tweapon\t0.8'}
-              autosize
-              minRows={4}
-              maxRows={10}
+              rows={5}
               classNames={{ input: classes.text }}
               value={sheet.text}
               onChange={(event) => setSheet({ ...sheet, mapping: {}, text: event.currentTarget.value })}

@@ -1,4 +1,4 @@
-import { useMemo, useRef, useState } from 'react'
+import { useCallback, useMemo, useRef, useState } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
 import { figure } from '@/ui/format'
@@ -19,7 +19,7 @@ interface SheetRow {
   faults: Fault[]
 }
 
-const ROW_PX = 28
+const rowPx = () => 28
 
 /** Rows of the sheet in their order, each with what becomes of it and what is wrong with it. */
 function sheetRows(read: ImportRead): SheetRow[] {
@@ -44,16 +44,19 @@ export function ImportRows({ read }: { read: ImportRead }) {
   const wrong = all.filter(({ faults }) => faults.length > 0).length
   const [wanted, setWanted] = useState<Shown>('all')
   const shown: Shown = wanted === 'errors' && wrong === 0 ? 'all' : wanted
-  const rows = all.filter(
-    (row) =>
-      shown === 'all' ||
-      (shown === 'errors' ? row.faults.length > 0 : row.faults.length > 0 || row.read?.action !== 'same'),
+  const rows = useMemo(
+    () =>
+      all.filter(
+        (row) =>
+          shown === 'all' || row.faults.length > 0 || (shown === 'changes' && row.read && row.read.action !== 'same'),
+      ),
+    [all, shown],
   )
   const table = useRef<HTMLTableElement>(null)
   const { places, beforePx, afterPx, measure } = useVirtualRows(
     rows.length,
-    () => ROW_PX,
-    (place) => String(rows[place]?.row),
+    rowPx,
+    useCallback((place: number) => String(rows[place]?.row), [rows]),
     table,
   )
   return (

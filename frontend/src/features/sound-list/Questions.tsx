@@ -100,8 +100,8 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
         <Textarea
           ref={field}
           label="Your answer"
-          autosize
-          minRows={1}
+          rows={1}
+          classNames={{ input: fields.grows }}
           value={text}
           onChange={(event) => setText(event.currentTarget.value)}
           onKeyDown={(event) => {
@@ -165,8 +165,8 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
           ref={field}
           label={`What must be known to make ${cue.name}?`}
           placeholder="Source, material, size, distance, mood"
-          autosize
-          minRows={1}
+          rows={1}
+          classNames={{ input: fields.grows }}
           value={text}
           onChange={(event) => setText(event.currentTarget.value)}
           onKeyDown={(event) => {

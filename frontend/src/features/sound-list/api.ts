@@ -367,6 +367,7 @@ export function useSetForSeveral(projectId: string) {
 export const problemIn = (error: unknown): ApiProblem | null => (error instanceof ApiProblem ? error : null)
 
 /** The cue as it stands now, whatever is kept here. */
-export async function readAgain(client: QueryClient, cueId: string): Promise<CueDetail> {
+export async function readAgain(client: QueryClient, projectId: string, cueId: string): Promise<CueDetail> {
+  void client.invalidateQueries({ queryKey: keys.list(projectId) })
   return client.fetchQuery({ ...cueQuery(cueId), staleTime: 0 })
 }

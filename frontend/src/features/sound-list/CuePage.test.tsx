@@ -1,0 +1,183 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { beforeEach, expect, test, vi } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Asked, refusal } from '@/test/server'
+import { aCue, ListServer } from '@/test/soundList'
+
+const AT = '2026-11-20T10:00:00Z'
+const PRODUCER = { id: 'someone', name: 'Producer' }
+const DESIGNER = { id: 'designer', name: 'Sound designer' }
+
+beforeEach(() => {
+  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
+})
+
+const aQuestion = (id: string, cueId: string, more = {}) => ({
+  id,
+  cue_id: cueId,
+  cue_label: 'SW-001',
+  cue_name: 'coolant_splash',
+  text: 'What falls in?',
+  asked_by: DESIGNER,
+  asked_at: AT,
+  answer: null,
+  answered_by: null,
+  answered_at: null,
+  ...more,
+})
+
+function opened(part: 'team' | 'designer' = 'team') {
+  const server = new ListServer(
+    [aCue(1, 'coolant_splash', { description: 'A splash in the tank.', edition: 2 }), aCue(2, 'suit_hit')],
+    { coolant_splash: { status: 'question', open_question: 'What falls in?' } },
+    part,
+  )
+  const { id } = server.cue('coolant_splash')
+  let question = aQuestion('q1', id)
+  server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
+  server.answers[`GET /v1/cues/${id}`] = () => ({
+    ...server.cue('coolant_splash'),
+    project_id: server.projectId,
+    questions: [question],
+  })
+  server.answers['POST /v1/questions/q1/answer'] = ({ body }: Asked) => {
+    const { text } = body as { text: string }
+    question = aQuestion('q1', id, { answer: text, answered_by: PRODUCER, answered_at: AT })
+    Object.assign(server.cue('coolant_splash'), { description: `A splash in the tank.\n\nWhat falls in? ${text}` })
+    return question
+  }
+  server.answers[`GET ${server.at}/sound-list/revisions`] = {
+    items: [
+      { number: 3, summary: 'SW-002 cut', author: PRODUCER, created_at: AT },
+      { number: 2, summary: '1 cue changed', author: PRODUCER, created_at: AT },
+      { number: 1, summary: '2 cues added', author: PRODUCER, created_at: AT },
+    ],
+    next: null,
+  }
+  const difference = { id, number: 1, label: 'SW-001', name: 'coolant_splash', cut_reason: null }
+  server.answers[`GET ${server.at}/sound-list/revisions/compare`] = ({ query }: Asked) => ({
+    from_revision: Number(query.get('from')),
+    to_revision: Number(query.get('to')),
+    added: query.get('to') === '1' ? [{ ...difference, changes: [] }] : [],
+    changed:
+      query.get('to') === '2' ? [{ ...difference, changes: [{ field: 'duration_s', before: 0.7, after: 0.8 }] }] : [],
+    cut: [],
+  })
+  server.answers[`GET ${server.at}/takes`] = ({ query }: Asked) => ({
+    items:
+      query.get('cue_id') === id
+        ? [
+            {
+              id: 't1',
+              designer: DESIGNER,
+              variation: 1,
+              number: 1,
+              alternate: null,
+              state: 'returned',
+              file_name: 'coolant_splash.wav',
+              note: '',
+              received_at: AT,
+              guesses: [],
+            },
+          ]
+        : [],
+    next: null,
+  })
+  server.answers['GET /v1/takes/t1/sounds'] = {
+    take_id: 't1',
+    master: { thumb: null, preview_url: '/v1/sounds/t1/preview', duration_s: 0.7 },
+    renders: [],
+  }
+  server.answers['GET /v1/takes/t1/check'] = {
+    findings: [
+      {
+        check: 'sample-peak',
+        code: 'sample-peak:over',
+        severity: 'error',
+        message: 'sample peak 0.00 dBFS, limit -0.1 dBFS',
+        fix: 'lower the level by 0.10 dB or more',
+        start_s: 0.4,
+        waived: false,
+      },
+    ],
+  }
+  const app = openApp(`${server.path}/cues/${id}`)
+  return { server, app, id }
+}
+
+test('the cue, its versions with findings, and its history stand on one page', async () => {
+  const { server, id } = opened()
+  expect(await screen.findByRole('heading', { level: 1, name: 'coolant_splash' })).toBeInTheDocument()
+  expect(screen.getByText('A splash in the tank.')).toBeInTheDocument()
+  const finding = await screen.findByRole('article', { name: 'Sample peak 0.00 dBFS, limit −0.1 dBFS' })
+  expect(finding).toHaveTextContent('Lower the level by 0.10 dB or more.')
+  expect(screen.getByRole('button', { name: 'Play version 1' })).toBeInTheDocument()
+  const [review] = screen.getAllByRole('link', { name: 'Hear it in review' })
+  expect(review).toHaveAttribute('href', `/projects/${server.projectId}/review/${id}`)
+  const history = await screen.findByRole('region', { name: 'History' })
+  await waitFor(() => expect(history).toHaveTextContent(/Length was 0.70 s.*0.80 s/))
+  expect(history).toHaveTextContent('Added to the list')
+  expect(history).toHaveTextContent('Delivered coolant_splash.wav')
+  expect(history).toHaveTextContent('Asked: What falls in?')
+  // A revision that cut another cue is not asked about.
+  expect(server.asked.some(({ query }) => query.get('from') === '2' && query.get('to') === '3')).toBe(false)
+})
+
+test('an answer joins what the cue says', async () => {
+  const { server } = opened()
+  await userEvent.type(await screen.findByRole('textbox', { name: 'Your answer' }), 'A spanner.')
+  await userEvent.click(screen.getByRole('button', { name: 'Answer' }))
+  expect(await screen.findByText('A spanner.')).toBeInTheDocument()
+  expect(await screen.findByText(/What falls in\? A spanner\./)).toBeInTheDocument()
+  expect(server.sent('POST', '/v1/questions/q1/answer')[0]?.body).toEqual({ text: 'A spanner.', joins: true })
+})
+
+test('an answer that came too late says so, and keeps its text', async () => {
+  const { server } = opened()
+  server.answers['POST /v1/questions/q1/answer'] = refusal(
+    409,
+    'question-answered',
+    'this question was answered already',
+  )
+  const field = await screen.findByRole('textbox', { name: 'Your answer' })
+  await userEvent.type(field, 'A drop.')
+  await userEvent.click(screen.getByRole('checkbox', { name: 'It joins the description of the cue' }))
+  await userEvent.click(screen.getByRole('button', { name: 'Answer' }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('this question was answered already')
+  expect(field).toHaveValue('A drop.')
+  expect(server.sent('POST', '/v1/questions/q1/answer')[0]?.body).toEqual({ text: 'A drop.', joins: false })
+})
+
+test('j goes to the next cue, e edits, Escape closes and then leads back', async () => {
+  const { server, app } = opened()
+  await screen.findByRole('heading', { level: 1, name: 'coolant_splash' })
+  await userEvent.keyboard('e')
+  expect(await screen.findByRole('form', { name: 'Edit coolant_splash' })).toBeInTheDocument()
+  await userEvent.keyboard('{Escape}')
+  expect(screen.queryByRole('form', { name: /^Edit/ })).not.toBeInTheDocument()
+  await screen.findByText('Question', { selector: 'h1 ~ * *' })
+  await userEvent.keyboard('j')
+  expect(await screen.findByRole('heading', { level: 1, name: 'suit_hit' })).toBeInTheDocument()
+  await userEvent.keyboard('{Escape}')
+  await waitFor(() => expect(app.at()).toBe(server.path))
+})
+
+test('a designer sees the cue and asks; who answers is said', async () => {
+  opened('designer')
+  const question = await screen.findByRole('article', { name: 'Question: What falls in?' })
+  expect(within(question).getByText('The team answers; it waits with them.')).toBeInTheDocument()
+  expect(screen.queryByRole('button', { name: /Edit/ })).not.toBeInTheDocument()
+  expect(screen.queryByRole('link', { name: /review/ })).not.toBeInTheDocument()
+  expect(screen.getByRole('textbox', { name: 'What must be known to make coolant_splash?' })).toBeInTheDocument()
+})
+
+test('a cue that is not there says so and leads back', async () => {
+  const server = new ListServer([])
+  server.answers['GET /v1/cues/nowhere'] = refusal(404, 'cue-not-found', 'no cue nowhere')
+  openApp(`${server.path}/cues/nowhere`)
+  expect(await screen.findByRole('heading', { level: 1, name: 'This cue is not here.' })).toBeInTheDocument()
+  expect(screen.getByRole('alert')).toHaveTextContent('no cue nowhere')
+  expect(screen.getByRole('link', { name: 'To the sound list' })).toHaveAttribute('href', server.path)
+})

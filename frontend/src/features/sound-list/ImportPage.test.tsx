@@ -1,0 +1,135 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { beforeEach, expect, test, vi } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Asked, refusal } from '@/test/server'
+import { aCue, ListServer } from '@/test/soundList'
+
+beforeEach(() => {
+  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
+})
+
+const COLUMNS = [
+  { name: 'Sound', samples: ['door_open', 'hatch'], guess: 'name', field: 'name' },
+  { name: 'Len', samples: ['1.2', 'long'], guess: 'duration_s', field: 'duration_s' },
+  { name: 'Mood', samples: ['calm'], guess: null, field: 'extra' },
+]
+const aRow = (row: number, action: string, name: string, more = {}) => ({
+  row,
+  action,
+  label: null,
+  name,
+  file_name: '',
+  category: 'foley',
+  description: '',
+  duration_s: 1.2,
+  loop: false,
+  variations: 1,
+  state: 'prototype',
+  changes: [],
+  ...more,
+})
+const PLAN = {
+  header_row: 1,
+  columns: COLUMNS,
+  rows: [
+    aRow(2, 'add', 'door_open'),
+    aRow(3, 'change', 'shield_hit', {
+      label: 'SW-001',
+      changes: [{ field: 'duration_s', before: 0.8, after: 1.2 }],
+    }),
+  ],
+  errors: [],
+  added: 1,
+  changed: 1,
+  same: 0,
+  imported: false,
+  revision: 2,
+}
+
+function opened(plan: unknown) {
+  const server = new ListServer([aCue(1, 'shield_hit')])
+  server.answers[`POST ${server.at}/sound-list/import`] = plan
+  const app = openApp(`${server.path}/import`)
+  return { server, app, sent: () => server.sent('POST', `${server.at}/sound-list/import`).map(({ body }) => body) }
+}
+const type = async (text: string) => {
+  await userEvent.click(await screen.findByRole('textbox', { name: 'Pasted rows' }))
+  await userEvent.paste(text)
+}
+
+test('a dry run says what becomes of every row; then it is imported', async () => {
+  const { server, app, sent } = opened(({ body }: Asked) => ({
+    ...PLAN,
+    imported: !(body as { dry_run: boolean }).dry_run,
+    revision: 3,
+  }))
+  await type('Sound\tLen\tMood\ndoor_open\t1.2\tcalm')
+  const table = await screen.findByRole('table', { name: 'Rows of the sheet' })
+  const [, first, second] = within(table).getAllByRole('row')
+  expect(first).toHaveTextContent('2 Add')
+  expect(second).toHaveTextContent(/3 Change\s*SW-001\s*shield_hit.*Length was 0.80 s.*1.20 s/)
+  expect(sent()[0]).toMatchObject({ format: 'paste', dry_run: true, match: 'number', mapping: {} })
+  await userEvent.click(screen.getByRole('button', { name: 'Import 2 cues' }))
+  expect(await screen.findByText('1 cue added, 1 changed. The list is at revision 3.')).toBeInTheDocument()
+  expect(sent().at(-1)).toMatchObject({ dry_run: false, text: 'Sound\tLen\tMood\ndoor_open\t1.2\tcalm' })
+  await waitFor(() => expect(app.at()).toBe(server.path))
+})
+
+test('errors stand at their row, and nothing can be imported until they are gone', async () => {
+  const { app } = opened({
+    ...PLAN,
+    rows: PLAN.rows.slice(0, 1),
+    errors: [{ row: 4, column: 'Len', message: 'wanted seconds such as 1.5, found "long"' }],
+    changed: 0,
+  })
+  await type('Sound\tLen\na\tlong')
+  const wrong = await screen.findByRole('row', { name: /Error/ })
+  expect(wrong).toHaveTextContent('Len: wanted seconds such as 1.5, found "long"')
+  expect(within(wrong).getByText('4')).toBeInTheDocument()
+  expect(screen.getByRole('button', { name: 'Import 1 cue' })).toBeDisabled()
+  await userEvent.click(screen.getByRole('button', { name: '1 with errors' }))
+  expect(screen.queryByText('door_open', { selector: 'th' })).not.toBeInTheDocument()
+  expect(screen.getByRole('textbox', { name: 'Pasted rows' })).toHaveValue('Sound\tLen\na\tlong')
+  expect(app.at()).toMatch(/import$/)
+})
+
+test('a column is read as what the person says; a field moves and is never read twice', async () => {
+  const { sent } = opened(PLAN)
+  await type('Sound\tLen\tMood\na\t1\tcalm')
+  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Read Mood as' }), 'category')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } }))
+  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Read Sound as' }), 'category')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Sound: 'category' } }))
+  expect((sent().at(-1) as { mapping: object }).mapping).toEqual({ Sound: 'category' })
+  await userEvent.click(screen.getByRole('button', { name: 'By name' }))
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ match: 'name' }))
+})
+
+test('a file goes as its bytes, and a sheet that cannot be read says why and stays', async () => {
+  const { sent } = opened(refusal(422, 'sheet-unreadable', 'this is a ZIP file, and no XLSX workbook'))
+  await screen.findByRole('textbox', { name: 'Pasted rows' })
+  const picker = document.querySelector<HTMLInputElement>('input[type=file]')
+  await userEvent.upload(picker as HTMLInputElement, new File(['PK'], 'sounds.xlsx'))
+  expect(await screen.findByRole('alert')).toHaveTextContent('this is a ZIP file, and no XLSX workbook')
+  expect(sent()[0]).toMatchObject({ format: 'xlsx', content_base64: btoa('PK') })
+  expect(screen.getByText('sounds.xlsx')).toBeInTheDocument()
+})
+
+test('a file that is too large is not sent', async () => {
+  const { sent } = opened(PLAN)
+  await screen.findByRole('textbox', { name: 'Pasted rows' })
+  const file = new File(['x'], 'huge.csv')
+  Object.defineProperty(file, 'size', { value: 6_000_000 })
+  await userEvent.upload(document.querySelector('input[type=file]') as HTMLInputElement, file)
+  expect(await screen.findByRole('alert')).toHaveTextContent('huge.csv has 6.0 MB; at most 5.0 MB are read.')
+  expect(sent()).toEqual([])
+})
+
+test('a designer is told who changes the list', async () => {
+  const server = new ListServer([], {}, 'designer')
+  server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
+  openApp(`${server.path}/import`)
+  expect(await screen.findByRole('heading', { name: 'Producers and liaisons change this list.' })).toBeInTheDocument()
+})
