@@ -61,8 +61,8 @@ test.each([
   ['an older spec', {}, { status: 'accepted', not_to_spec: true }, 'Accepted to an earlier spec'],
   ['nothing yet', {}, {}, ''],
 ] as const)('%s', (_what, facts, standing, line) => {
-  const cue = aCue(1, 'a', facts as object)
-  expect(said(standsOf(cue, aStanding(cue, standing as object), {}, NOW)).join('')).toBe(line)
+  const cue = aCue(1, 'a', facts)
+  expect(said(standsOf(cue, aStanding(cue, standing), {}, NOW)).join('')).toBe(line)
 })
 
 test('a question says when it was asked, and a file that may be the cue is named', () => {
