@@ -1,5 +1,6 @@
 """`soundlist demo`: one process tree that makes its project by requests, keeps it, and stops cleanly."""
 
+import fcntl
 import os
 import signal
 import socket
@@ -12,6 +13,10 @@ from pathlib import Path
 
 import httpx
 import pytest
+from click.testing import Result
+from typer.testing import CliRunner
+
+from app.cli import cli
 
 ROOT = Path(__file__).resolve().parents[3]
 FIRST_START_S, SECOND_START_S, STOP_S = 150.0, 30.0, 25.0
@@ -110,21 +115,26 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert client.get(f"{path}/sound-list/standing").json()["counts"] == standing["counts"]
 
 
-def test_two_demos_do_not_share_a_folder(tmp_path: Path):
-    import fcntl
+@pytest.fixture
+def say(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result]:
+    """Run a command in this process; what it is set to comes by environment alone."""
+    monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path))
 
+    def run(*command: str, **environment: str) -> Result:
+        for name, value in environment.items():
+            monkeypatch.setenv(name, value)
+        return CliRunner().invoke(cli, command)
+
+    return run
+
+
+def test_two_demos_do_not_share_a_folder(tmp_path: Path, say: Callable[..., Result]):
     with (tmp_path / "soundlist.lock").open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        second = subprocess.run(
-            [sys.executable, "-m", "app", "demo", "--port", str(free_port())],
-            cwd=ROOT,
-            env=os.environ | {"SOUNDLIST_DATA_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)},
-            capture_output=True,
-            text=True,
-        )
-    assert second.returncode == 2
-    assert "runs on" in second.stderr
-    assert "DATA=another-folder" in second.stderr
+        second = say("demo", "--port", str(free_port()))
+    assert second.exit_code == 2
+    assert "runs on" in second.output
+    assert "DATA=another-folder" in second.output
 
 
 @pytest.mark.parametrize(
@@ -137,14 +147,10 @@ def test_two_demos_do_not_share_a_folder(tmp_path: Path):
         (["serve", "--host", "0.0.0.0"], {"SOUNDLIST_DEMO": "1", "SOUNDLIST_SECRET_KEY": "x"}, "127.0.0.1 only"),  # noqa: S104
     ],
 )
-def test_wrong_settings_are_refused_in_words(tmp_path: Path, command: list[str], environment: dict, said: str):
-    result = subprocess.run(
-        [sys.executable, "-m", "app", *command],
-        cwd=ROOT,
-        env=os.environ | {"SOUNDLIST_DATA_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)} | environment,
-        capture_output=True,
-        text=True,
-    )
-    assert result.returncode == 2
-    assert said in result.stderr
-    assert "Traceback" not in result.stderr
+def test_wrong_settings_are_refused_in_words(
+    say: Callable[..., Result], command: list[str], environment: dict, said: str
+):
+    result = say(*command, **environment)
+    assert result.exit_code == 2
+    assert said in result.output
+    assert "Traceback" not in result.output

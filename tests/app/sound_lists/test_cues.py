@@ -277,10 +277,11 @@ def test_guesses_name_the_cues_that_still_wait(world: World) -> None:
     sting, _ = add(world, {"name": "Victory sting", "duration_s": 6.0}, {"name": "UI confirm"})
     with world.server.runtime.database.reading() as session:
         files = [("final_FINAL_sting2.wav", 5.8), ("zzz.wav", None)]
-        (first,), none = service.guesses_for(session, world.project_id, files, favour=[UUID(sting["id"])])
+        (first, second), fillers = service.guesses_for(session, world.project_id, files, favour=[UUID(sting["id"])])
     assert (str(first.cue_id), first.label, first.name, first.variation) == (sting["id"], "SW-001", "Victory sting", 1)
     assert first.reason.endswith("nothing delivered yet")
-    assert none == []
+    assert (second.name, second.reason) == ("UI confirm", "not alike")
+    assert [guess.name for guess in fillers] == ["Victory sting", "UI confirm"]
 
 
 def test_the_list_is_a_fixed_number_of_statements(world: World) -> None:

@@ -74,7 +74,6 @@ def test_without_any_likeness_there_are_three_still_and_they_say_so() -> None:
     assert {like.key for like in guesses[: len(waiting)]} <= waiting
 
 
-
 def test_never_more_than_three() -> None:
     assert len(likeliest("door.wav", None, [candidate(f"Door {letter}") for letter in "abcdefgh"])) == 3
 
