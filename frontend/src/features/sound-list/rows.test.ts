@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 
 import { aCue, aNewestTake, aStanding } from '@/test/soundList'
 
-import type { Question, Take } from './api'
+import type { Cue, Question, Standing, Take } from './api'
 import { blocksOf, groupsOf, matching, rowsOf, sumsOf } from './rows'
 import { standsOf } from './stands'
 
@@ -32,7 +32,7 @@ test('a pick among alternates is said before a warning', () => {
   expect(stands.tone).toBe('warn')
 })
 
-test.each([
+test.each<[string, Partial<Cue>, Partial<Standing>, string]>([
   [
     'a cut',
     { state: 'cut', cut_reason: 'mines left', cut_at: '2026-11-09T12:00:00Z' },
@@ -60,7 +60,7 @@ test.each([
   ['a waiver', {}, { status: 'accepted', waived: true }, 'Let through with a reason'],
   ['an older spec', {}, { status: 'accepted', not_to_spec: true }, 'Accepted to an earlier spec'],
   ['nothing yet', {}, {}, ''],
-] as const)('%s', (_what, facts, standing, line) => {
+])('%s', (_what, facts, standing, line) => {
   const cue = aCue(1, 'a', facts)
   expect(said(standsOf(cue, aStanding(cue, standing), {}, NOW)).join('')).toBe(line)
 })
