@@ -243,6 +243,33 @@ describe('what is said', () => {
   })
 })
 
+describe('a version that came back', () => {
+  const came = aTake('a', {
+    state: 'returned',
+    findings: [aFinding({ severity: 'error', message: 'sample peak 0.00 dBFS, limit -0.1 dBFS' })],
+  })
+
+  test('is let through by the approver alone, with a reason', async () => {
+    tell(aReview(shield, { takes: [came] }))
+    server.on('POST /v1/takes/a/waiver', {})
+    await opened()
+    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    const through = screen.getByRole('button', { name: 'Let version 1 through' })
+    expect(through).toBeDisabled()
+    await userEvent.type(screen.getByRole('textbox', { name: 'Let it through, because' }), 'meant to clip')
+    await userEvent.click(through)
+    await waitFor(() => expect(posts()).toHaveLength(1))
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/waiver', body: { reason: 'meant to clip' } })
+  })
+
+  test('is not offered to those who advise', async () => {
+    tell(aReview(shield, { takes: [came], may_decide: false }))
+    await opened()
+    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    expect(screen.queryByRole('button', { name: /through/ })).toBeNull()
+  })
+})
+
 describe('cutting', () => {
   beforeEach(() => {
     server.on('GET /v1/me', aMe({ is_producer: true }))

@@ -1,4 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
 import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -15,6 +16,7 @@ import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
 import type { Said } from './said'
+import { Waiver } from './Waiver'
 
 /** A comment that is being written, and where in the sound it stands. */
 export interface Writing {
@@ -91,6 +93,9 @@ export function SidePanel(props: SidePanelProps) {
           <>
             {tab === 'comments' && <Comments {...props} />}
             {tab === 'findings' && hand && <Findings take={hand} onSpot={props.onSpot} />}
+            {tab === 'findings' && hand?.state === 'returned' && props.review.may_decide && (
+              <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
+            )}
             {tab === 'history' && hand && <History take={hand} />}
           </>
         )}
@@ -295,9 +300,14 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
           head={sentence(finding.message)}
           where={spot(finding.start_s, finding.end_s)}
           actions={
-            finding.start_s !== null && finding.start_s !== undefined ? (
-              <Button onClick={() => onSpot(finding.start_s ?? 0)}>The spot</Button>
-            ) : undefined
+            <>
+              {finding.start_s !== null && finding.start_s !== undefined && (
+                <Button onClick={() => onSpot(finding.start_s ?? 0)}>The spot</Button>
+              )}
+              <Link className="link small" to="/checks/$check" params={{ check: finding.check }}>
+                {finding.check}
+              </Link>
+            </>
           }
         >
           {finding.waived ? 'Waived. ' : ''}

@@ -109,3 +109,19 @@ export function useCut(projectId: string, cueId: string) {
     },
   })
 }
+
+/** A returned take goes on although it does not conform; what was found stays. */
+export function useWaive(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ takeId, reason }: { takeId: string; reason: string }) =>
+      answered(api.POST('/v1/takes/{take_id}/waiver', { params: { path: { take_id: takeId } }, body: { reason } })),
+    onSuccess: async () => {
+      await Promise.all([
+        refresh(client, projectId),
+        client.invalidateQueries({ queryKey: keys.review(cueId) }),
+        client.invalidateQueries({ queryKey: ['sound-list'] }),
+      ])
+    },
+  })
+}
