@@ -7,7 +7,7 @@ import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { length, plural } from '@/ui/format'
+import { length } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -195,7 +195,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             <CardHead
               id="questions"
               title="Questions"
-              note={open.length > 0 ? `${plural(open.length, 'one waits', 'wait')}` : undefined}
+              note={open.length > 0 ? (open.length === 1 ? 'one waits' : `${open.length} wait`) : undefined}
             />
             <div className={classes.inside}>
               {[...open, ...answered].map((question) => (
