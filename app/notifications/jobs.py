@@ -1,5 +1,6 @@
 """What people are told by mail, and the sending."""
 
+from dataclasses import dataclass
 from uuid import UUID
 
 import aiosmtplib
@@ -8,6 +9,7 @@ from sqlalchemy.orm import Session
 from app.builds.models import Build
 from app.conformance.queries import current_run
 from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.kit import clock, mail
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
@@ -15,13 +17,34 @@ from app.notifications import queries, service
 from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
 from app.projects.models import Project
-from app.reviews.models import ChangeRequest, Sending
+from app.reviews.models import Sending
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import label
 
 
-def _page(runtime: Runtime, project: Project, page: str) -> str:
-    return f"{runtime.settings.base_url}/projects/{project.id}/{page}"
+@dataclass(frozen=True)
+class Teller:
+    """Writes mails about one project for one event; news of a topic is gathered into one mail a person."""
+
+    runtime: Runtime
+    session: Session
+    project: Project
+    event_id: str
+
+    def tell(self, recipient: str, topic: str, subject: str, line: str, *, page: str | None = None) -> None:
+        """Add a line to the recipient's mail on the topic; without a page the link leads to the desk."""
+        base_url = self.runtime.settings.base_url
+        service.write_mail(
+            self.session,
+            event_id=self.event_id,
+            studio_id=self.project.studio_id,
+            topic=f"{topic}:{self.project.id}",
+            recipient=recipient,
+            subject=f"{self.project.name}: {subject}",
+            line=line,
+            link=f"{base_url}/desk" if page is None else f"{base_url}/projects/{self.project.id}/{page}".rstrip("/"),
+            delay_s=self.runtime.settings.digest_delay_s,
+        )
 
 
 def _label(project: Project, cue: Cue | None) -> str:
@@ -76,38 +99,20 @@ def tell_check(runtime: Runtime, payload: Payload) -> None:
         run = current_run(session, take.id)
         if run is None:
             return
+        teller = Teller(runtime, session, project, payload["event_id"])
         name = _label(project, cue)
         if run.verdict == "conforming":
-            if cue is None:
-                return
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"to-review:{project.id}",
-                recipient=queries.decider_address(session, project),
-                subject=f"{project.name}: sounds to review",
-                line=f"{name}: {take.file_name} conforms and waits for you.",
-                link=_page(runtime, project, "review"),
-                delay_s=runtime.settings.digest_delay_s,
-            )
+            if cue is not None:
+                line = f"{name}: {take.file_name} conforms and waits for you."
+                decider = queries.decider_address(session, project)
+                teller.tell(decider, "to-review", "sounds to review", line, page="review")
             return
-        findings = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
+        found = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
         if run.verdict == "unjudged":
-            findings = [
-                "The check itself broke. That is our fault; nothing is wrong with your file, and no round counts."
-            ]
-        service.write_mail(
-            session,
-            event_id=payload["event_id"],
-            studio_id=project.studio_id,
-            topic=f"returned:{project.id}",
-            recipient=queries.address_of(session, take.designer_id),
-            subject=f"{project.name}: files came back from the check",
-            line="\n".join([f"{name}: {take.file_name}", *(f"  {line}" for line in findings)]),
-            link=f"{runtime.settings.base_url}/desk",
-            delay_s=runtime.settings.digest_delay_s,
-        )
+            found = ["The check itself broke. That is our fault: your file is kept, and no round counts."]
+        line = "\n".join([f"{name}: {take.file_name}", *(f"  {each}" for each in found)])
+        designer = queries.address_of(session, take.designer_id)
+        teller.tell(designer, "returned", "files came back from the check", line)
 
 
 @job("notifications.tell_changes")
@@ -116,42 +121,29 @@ def tell_changes(runtime: Runtime, payload: Payload) -> None:
     with runtime.database.writing() as session:
         sending = session.get_one(Sending, UUID(payload["sending_id"]))
         project = session.get_one(Project, sending.project_id)
-        rows = queries.changes_of(session, sending.id)
-        by_designer: dict[UUID, list[tuple[ChangeRequest, Take, Cue]]] = {}
-        for change, take, cue in rows:
-            by_designer.setdefault(take.designer_id, []).append((change, take, cue))
-        for designer_id, changes in by_designer.items():
-            lines = [sending.note] if sending.note else []
-            for change, take, cue in changes:
-                at = f" at {change.start_s:.3f} s" if change.start_s is not None else ""
-                lines.append(f"{_label(project, cue)}, version {take.number}{at}: {change.text}")
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"changes:{sending.id}",
-                recipient=queries.address_of(session, designer_id),
-                subject=f"{project.name}: {counted(len(changes), 'change', 'changes')} requested",
-                line="\n\n".join(lines),
-                link=f"{runtime.settings.base_url}/desk",
-            )
+        teller = Teller(runtime, session, project, payload["event_id"])
+        by_designer: dict[UUID, list[str]] = {}
+        for change, take, cue in queries.changes_of(session, sending.id):
+            at = f" at {change.start_s:.3f} s" if change.start_s is not None else ""
+            line = f"{_label(project, cue)}, version {take.number}{at}: {change.text}"
+            by_designer.setdefault(take.designer_id, []).append(line)
+        for designer_id, lines in by_designer.items():
+            subject = f"{counted(len(lines), 'change', 'changes')} requested"
+            text = "\n\n".join([sending.note, *lines] if sending.note else lines)
+            teller.tell(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, text)
 
 
 @job("notifications.tell_approval")
 def tell_approval(runtime: Runtime, payload: Payload) -> None:
-    """Tell the designer that a take was approved."""
+    """Tell the designer that a take was approved, unless the verdict was taken back meanwhile."""
     with runtime.database.writing() as session:
         take, project, cue = _take_with_place(session, payload["take_id"])
-        service.write_mail(
-            session,
-            event_id=payload["event_id"],
-            studio_id=project.studio_id,
-            topic=f"approved:{project.id}",
-            recipient=queries.address_of(session, take.designer_id),
-            subject=f"{project.name}: sounds approved",
-            line=f"{_label(project, cue)}, version {take.number}: approved ({take.file_name}).",
-            link=_page(runtime, project, "sound-list"),
-            delay_s=runtime.settings.digest_delay_s,
+        if take.state is not TakeState.APPROVED:
+            return
+        line = f"{_label(project, cue)}, version {take.number}: approved ({take.file_name})."
+        designer = queries.address_of(session, take.designer_id)
+        Teller(runtime, session, project, payload["event_id"]).tell(
+            designer, "approved", "sounds approved", line, page="sound-list"
         )
 
 
@@ -162,19 +154,10 @@ def tell_question(runtime: Runtime, payload: Payload) -> None:
         question = session.get_one(Question, UUID(payload["question_id"]))
         project = session.get_one(Project, question.project_id)
         cue = session.get_one(Cue, question.cue_id)
-        asker = queries.address_of(session, question.asked_by)
-        for recipient in queries.speaker_addresses(session, project) - {asker}:
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"questions:{project.id}",
-                recipient=recipient,
-                subject=f"{project.name}: a question on the sound list",
-                line=f"{_label(project, cue)}: {question.text}",
-                link=_page(runtime, project, f"sound-list/cues/{cue.id}"),
-                delay_s=runtime.settings.digest_delay_s,
-            )
+        teller = Teller(runtime, session, project, payload["event_id"])
+        line, page = f"{_label(project, cue)}: {question.text}", f"sound-list/cues/{cue.id}"
+        for recipient in queries.speaker_addresses(session, project) - {queries.address_of(session, question.asked_by)}:
+            teller.tell(recipient, "questions", "a question on the sound list", line, page=page)
 
 
 @job("notifications.tell_answer")
@@ -182,20 +165,14 @@ def tell_answer(runtime: Runtime, payload: Payload) -> None:
     """Tell who asked what the answer is."""
     with runtime.database.writing() as session:
         question = session.get_one(Question, UUID(payload["question_id"]))
-        project = session.get_one(Project, question.project_id)
-        cue = session.get_one(Cue, question.cue_id)
         if question.asked_by == question.answered_by:
             return
-        service.write_mail(
-            session,
-            event_id=payload["event_id"],
-            studio_id=project.studio_id,
-            topic=f"answers:{project.id}",
-            recipient=queries.address_of(session, question.asked_by),
-            subject=f"{project.name}: your question is answered",
-            line=f"{_label(project, cue)}\n  {question.text}\n  {question.answer}",
-            link=_page(runtime, project, f"sound-list/cues/{cue.id}"),
-            delay_s=runtime.settings.digest_delay_s,
+        project = session.get_one(Project, question.project_id)
+        cue = session.get_one(Cue, question.cue_id)
+        line = f"{_label(project, cue)}\n  {question.text}\n  {question.answer}"
+        asker = queries.address_of(session, question.asked_by)
+        Teller(runtime, session, project, payload["event_id"]).tell(
+            asker, "answers", "your question is answered", line, page=f"sound-list/cues/{cue.id}"
         )
 
 
@@ -208,18 +185,10 @@ def tell_list_revised(runtime: Runtime, payload: Payload) -> None:
         told = [counted(int(payload[key]), one, many) for key, one, many in counts if int(payload.get(key) or 0)]
         if not told:
             return
+        teller = Teller(runtime, session, project, payload["event_id"])
+        line = f"Revision {payload['revision']}: {', '.join(told)}."
         for recipient in queries.designer_addresses(session, project.id):
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"list:{project.id}",
-                recipient=recipient,
-                subject=f"{project.name}: the sound list changed",
-                line=f"Revision {payload['revision']}: {', '.join(told)}.",
-                link=_page(runtime, project, "sound-list"),
-                delay_s=runtime.settings.digest_delay_s,
-            )
+            teller.tell(recipient, "list", "the sound list changed", line, page="sound-list")
 
 
 @job("notifications.tell_cut")
@@ -228,18 +197,10 @@ def tell_cut(runtime: Runtime, payload: Payload) -> None:
     with runtime.database.writing() as session:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
+        teller = Teller(runtime, session, project, payload["event_id"])
+        line = f"{_label(project, cue)} was cut: {cue.cut_reason}. What you delivered for it is kept."
         for recipient in queries.designer_addresses(session, project.id):
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"cut:{project.id}",
-                recipient=recipient,
-                subject=f"{project.name}: cues were cut",
-                line=f"{_label(project, cue)} was cut: {cue.cut_reason}. What you delivered for it is kept.",
-                link=_page(runtime, project, "sound-list"),
-                delay_s=runtime.settings.digest_delay_s,
-            )
+            teller.tell(recipient, "cut", "cues were cut", line, page="sound-list")
 
 
 @job("notifications.tell_build")
@@ -250,19 +211,11 @@ def tell_build(runtime: Runtime, payload: Payload) -> None:
         if not build.rejected:
             return
         project = session.get_one(Project, build.project_id)
+        teller = Teller(runtime, session, project, payload["event_id"])
+        line = f"Build {build.label}: {build.rejected} of {counted(build.files, 'file', 'files')} refused."
         people = queries.producer_addresses(session, project.studio_id) | {queries.decider_address(session, project)}
         for recipient in people:
-            service.write_mail(
-                session,
-                event_id=payload["event_id"],
-                studio_id=project.studio_id,
-                topic=f"builds:{project.id}",
-                recipient=recipient,
-                subject=f"{project.name}: a build was refused",
-                line=f"Build {build.label}: {build.rejected} of {counted(build.files, 'file', 'files')} refused.",
-                link=f"{runtime.settings.base_url}/projects/{project.id}",
-                delay_s=runtime.settings.digest_delay_s,
-            )
+            teller.tell(recipient, "builds", "a build was refused", line, page="")
 
 
 @job("notifications.send_mail")
