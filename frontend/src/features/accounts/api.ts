@@ -106,8 +106,8 @@ export const useOutbox = (studioId: string, enabled: boolean) =>
     queryKey: outboxKey(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', inStudio(studioId))),
     enabled,
-    refetchInterval: ({ state: { data } }) =>
-      data?.can_send && data.mails.some(({ sent_at }) => sent_at === null) ? 5_000 : false,
+    // The worker writes and sends mails a moment after what they tell of.
+    refetchInterval: 2_000,
   })
 
 export function useSetRoles(studioId: string) {

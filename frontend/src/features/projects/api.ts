@@ -289,6 +289,8 @@ export const useInvitationLinks = (studioId: string, enabled: boolean) =>
     queryKey: ['outbox', studioId],
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', { params: { path: { studio_id: studioId } } })),
     enabled,
+    // The worker writes the mail a moment after the invitation.
+    refetchInterval: 2_000,
     select: ({ can_send, mails }) => {
       const links = new Map<string, string>()
       for (const { recipient, link, sent_at } of mails) {
