@@ -1,8 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
-import { Link, type LinkProps } from '@tanstack/react-router'
+import { Link } from '@tanstack/react-router'
 
-import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
@@ -10,6 +8,7 @@ import { plural } from '@/ui/format'
 import { type BuildBrief, ciQuery, type Project } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
+import { CopyLines } from './CiLines'
 import { Refusal } from './Refusal'
 import { outcomeOf, outcomesInWords } from './reports'
 import { TokenMaker } from './Tokens'
@@ -91,15 +90,11 @@ function Squares({ builds }: { builds: readonly BuildBrief[] }) {
 }
 
 /** The line that judges, to see; all lines, to take. */
-export function CiLines({ projectId }: { projectId: string }) {
+function CiLines({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(ciQuery(projectId))
   if (error) return <Refusal error={error} />
   if (data === undefined) return null
   const judge = data.lines.find((line) => line.startsWith('audio-checks')) ?? data.lines.join('\n')
-  const copy = async () => {
-    await navigator.clipboard.writeText(data.lines.join('\n'))
-    showToast(`${plural(data.lines.length, 'line')} for CI copied.`)
-  }
   return (
     <div className={classes.command}>
       {/* A long line scrolls, so the keyboard must reach it. */}
@@ -108,10 +103,11 @@ export function CiLines({ projectId }: { projectId: string }) {
         {judge.replace(/ (--spec|--target|--format text|assets\/)/g, ' \\\n  $1')}
       </code>
       <div className={classes.take}>
-        <Button variant="quiet" square icon="copy" aria-label="Copy all lines for CI" onClick={() => void copy()} />
+        <CopyLines lines={data.lines} />
         <Link
           className="link small"
-          to={`/projects/${projectId}/build` as LinkProps['to']}
+          to="/projects/$projectId/builds"
+          params={{ projectId }}
           aria-label={`All ${data.lines.length} lines that a build runs`}
         >
           {`All ${data.lines.length}`}

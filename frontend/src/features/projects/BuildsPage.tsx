@@ -10,7 +10,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { type Build, projectQuery, useBuilds } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
-import { CiLines } from './BuildsCard'
+import { CiCard } from './CiLines'
 import { Refusal } from './Refusal'
 import { TokensCard } from './Tokens'
 
@@ -57,10 +57,7 @@ export function BuildsPage() {
         </Card>
         <div className="stack">
           {project?.mine.is_producer && <TokensCard projectId={projectId} />}
-          <Card aria-labelledby="runs">
-            <CardHead id="runs" title="What a build runs" />
-            <CiLines projectId={projectId} />
-          </Card>
+          <CiCard projectId={projectId} />
         </div>
       </div>
     </div>

@@ -130,8 +130,8 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
             label="What game is it, and where is it heard?"
             inputWrapperOrder={['label', 'input', 'description', 'error']}
             description="A designer reads this first. It may stay empty."
-            autosize
-            minRows={2}
+            rows={2}
+            resize="vertical"
             value={description}
             onChange={({ currentTarget }) => setDescription(currentTarget.value)}
             error={against(open.error, 'description')}

@@ -62,7 +62,7 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
             <>
               {' '}
               <button type="button" className={`link small ${classes.inline}`} onClick={() => setChanging(true)}>
-                Change<span className="visually-hidden"> name, prefix and description</span>
+                Change <span className="visually-hidden">name, prefix and description</span>
               </button>
             </>
           )}
@@ -140,8 +140,8 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
           className={classes.whole}
           name="description"
           label="Description: what game, heard where"
-          autosize
-          minRows={2}
+          rows={2}
+          resize="vertical"
           defaultValue={project.description}
           error={against(change.error, 'description')}
         />

@@ -148,7 +148,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
               {link !== undefined && !expired && (
                 <Button icon="copy" onClick={() => void copy(link)}>
                   <span>
-                    Copy link<span className="visually-hidden">{` for ${email}`}</span>
+                    Copy link <span className="visually-hidden">{`for ${email}`}</span>
                   </span>
                 </Button>
               )}
@@ -162,7 +162,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
                   }
                 >
                   <span>
-                    Revoke<span className="visually-hidden">{` the invitation of ${email}`}</span>
+                    Revoke <span className="visually-hidden">{`the invitation of ${email}`}</span>
                   </span>
                 </Button>
               )}
@@ -220,8 +220,8 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
         <Textarea
           className={classes.whole}
           label="Note, above the list; it may stay empty"
-          autosize
-          minRows={2}
+          rows={2}
+          resize="vertical"
           value={note}
           onChange={({ currentTarget }) => setNote(currentTarget.value)}
           error={against(invite.error, 'note')}

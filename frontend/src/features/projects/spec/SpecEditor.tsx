@@ -75,7 +75,8 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
 
   const sent = useMemo(() => written(draft), [draft])
   const [settled] = useDebouncedValue(sent, TRY_AFTER_MS)
-  const tried = useSpecTry(projectId, settled, changed)
+  const isOwn = 'toml' in settled && settled.toml === spec.toml
+  const tried = useSpecTry(projectId, settled, changed && !isOwn)
   const isCurrent = same(settled, sent) && !tried.isFetching && !tried.isPlaceholderData
   const trouble = troubleOf(changed ? (troubleOf(save.error) && save.error) || (isCurrent ? tried.error : null) : null)
   const result = changed ? (isCurrent && tried.data ? tried.data : null) : spec
@@ -263,8 +264,8 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
             )}
             <Textarea
               label="What is different, and why; for the versions"
-              autosize
-              minRows={2}
+              rows={2}
+              resize="vertical"
               value={draft.note}
               onChange={({ currentTarget }) => change({ note: currentTarget.value })}
             />

@@ -1,0 +1,350 @@
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { openApp } from '@/test/openApp'
+import { aSpec, inProject, people, TABLES, TOML, tried } from '@/test/project'
+import { answer, type Answers, type Asked, refusal, serve } from '@/test/server'
+
+const SAVE = 'PUT /v1/projects/p1/spec'
+const SAVE_FORM = 'POST /v1/projects/p1/spec/form'
+const TRY = 'POST /v1/projects/p1/spec/check-toml'
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+  sessionStorage.clear()
+  dismissToast()
+  vi.stubGlobal('AudioContext', HandContext)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+const wrote = (asked: readonly Asked[], what: string) =>
+  asked.filter(({ method, path }) => `${method} ${path}` === what)
+const badSpec = (where: string, message: string) =>
+  refusal(422, 'bad-spec', `${where}: ${message}`, { errors: [{ where, message }] })
+
+async function openSpec(more: Answers = {}) {
+  const server = serve(inProject('producer', more))
+  const app = openApp('/projects/p1/spec')
+  await screen.findByRole('heading', { name: 'Delivery spec' })
+  await screen.findByRole('button', { name: 'TOML' })
+  return { ...server, ...app }
+}
+async function openToml(more: Answers = {}) {
+  const server = await openSpec(more)
+  await userEvent.click(screen.getByRole('button', { name: 'TOML' }))
+  return { ...server, text: screen.getByLabelText<HTMLTextAreaElement>('The spec as TOML') }
+}
+const type = (field: HTMLElement, value: string) => fireEvent.change(field, { target: { value } })
+
+describe('by form', () => {
+  test('shows what the tables say, and what a check does when the spec is silent', async () => {
+    await openSpec()
+    expect(screen.getByLabelText('True peak, dBTP')).toHaveValue('−1')
+    const peak = screen.getByRole('group', { name: 'True peak: what follows' })
+    expect(within(peak).getByRole('button', { name: 'warns' })).toHaveAttribute('aria-pressed', 'true')
+    const head = screen.getByRole('group', { name: 'Silence first: what follows' })
+    expect(within(head).getByRole('button', { name: 'returns' })).toHaveAttribute('aria-pressed', 'true')
+    expect(screen.getByLabelText('Sample peak, dBFS')).toHaveValue('')
+    expect(screen.getByRole('button', { name: /Save version 4/ })).toBeDisabled()
+    expect(screen.getByText('nothing is changed yet')).toBeVisible()
+  })
+
+  test('a change is tried as it is typed, and saved as tables with its note', async () => {
+    const { asked, at } = await openSpec({ [SAVE_FORM]: aSpec({ version: 4 }) })
+    const field = screen.getByLabelText('True peak, dBTP')
+    for (const typed of ['−2', '−2,', '−2,5']) type(field, typed)
+    expect(await screen.findByText('It is a spec.')).toBeVisible()
+    // Typing was waited for: only the last of it was tried.
+    const { body } = wrote(asked, TRY)[0] ?? {}
+    expect(body).toMatchObject({ tables: { limits: { true_peak_dbtp: -2.5 } } })
+    expect(screen.getByText(/its comments are not kept/)).toBeVisible()
+    await userEvent.type(screen.getByLabelText(/What is different/), 'Less loud')
+    await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
+    await waitFor(() => expect(at()).toBe('/projects/p1'))
+    expect(wrote(asked, SAVE_FORM)[0]?.body).toEqual({
+      tables: { ...TABLES, limits: { true_peak_dbtp: -2.5, head_silence_ms: 5 } },
+      note: 'Less loud',
+      based_on_version: 3,
+    })
+  })
+
+  test('an emptied field takes the limit away', async () => {
+    const { asked } = await openSpec()
+    await userEvent.clear(screen.getByLabelText('True peak, dBTP'))
+    await screen.findByText('It is a spec.')
+    expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({ tables: { limits: { head_silence_ms: 5 } } })
+    expect(JSON.stringify(wrote(asked, TRY).map(({ body }) => body))).not.toContain('true_peak_dbtp":"')
+  })
+
+  test('what is no number stays as typed, with the refusal at its field', async () => {
+    await openSpec({ [TRY]: badSpec('limits.true_peak_dbtp', 'wanted a number or "any", found "loud"') })
+    await userEvent.clear(screen.getByLabelText('True peak, dBTP'))
+    await userEvent.type(screen.getByLabelText('True peak, dBTP'), 'loud')
+    const field = screen.getByLabelText('True peak, dBTP')
+    await waitFor(() => expect(field).toHaveAccessibleDescription('Wanted a number or "any", found "loud".'))
+    expect(field).toHaveValue('loud')
+    await userEvent.click(screen.getByRole('button', { name: 'Go there' }))
+    expect(field).toHaveFocus()
+  })
+
+  test('a name is tried against the pattern, and so is the list', async () => {
+    await openSpec({
+      'GET /v1/projects/p1/sound-list': {
+        revision: 1,
+        cues: [
+          { id: 'a', category: 'impact', state: 'locked', stems: ['shield_hit_01', 'shield_hit_02'] },
+          { id: 'b', category: 'ui', state: 'locked', stems: ['UI-Back'] },
+        ],
+      },
+    })
+    expect(await screen.findByText('1 name of 3 on the list would not fit: UI-Back')).toBeVisible()
+    await userEvent.type(screen.getByLabelText('Try a name'), 'Laser')
+    expect(screen.getByText('does not fit.', { exact: false })).toBeVisible()
+    await userEvent.clear(screen.getByLabelText('Try a name'))
+    await userEvent.type(screen.getByLabelText('Try a name'), 'laser_2')
+    expect(screen.getByText(/laser_2\.wav/).parentElement).toHaveTextContent('laser_2.wav fits.')
+  })
+
+  test('targets are added, renamed where categories speak of them, and removed', async () => {
+    const { asked } = await openSpec({
+      'GET /v1/projects/p1/spec': aSpec({
+        tables: { ...TABLES, categories: { music: { targets: { game: { bit_depth: 24 } } } } },
+      }),
+    })
+    const name = within(screen.getByRole('group', { name: /^Target game/ })).getByLabelText('Name')
+    await userEvent.clear(name)
+    await userEvent.type(name, 'console')
+    await userEvent.tab()
+    await userEvent.click(screen.getByRole('button', { name: 'Add a target' }))
+    await screen.findByText('It is a spec.')
+    await waitFor(() =>
+      expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({
+        tables: {
+          targets: {
+            console: { sample_rate_hz: 48000, bit_depth: 16 },
+            target: { sample_rate_hz: 48000, bit_depth: 16 },
+          },
+          categories: { music: { targets: { console: { bit_depth: 24 } } } },
+        },
+      }),
+    )
+    await userEvent.click(screen.getByRole('button', { name: 'Remove target' }))
+    await waitFor(() => expect(screen.queryByRole('group', { name: /^Target target/ })).toBeNull())
+  })
+
+  test('a category is added from the list and says only what differs', async () => {
+    const { asked } = await openSpec()
+    await userEvent.click(await screen.findByRole('button', { name: 'impact' }))
+    await userEvent.click(screen.getByText('impact', { selector: 'summary span' }))
+    const own = within(screen.getByText('impact', { selector: 'summary span' }).closest('details') ?? document.body)
+    expect(own.getByLabelText('True peak, dBTP')).toHaveAttribute('placeholder', 'as above, −1')
+    await userEvent.type(own.getByLabelText('True peak, dBTP'), '-3')
+    await waitFor(() =>
+      expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({
+        tables: { categories: { ...TABLES.categories, impact: { limits: { true_peak_dbtp: -3 } } } },
+      }),
+    )
+  })
+
+  test('axe finds nothing', async () => {
+    await openSpec()
+    const { violations } = await axe.run(document.body, {
+      rules: { 'color-contrast': { enabled: false }, region: { enabled: false } },
+    })
+    expect(violations.map(({ id }) => id)).toEqual([])
+  })
+})
+
+describe('as TOML', () => {
+  const WRONG = TOML.replace('true_peak_dbtp', 'true_peak')
+  const MESSAGE = 'no such key; the nearest known is "true_peak_dbtp"'
+  const tryToml = ({ body }: Asked) => {
+    const { toml } = body as { toml: string }
+    return toml.includes('true_peak ') ? badSpec('limits.true_peak', MESSAGE) : tried(toml)
+  }
+
+  test('an unknown key is told at its line, and put right by one press', async () => {
+    const { text } = await openToml({ [TRY]: tryToml })
+    type(text, WRONG)
+    expect(await screen.findByText('limits.true_peak')).toBeVisible()
+    expect(screen.getByRole('button', { name: 'Line 5' })).toBeVisible()
+    expect(text).toHaveAttribute('aria-invalid', 'true')
+    await userEvent.click(screen.getByRole('button', { name: 'Write true_peak_dbtp' }))
+    expect(text).toHaveValue(TOML)
+    expect(screen.getByText('nothing is changed yet')).toBeVisible()
+  })
+
+  test('what is no spec cannot be shown as a form, and says so', async () => {
+    const { text } = await openToml({ [TRY]: tryToml })
+    type(text, WRONG)
+    await screen.findByText('limits.true_peak')
+    await userEvent.click(screen.getByRole('button', { name: 'Form' }))
+    expect(screen.getByText('Put it right before it can be shown as form.')).toBeVisible()
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(WRONG)
+  })
+
+  test('warnings are shown, and the text is saved to the letter', async () => {
+    const next = TOML.replace('-1.0 ', '-2.0 ')
+    const { asked, text, at } = await openToml({
+      [TRY]: tried(next, TABLES, ['two targets make the same file']),
+      [SAVE]: aSpec({ version: 4, toml: next }),
+    })
+    type(text, next)
+    expect(await screen.findByText('Two targets make the same file.')).toBeVisible()
+    await userEvent.keyboard('{Control>}s{/Control}')
+    await waitFor(() => expect(at()).toBe('/projects/p1'))
+    expect(wrote(asked, SAVE)[0]?.body).toEqual({ toml: next, note: '', based_on_version: 3 })
+  })
+
+  test('comments survive a look at the form', async () => {
+    const { text } = await openToml()
+    const next = TOML.replace('# a warning', '# said twice')
+    type(text, next)
+    await screen.findByText('It is a spec.')
+    await userEvent.click(screen.getByRole('button', { name: 'Form' }))
+    await userEvent.click(screen.getByRole('button', { name: 'TOML' }))
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(next)
+  })
+
+  test('a saved version is taken back by Undo, as one version more', async () => {
+    const next = TOML.replace('= 5', '= 6')
+    const { asked, text, at } = await openToml({
+      [SAVE]: ({ body }: Asked) => aSpec({ version: (body as { based_on_version: number }).based_on_version + 1 }),
+    })
+    type(text, next)
+    await screen.findByText('It is a spec.')
+    await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
+    await waitFor(() => expect(at()).toBe('/projects/p1'))
+    await userEvent.click(await screen.findByRole('button', { name: /Undo/ }))
+    await waitFor(() => expect(wrote(asked, SAVE)).toHaveLength(2))
+    expect(wrote(asked, SAVE)[1]?.body).toEqual({ toml: TOML, note: 'As version 3', based_on_version: 4 })
+  })
+
+  test('what was typed and not saved is there again', async () => {
+    const { text } = await openToml()
+    type(text, `${TOML}# later\n`)
+    await screen.findByText('It is a spec.')
+    document.body.innerHTML = ''
+    serve(inProject())
+    openApp('/projects/p1/spec')
+    expect(await screen.findByText('What you wrote here before was kept.')).toBeVisible()
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(`${TOML}# later\n`)
+    await userEvent.click(screen.getByRole('button', { name: 'Drop it' }))
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(TOML)
+  })
+})
+
+describe('when somebody else saved', () => {
+  const THEIRS = TOML.replace('head_silence_ms = 5', 'head_silence_ms = 8')
+  const MINE = TOML.replace('-1.0 ', '-2.0 ')
+  const moved = refusal(409, 'spec-moved-on', 'Audio director saved version 4; yours began from version 3')
+
+  async function conflict() {
+    const server = await openToml({
+      [SAVE]: ({ body }: Asked) =>
+        (body as { based_on_version: number }).based_on_version === 3 ? moved : aSpec({ version: 5, toml: MINE }),
+    })
+    type(server.text, MINE)
+    await screen.findByText('It is a spec.')
+    server.answers['GET /v1/projects/p1/spec'] = aSpec({
+      version: 4,
+      toml: THEIRS,
+      note: 'Eight at the head',
+      author: people.decider,
+    })
+    await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
+    await screen.findByRole('heading', { name: 'Audio director saved version 4 while you wrote' })
+    return server
+  }
+
+  test('both texts stand, line against line, and nothing typed is lost', async () => {
+    await conflict()
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(MINE)
+    const diff = screen.getByRole('region', { name: 'Version 4 against yours' })
+    expect(within(diff).getByText('head_silence_ms = 8')).toBeVisible()
+    expect(within(diff).getByText('head_silence_ms = 5')).toBeVisible()
+    expect(screen.getByText('They note: Eight at the head.')).toBeVisible()
+    expect(screen.getByRole('button', { name: /Save version 5/ })).toBeDisabled()
+  })
+
+  test('mine goes on over theirs', async () => {
+    const { asked, at } = await conflict()
+    await userEvent.click(screen.getByRole('button', { name: 'Go on with mine over version 4' }))
+    await userEvent.click(screen.getByRole('button', { name: /Save version 5/ }))
+    await waitFor(() => expect(at()).toBe('/projects/p1'))
+    expect(wrote(asked, SAVE).at(-1)?.body).toEqual({ toml: MINE, note: '', based_on_version: 4 })
+  })
+
+  test('theirs is taken, and mine comes back by Undo', async () => {
+    await conflict()
+    await userEvent.click(screen.getByRole('button', { name: 'Take version 4, drop mine' }))
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(THEIRS)
+    await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
+    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(MINE)
+  })
+})
+
+describe('versions', () => {
+  const OLD = TOML.replace('= 5', '= 9')
+  const brief = (version: number, note: string) => ({
+    version,
+    sha256: '',
+    note,
+    created_at: '2026-11-09T10:00:00Z',
+    author: people.producer,
+  })
+  const versions: Answers = {
+    'GET /v1/projects/p1/spec/versions': {
+      items: [brief(3, 'Handheld dropped'), brief(2, 'Shorter heads')],
+      next: null,
+    },
+    'GET /v1/projects/p1/spec/versions/3': aSpec(),
+    'GET /v1/projects/p1/spec/versions/2': aSpec({ version: 2, toml: OLD, note: 'Shorter heads' }),
+    'GET /v1/projects/p1/spec/versions/1': aSpec({ version: 1, toml: 'format = 1\n' }),
+  }
+
+  test('a version is compared with the one before, to the letter, and read whole', async () => {
+    serve(inProject('producer', versions))
+    openApp('/projects/p1/spec/versions')
+    await userEvent.click(await screen.findByRole('button', { name: 'To the letter' }))
+    const diff = await screen.findByRole('region', { name: 'Version 2 against 3' })
+    expect(within(diff).getByText('head_silence_ms = 9')).toHaveTextContent('gone: head_silence_ms = 9')
+    expect(within(diff).getByText('head_silence_ms = 5')).toHaveTextContent('new: head_silence_ms = 5')
+    await userEvent.click(screen.getByRole('button', { name: 'Text' }))
+    expect(screen.getByRole('region', { name: 'Text of version 3' })).toHaveTextContent('name = "Shield Wing"')
+  })
+
+  test('an old version is taken up again as a draft on the newest', async () => {
+    const { asked } = serve(inProject('producer', { ...versions, [SAVE]: aSpec({ version: 4, toml: OLD }) }))
+    const { at } = openApp('/projects/p1/spec/versions?version=2')
+    await userEvent.click(await screen.findByRole('button', { name: 'Take it up again' }))
+    await waitFor(() => expect(at()).toBe('/projects/p1/spec'))
+    expect(await screen.findByLabelText('The spec as TOML')).toHaveValue(OLD)
+    await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
+    await waitFor(() =>
+      expect(wrote(asked, SAVE)[0]?.body).toEqual({ toml: OLD, note: 'As version 2', based_on_version: 3 }),
+    )
+  })
+})
+
+test('a reviewer changes nothing, and is told who does', async () => {
+  serve(inProject('reviewer'))
+  openApp('/projects/p1/spec')
+  expect(await screen.findByRole('heading', { name: 'A producer or a liaison changes the spec.' })).toBeVisible()
+  expect(screen.queryByRole('button', { name: /Save/ })).toBeNull()
+})
+
+test('another refusal of saving is said where it happened, and the text stays', async () => {
+  const { text } = await openToml({
+    [SAVE]: answer({ title: 'Gone', code: 'team-needed', detail: 'only a producer or a liaison can do this' }, 403),
+  })
+  type(text, `${TOML}# more\n`)
+  await screen.findByText('It is a spec.')
+  await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('Only a producer or a liaison can do this.')
+  expect(text).toHaveValue(`${TOML}# more\n`)
+})
