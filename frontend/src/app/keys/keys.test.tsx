@@ -48,6 +48,25 @@ test('Ctrl and Cmd are heard while typing', async () => {
   expect(run).toHaveBeenCalledTimes(2)
 })
 
+test('a link with the focus keeps Enter, a button Space too', async () => {
+  const run = vi.fn()
+  draw(
+    <>
+      <Hears hotkeys={[key('Space', run), key('Enter', run)]} />
+      <a href="#here">Link</a>
+      <button type="button">Button</button>
+    </>,
+  )
+  screen.getByRole('link').focus()
+  await userEvent.keyboard('{Enter}')
+  expect(run).not.toHaveBeenCalled()
+  await userEvent.keyboard(' ')
+  expect(run).toHaveBeenCalledTimes(1)
+  screen.getByRole('button').focus()
+  await userEvent.keyboard(' {Enter}')
+  expect(run).toHaveBeenCalledTimes(1)
+})
+
 test('a sequence wants both presses, soon after each other', () => {
   const today = vi.fn()
   const mend = vi.fn()

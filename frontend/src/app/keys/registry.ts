@@ -24,8 +24,10 @@ interface Entry {
 }
 
 const SEQUENCE_MS = 1000
-const INTERACTIVE =
-  'a[href],button,summary,[role=button],[role=option],[role=menuitem],[role=tab],[role=checkbox],[role=radio],[role=switch]'
+/** What the browser itself presses by Space, and by Enter too; a link knows Enter alone. */
+const PRESSED =
+  'button,summary,[role=button],[role=option],[role=menuitem],[role=tab],[role=checkbox],[role=radio],[role=switch]'
+const PRESSED_BY: Record<string, string> = { Space: PRESSED, Enter: `a[href],${PRESSED}` }
 
 function typesInto(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false
@@ -118,13 +120,8 @@ export class KeyRegistry {
     const alwaysHeard = withModifier || key === 'Escape'
     if (!alwaysHeard && (!this.#on || typesInto(event.target))) return
     if (key === 'Escape' && typesInto(event.target) && this.#scopes.length > 1) return
-    if (
-      (key === 'Enter' || key === 'Space') &&
-      event.target instanceof Element &&
-      event.target.closest(INTERACTIVE) !== null
-    ) {
-      return
-    }
+    const pressed = PRESSED_BY[key]
+    if (pressed !== undefined && event.target instanceof Element && event.target.closest(pressed) !== null) return
 
     const now = event.timeStamp
     this.#pressed = now - this.#pressedAt > SEQUENCE_MS ? [] : this.#pressed
