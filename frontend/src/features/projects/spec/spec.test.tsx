@@ -58,9 +58,9 @@ describe('by form', () => {
     const field = screen.getByLabelText('True peak, dBTP')
     for (const typed of ['−2', '−2,', '−2,5']) type(field, typed)
     expect(await screen.findByText('It is a spec.')).toBeVisible()
-    // Typing was waited for: only the last of it was tried.
-    const { body } = wrote(asked, TRY)[0] ?? {}
-    expect(body).toMatchObject({ tables: { limits: { true_peak_dbtp: -2.5 } } })
+    // Typing was waited for: what stood there in between was not tried.
+    const tries = wrote(asked, TRY).map(({ body }) => (body as { tables: typeof TABLES }).tables.limits.true_peak_dbtp)
+    expect(new Set(tries)).toEqual(new Set([TABLES.limits.true_peak_dbtp, -2.5]))
     expect(screen.getByText(/its comments are not kept/)).toBeVisible()
     await userEvent.type(screen.getByLabelText(/What is different/), 'Less loud')
     await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
