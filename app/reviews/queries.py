@@ -172,6 +172,16 @@ def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
     return session.scalars(select(Round).where(Round.cue_id == cue_id).order_by(Round.id)).all()
 
 
+def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
+    """Return what was asked last of cues, of which something was sent."""
+    sent = (
+        select(ChangeRequest.cue_id, ChangeRequest.text)
+        .where(ChangeRequest.cue_id.in_(list(cue_ids)), ChangeRequest.sending_id.is_not(None))
+        .order_by(ChangeRequest.id)
+    )
+    return {cue_id: text for cue_id, text in session.execute(sent)}  # noqa: C416  a Row is no pair to dict's types
+
+
 def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[int]]:
     """Return the variations of cues that have their approved take."""
     found: dict[UUID, list[int]] = defaultdict(list)

@@ -57,10 +57,11 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     prefixes = queries.cue_prefixes(session, project_ids)
     rounds = queries.round_counts(session, by_cue)
     approved = queries.approved_variations(session, by_cue)
+    changes = queries.last_changes(session, by_cue)
     items = [
-        _queue_item(by_cue[cue_id], since, prefixes, rounds.get(cue_id, 0), approved.get(cue_id, []))
+        _queue_item(takes, since, prefixes, rounds.get(cue_id, 0), changes.get(cue_id), approved.get(cue_id, []))
         for cue_id, since in shown
-        if cue_id in by_cue
+        if (takes := by_cue.get(cue_id))
     ]
     has_more = len(waiting) > PAGE_CUES
     return Page(items=items, next=cursor_of(shown[-1][1].isoformat(), shown[-1][0]) if has_more else None)
@@ -89,7 +90,12 @@ def _projects_of(session: Session, actor: Actor, project_id: UUID | None) -> lis
 
 
 def _queue_item(
-    waiting: list[TakeOnReview], since: datetime, prefixes: dict[UUID, str], rounds: int, approved: list[int]
+    waiting: list[TakeOnReview],
+    since: datetime,
+    prefixes: dict[UUID, str],
+    rounds: int,
+    last_change: str | None,
+    approved: list[int],
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
@@ -102,6 +108,7 @@ def _queue_item(
         kind=queue_kind(cue.variations, [take.variation for take in takes]),
         waiting_since=since,
         rounds_so_far=rounds,
+        last_change=last_change,
         approved_variations=approved,
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),

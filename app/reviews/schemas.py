@@ -105,6 +105,7 @@ class QueueItem(Schema):
     kind: QueueKind
     waiting_since: datetime
     rounds_so_far: int
+    last_change: str | None = Field(description="What was asked last of this cue, which these takes answer.")
     approved_variations: list[int]
     findings_count: int
     worst_finding: FindingRead | None

@@ -4102,6 +4102,11 @@ export interface components {
             waiting_since: string;
             /** Rounds So Far */
             rounds_so_far: number;
+            /**
+             * Last Change
+             * @description What was asked last of this cue, which these takes answer.
+             */
+            last_change: string | null;
             /** Approved Variations */
             approved_variations: number[];
             /** Findings Count */

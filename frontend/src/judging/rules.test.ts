@@ -76,6 +76,10 @@ describe('words', () => {
   })
 
   test('a part of a set says how much of it is here', () => {
+    const again = anItem({}, [aTake('a', { number: 2 })])
+    expect(whatWaits({ ...again, last_change: 'add a dull metallic clank' }).before).toBe(
+      'Version 2, after “add a dull metallic clank”',
+    )
     expect(whatWaits(anItem({ variations: 6 }, [aTake('v1'), aTake('v2', { variation: 2 })])).before).toBe(
       '2 of a set of 6, all conforming',
     )

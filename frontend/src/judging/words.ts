@@ -44,7 +44,8 @@ export function whatWaits(item: QueueItem): Waits {
   }
   const number = Math.max(1, ...item.takes.map((take) => take.number))
   const version = number === 1 ? 'First version' : `Version ${number}`
-  return item.worst_finding ? withFinding(`${version}: `, item.worst_finding) : plain(`${version}, conforming`)
+  if (item.worst_finding) return withFinding(`${version}: `, item.worst_finding)
+  return plain(number > 1 && item.last_change ? `${version}, after “${item.last_change}”` : `${version}, conforming`)
 }
 
 function withFinding(before: string, finding: ReviewFinding): Waits {

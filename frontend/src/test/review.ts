@@ -89,6 +89,7 @@ export function anItem(cue: Partial<ReviewCue>, takes: ReviewTake[], item: Parti
     kind: whole.variations > 1 ? 'set' : takes.length > 1 ? 'alternates' : 'single',
     waiting_since: AT,
     rounds_so_far: 0,
+    last_change: null,
     approved_variations: [],
     findings_count: findings.length,
     worst_finding: findings[0] ?? null,

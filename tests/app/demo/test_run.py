@@ -104,6 +104,8 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert standing["counts"] == {
             "accepted": 6, "to_review": 4, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 10,
         }  # fmt: skip
+        queue = client.get("/v1/review-queue", params={"project_id": project["id"]}).json()["items"]
+        assert {item["cue"]["name"]: item["last_change"] for item in queue}["suit_hit"] == "Add a dull metallic clank"
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         # Nobody enters the demo but from this machine, directly.
