@@ -77,7 +77,12 @@ export function ProjectsPage() {
                 </Link>
                 <span className="small mid">{partIn(project)}</span>
                 <span className="small dim">
-                  {`${project.decider.name} decides${several ? `, ${project.studio.name}` : ''}`}
+                  {[
+                    project.mine.is_decider ? '' : `${project.decider.name} decides`,
+                    several ? project.studio.name : '',
+                  ]
+                    .filter(Boolean)
+                    .join(', ')}
                 </span>
                 <span className="mono small dim">{project.cue_prefix}</span>
               </Row>

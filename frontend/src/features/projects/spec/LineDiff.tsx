@@ -17,7 +17,7 @@ interface LineDiffProps {
 const SIGNS = { same: ' ', gone: '−', new: '+' }
 const WORDS = { same: '', gone: 'gone: ', new: 'new: ' }
 
-/** Two texts line by line: what went is struck, what came is marked. */
+/** Two texts line by line: what went is quiet, what came is marked. */
 export function LineDiff({ before, after, label, same = 'The two say the same, to the letter.' }: LineDiffProps) {
   const parts = useMemo(() => folded(diffLines(before, after)), [before, after])
   if (before === after) return <p className={`mid ${classes.same}`}>{same}</p>
