@@ -15,6 +15,8 @@ export default defineConfig({
     { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts'] },
   ],
   use: {
+    actionTimeout: 15_000,
+    screenshot: 'only-on-failure',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: [

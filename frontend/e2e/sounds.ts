@@ -90,3 +90,21 @@ export function zip(files: Record<string, Buffer>): Buffer {
   end.writeUInt32LE(offset, 12)
   return Buffer.concat([...bodies, listed, Buffer.from('PK\x05\x06'), end])
 }
+
+/** What a ZIP of stored files holds, in its order. */
+export function unzip(archive: Buffer): Map<string, Buffer> {
+  const end = archive.lastIndexOf('PK\x05\x06', undefined, 'latin1')
+  const files = new Map<string, Buffer>()
+  let at = archive.readUInt32LE(end + 16)
+  for (let left = archive.readUInt16LE(end + 10); left > 0; left--) {
+    const method = archive.readUInt16LE(at + 10)
+    if (method !== 0) throw new Error(`an entry is packed by method ${method}`)
+    const size = archive.readUInt32LE(at + 24)
+    const nameLength = archive.readUInt16LE(at + 28)
+    const local = archive.readUInt32LE(at + 42)
+    const start = local + 30 + archive.readUInt16LE(local + 26) + archive.readUInt16LE(local + 28)
+    files.set(archive.toString('utf8', at + 46, at + 46 + nameLength), archive.subarray(start, start + size))
+    at += 46 + nameLength + archive.readUInt16LE(at + 30) + archive.readUInt16LE(at + 32)
+  }
+  return files
+}
