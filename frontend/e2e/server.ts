@@ -82,17 +82,18 @@ class Running {
 
 /** Soundlist as a studio runs it: web process and worker on the embedded database, in a folder of its own. */
 export class Server {
+  /** The address that people open. */
   readonly url: string
-  readonly #port: number
+  readonly port: number
   readonly #folder: string
   readonly #environment: Record<string, string>
   #web: Running | undefined
   #worker: Running | undefined
 
-  private constructor(port: number, folder: string) {
-    this.#port = port
+  private constructor(port: number, folder: string, url: string) {
+    this.port = port
     this.#folder = folder
-    this.url = `http://127.0.0.1:${port}`
+    this.url = url
     this.#environment = {
       PYTHONPATH: ROOT,
       SOUNDLIST_DATA_DIR: folder,
@@ -101,8 +102,10 @@ export class Server {
     }
   }
 
-  static async start(): Promise<Server> {
-    const server = new Server(await freePort(), await mkdtemp(join(tmpdir(), 'soundlist-e2e-')))
+  static async start(url?: string): Promise<Server> {
+    const port = await freePort()
+    const folder = await mkdtemp(join(tmpdir(), 'soundlist-e2e-'))
+    const server = new Server(port, folder, url ?? `http://127.0.0.1:${port}`)
     await new Running(['migrate'], server.#environment).done()
     server.#worker = new Running(['worker'], server.#environment)
     await server.startWeb()
@@ -110,11 +113,11 @@ export class Server {
   }
 
   async startWeb(): Promise<void> {
-    const web = new Running(['serve', '--port', String(this.#port)], this.#environment)
+    const web = new Running(['serve', '--port', String(this.port)], this.#environment)
     this.#web = web
-    await until(`${this.url} answers`, () => {
+    await until(`the server on port ${this.port} answers`, () => {
       web.ensureAlive()
-      return answers(`${this.url}/readyz`)
+      return answers(`http://127.0.0.1:${this.port}/readyz`)
     })
   }
 

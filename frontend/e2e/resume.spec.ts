@@ -1,0 +1,110 @@
+import { createHash } from 'node:crypto'
+
+import { expect, type Page } from '@playwright/test'
+
+import { ask, bytesAt } from './api'
+import { test } from './fixtures'
+import { wav } from './sounds'
+
+const PASSWORD = 'quiet reactor hum'
+const AMBIENCE = wav({ seconds: 20, channels: 2, pitchHz: 70 })
+const SHA256 = createHash('sha256').update(AMBIENCE).digest('hex')
+const LINE_BYTES_PER_S = 1_500_000
+
+interface Take {
+  id: string
+  state: string
+  master_sha256: string
+  master_bytes: number
+}
+
+/** A designer at the desk of a new project, whose list asks for one long sound. */
+async function atDesk(page: Page, url: string): Promise<string> {
+  const context = page.context()
+  const email = 'designer@tones.example'
+  await page.goto(`${url}/sign-up`)
+  await page.getByLabel('Name of the studio').fill('Lantern Games')
+  await page.getByLabel('Your name').fill('Producer')
+  await page.getByLabel('Mail address').fill('producer@lantern.example')
+  await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
+
+  const me = await ask<{ studios: { id: string }[] }>(context, `${url}/v1/me`)
+  const studioId = me.studios[0]?.id ?? ''
+  const opened = { studio_id: studioId, name: 'Deep Field', cue_prefix: 'DF', preset: '44k1' }
+  const { id: projectId } = await ask<{ id: string }>(context, `${url}/v1/projects`, 'POST', opened)
+  const project = `${url}/v1/projects/${projectId}`
+  await ask(context, `${project}/cues`, 'POST', {
+    cues: [{ name: 'amb_bridge_loop', category: 'ambience', duration_s: 20, loop: true }],
+  })
+  await ask(context, `${project}/invitations`, 'POST', { email })
+  let link = ''
+  await expect(async () => {
+    const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(
+      context,
+      `${url}/v1/studios/${studioId}/outbox`,
+    )
+    link = mails.find(({ recipient }) => recipient === email)?.link ?? ''
+    expect(link).not.toBe('')
+  }).toPass()
+
+  await context.clearCookies()
+  await page.goto(link)
+  await page.getByRole('button', { name: 'Start delivering' }).click()
+  await page.getByLabel('Your name').fill('Sound designer')
+  await page.getByLabel('New password', { exact: true }).fill(PASSWORD)
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('heading', { name: 'Your desk' })).toBeVisible()
+  return projectId
+}
+
+async function send(page: Page): Promise<void> {
+  const file = { name: 'amb_bridge_loop.wav', mimeType: 'audio/wav', buffer: AMBIENCE }
+  await page.getByLabel('Files to deliver').setInputFiles(file)
+}
+
+const row = (page: Page) =>
+  page
+    .getByRole('list', { name: 'Files of this delivery' })
+    .getByRole('listitem')
+    .filter({ hasText: 'amb_bridge_loop' })
+
+/** Expect that the stored master is the file, to the byte. */
+async function expectWhole(page: Page, url: string, projectId: string): Promise<void> {
+  await expect(page.getByText('1 file through the check')).toBeVisible({ timeout: 30_000 })
+  const { items } = await ask<{ items: Take[] }>(page.context(), `${url}/v1/projects/${projectId}/takes`)
+  expect(items).toHaveLength(1)
+  expect(items[0]).toMatchObject({ state: 'conforming', master_bytes: AMBIENCE.length })
+  const stored = await bytesAt(page.request, `${url}/v1/takes/${items[0]?.id}/master`)
+  expect(createHash('sha256').update(stored).digest('hex')).toBe(SHA256)
+}
+
+test('an upload goes on where it was after the line dropped and the web process was killed', async ({
+  behindLine: { line, server },
+  page,
+}) => {
+  const projectId = await atDesk(page, server.url)
+  line.bytesPerS = LINE_BYTES_PER_S
+  const beforeBytes = line.carriedBytes
+  const sent = (bytes: number) => expect.poll(() => line.carriedBytes - beforeBytes).toBeGreaterThan(bytes)
+  await send(page)
+
+  await sent(0.2 * AMBIENCE.length)
+  await expect(row(page)).toContainText('Sending')
+  line.cut()
+  await expect(row(page)).toContainText('Line lost, waits')
+  await expect(row(page)).toContainText(/The line dropped at .+ MB\. It goes on by itself from there\./)
+  line.mend()
+  await expect(row(page)).toContainText(/resumed at \d/)
+
+  await sent(0.6 * AMBIENCE.length)
+  await server.killWeb()
+  await expect(row(page)).toContainText('Line lost, waits')
+  await server.startWeb()
+  await expect(row(page)).toContainText(/resumed at \d/)
+
+  line.bytesPerS = Infinity
+  await expectWhole(page, server.url, projectId)
+  expect(line.carriedBytes - beforeBytes, 'nearly nothing was sent twice').toBeLessThan(1.5 * AMBIENCE.length)
+})
