@@ -26,7 +26,7 @@ export function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> 
       return
     }
     // What is on the screen stays until the new page stands; asking for it anew as somebody else would be refused.
-    const forget = () => client.removeQueries({ type: 'inactive' })
+    const forget = () => client.removeQueries({ type: 'inactive', fetchStatus: 'idle' })
     forget()
     client.setQueryData(meQuery.queryKey, await answered(api.GET('/v1/me')))
     void client.invalidateQueries({ queryKey: sessionQuery.queryKey })
