@@ -35,7 +35,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     { name: 'account', path: '/account', shows: 'Password' },
   ]
   const team: Place[] = [
-    { name: 'today', path: `${project}/today`, shows: /^Pick one of three for / },
+    { name: 'today', path: `${project}/today`, shows: 'With others' },
     { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
     { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'As game' },
     { name: 'people', path: `${project}/people`, shows: 'has the last word on every sound' },

@@ -7,9 +7,9 @@ import { test } from './fixtures'
 import { wav } from './sounds'
 
 const PASSWORD = 'quiet reactor hum'
-const AMBIENCE = wav({ seconds: 20, channels: 2, pitchHz: 70 })
+const AMBIENCE = wav({ seconds: 12, channels: 2, pitchHz: 70 })
 const SHA256 = createHash('sha256').update(AMBIENCE).digest('hex')
-const LINE_BYTES_PER_S = 1_500_000
+const LINE_BYTES_PER_S = 1_200_000
 
 interface Take {
   id: string
@@ -36,7 +36,7 @@ async function atDesk(page: Page, url: string): Promise<string> {
   const { id: projectId } = await ask<{ id: string }>(context, `${url}/v1/projects`, 'POST', opened)
   const project = `${url}/v1/projects/${projectId}`
   await ask(context, `${project}/cues`, 'POST', {
-    cues: [{ name: 'amb_bridge_loop', category: 'ambience', duration_s: 20, loop: true }],
+    cues: [{ name: 'amb_bridge_loop', category: 'ambience', duration_s: 12, loop: true }],
   })
   await ask(context, `${project}/invitations`, 'POST', { email })
   let link = ''

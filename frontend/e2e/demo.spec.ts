@@ -1,0 +1,71 @@
+import { expect, type Page } from '@playwright/test'
+
+import { test } from './fixtures'
+
+const first = (page: Page) => page.getByRole('heading', { level: 2, name: 'Pick one of three for shield_hit' })
+
+async function playAs(page: Page, part: string | RegExp): Promise<void> {
+  await page.getByRole('button', { name: /: account and settings$/ }).click()
+  await page.getByRole('menuitemradio', { name: part }).click()
+}
+
+test('the first screen is one sound to hear by Space and to decide by one key, and can be taken back', async ({
+  demo,
+  page,
+}) => {
+  await page.goto(demo.url)
+  await expect(page).toHaveURL(/\/today$/)
+  await expect(first(page)).toBeVisible()
+  const slider = page.getByRole('slider', { name: 'shield_hit' })
+  const playhead = () => slider.evaluate((element) => Number(getComputedStyle(element).getPropertyValue('--at')))
+  await page.keyboard.press('Space')
+  await expect.poll(playhead).toBeGreaterThan(0.05)
+  await page.keyboard.press('b')
+  await expect(page.getByRole('slider', { name: 'Position in shield_hit, B' })).toBeVisible()
+  await page.keyboard.press('1')
+  await expect(page.getByRole('slider', { name: 'Position in shield_hit, A' })).toBeVisible()
+
+  await page.keyboard.press('a')
+  await expect(page.getByRole('status').filter({ hasText: 'shield_hit A approved.' })).toBeVisible()
+  await expect(first(page)).toBeHidden()
+  await expect(page.getByText('First, because it has waited longest')).toBeVisible()
+  await page.keyboard.press('u')
+  await expect(first(page)).toBeVisible()
+})
+
+test('the menu switches between approver, producer, designer and build', async ({ demo, page }) => {
+  await page.goto(demo.url)
+  await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()
+
+  await playAs(page, 'Producer')
+  await expect(page.getByText('The approver decides. You advise.')).toBeVisible()
+  await expect(page.getByRole('button', { name: /^Approve/ })).toBeHidden()
+
+  await playAs(page, 'Sound designer')
+  await expect(page.getByRole('heading', { level: 1, name: 'Your desk' })).toBeVisible()
+  const back = page.getByRole('region', { name: /Came back/ })
+  await expect(back.getByRole('heading', { name: 'airlock_cycle' })).toBeVisible()
+  await expect(back.getByRole('list', { name: 'What the check found' })).toContainText(/peak/i)
+  const tray = page.getByRole('region', { name: 'Unmatched files' })
+  await expect(tray.getByRole('button', { name: /^victory_sting/ })).toBeVisible()
+
+  await page.getByRole('button', { name: /: account and settings$/ }).click()
+  await page.getByRole('menuitem', { name: /^Build/ }).click()
+  await expect(page.getByRole('heading', { level: 1, name: 'Builds' })).toBeVisible()
+  await expect(page.getByText('audio-checks check').first()).toBeVisible()
+
+  await playAs(page, 'Approver')
+  await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()
+})
+
+test('the game’s CI gets spec and list by the demo’s token', async ({ demo, request }) => {
+  const headers = { Authorization: `Bearer ${demo.token}` }
+  for (const [file, holds] of [
+    ['spec.toml', '[targets.handheld]'],
+    ['sound-list.csv', 'shield_hit'],
+  ] as const) {
+    const answer = await request.get(`${demo.url}/v1/projects/${demo.projectId}/${file}`, { headers })
+    expect(answer.status()).toBe(200)
+    expect(await answer.text()).toContain(holds)
+  }
+})
