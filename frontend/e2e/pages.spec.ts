@@ -39,7 +39,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
     { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'As game' },
     { name: 'people', path: `${project}/people`, shows: 'has the last word on every sound' },
-    { name: 'builds', path: `${project}/builds`, shows: '482' },
+    { name: 'builds', path: `${project}/builds`, shows: /^audio-checks check/m },
     { name: 'projects', path: '/projects', shows: 'Shield Wing' },
     { name: 'studio', path: '/studio', shows: 'Shield Wing studio' },
     ...list,
