@@ -33,6 +33,8 @@ const POLL_MS = 1000
 /** Asking for a thousand rows every second would keep the server from checking them. */
 const SLOW_POLL_MS = 4000
 const MANY = 200
+/** A file that has no picture after so long could not be read as a sound. */
+const DRAWN_WITHIN_MS = 60_000
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
@@ -43,10 +45,15 @@ export const keys = {
   sounds: (takeId: string) => ['take-sounds', takeId] as const,
 }
 
+/** What the check returned is on the desk at once; its picture follows. */
+const isBeingDrawn = ({ preview_url, since }: CameBack): boolean =>
+  preview_url === null && Date.now() - Date.parse(since) < DRAWN_WITHIN_MS
+
 export const useDesk = (projectId: string) =>
   useQuery({
     ...deskQuery(projectId),
-    refetchInterval: ({ state: { data } }) => (data && data.checking > 0 ? POLL_MS : false),
+    refetchInterval: ({ state: { data } }) =>
+      data && (data.checking > 0 || data.came_back.some(isBeingDrawn)) ? POLL_MS : false,
   })
 
 /** The delivery that files go into now: the newest one that is not closed. */

@@ -213,6 +213,19 @@ describe('what came back', () => {
     expect(within(card).getByRole('slider', { name: 'Position in airlock_cycle' })).toBeInTheDocument()
   })
 
+  test('its picture comes when it is drawn, a moment after the check', async () => {
+    const drawn = [{ ...RETURNED, since: new Date().toISOString() }]
+    const { answers: given } = serve(
+      answers({
+        'GET /v1/projects/p1/desk': { ...DESK, came_back: drawn.map((one) => ({ ...one, preview_url: null })) },
+      }),
+    )
+    openApp('/desk')
+    expect(await screen.findByText(/^There is no picture of this file/)).toBeInTheDocument()
+    given['GET /v1/projects/p1/desk'] = { ...DESK, came_back: drawn }
+    expect(await screen.findByRole('slider', {}, { timeout: 3_000 })).toBeInTheDocument()
+  })
+
   test('the next one opens by its key, with what is to change and where', async () => {
     serve(answers())
     const user = userEvent.setup()
