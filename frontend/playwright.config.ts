@@ -7,7 +7,7 @@ export default defineConfig({
   timeout: 90_000,
   // A shared machine stalls now and then; what needed a second try is listed as flaky.
   retries: process.env.CI ? 2 : 0,
-  expect: { timeout: 15_000 },
+  expect: { timeout: 20_000 },
   forbidOnly: true,
   reporter: [['list']],
   // The demo makes itself while the first ones run.

@@ -92,7 +92,7 @@ async function openQueue(page: Page, project: string, waiting: number): Promise<
 }
 
 test('the main job, from an empty studio to a build that passed', async ({ server, browser }, testInfo) => {
-  test.setTimeout(120_000)
+  test.setTimeout(180_000)
   const [producer, approver, designer] = await Promise.all([
     arrive(browser, server.url),
     arrive(browser, server.url),

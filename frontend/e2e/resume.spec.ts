@@ -84,6 +84,7 @@ test('an upload goes on where it was after the line dropped and the web process 
   behindLine: { line, server },
   page,
 }) => {
+  test.setTimeout(120_000)
   const projectId = await atDesk(page, server.url)
   line.bytesPerS = LINE_BYTES_PER_S
   const beforeBytes = line.carriedBytes
