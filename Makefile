@@ -13,7 +13,7 @@ export PYTHONPATH := $(CURDIR)
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
 
-setup: .make/python .make/node .make/page  ## Set up everything that running and testing need
+setup: .make/python .make/kernel .make/node .make/page  ## Set up everything that running and testing need
 
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
@@ -56,7 +56,7 @@ fix: setup  ## Format and mend what can be mended by itself
 docs: setup  ## Write the generated pages
 	$(BIN)/python -m audio_checks.pages docs/checks
 
-openapi: setup  ## Write the OpenAPI document and the frontend's types
+openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json
 	cd frontend && npm run --silent gen
 
@@ -71,6 +71,10 @@ clean:  ## Remove what set-up made; data stays
 	@$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[server,dev]'
 	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
+	@touch $@
+
+.make/kernel: .make/python setup.py $(wildcard audio_checks/kernel/*.c audio_checks/kernel/*.h)
+	@echo "Compiling the kernel" && $(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --editable .
 	@touch $@
 
 .make/node: frontend/package-lock.json

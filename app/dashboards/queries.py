@@ -3,8 +3,8 @@
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import Row, Select, and_, func, or_, select
-from sqlalchemy.orm import Session, joinedload
+from sqlalchemy import Row, Select, and_, exists, func, or_, select
+from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Membership, Person, Studio
 from app.builds.models import Build
@@ -197,13 +197,18 @@ def latest_returns(
 def latest_approvals(
     session: Session, project_id: UUID, designer_id: UUID | None
 ) -> Sequence[Row[Verdict, Cue, Take, Person]]:
-    """Return the latest approvals."""
+    """Return the latest approvals that stand."""
+    withdrawal = aliased(Verdict)
     found = (
         select(Verdict, Cue, Take, Person)
         .join(Cue, Cue.id == Verdict.cue_id)
         .join(Take, Take.id == Verdict.take_id)
         .join(Person, Person.id == Verdict.given_by)
-        .where(Verdict.project_id == project_id, Verdict.kind == VerdictKind.APPROVE)
+        .where(
+            Verdict.project_id == project_id,
+            Verdict.kind == VerdictKind.APPROVE,
+            ~exists().where(withdrawal.withdraws_id == Verdict.id),
+        )
         .order_by(Verdict.id.desc())
         .limit(LATELY)
     )

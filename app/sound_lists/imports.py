@@ -66,6 +66,7 @@ def import_sheet(
         plan.faults.append(RowFault(sheet.header_row or 1, None, "no rows stand below the head"))
     imports = not dry_run and not plan.faults
     rows = [_row_read(edit, project.cue_prefix) for edit in plan.edits]
+    names = _names(sheet, columns)
     if imports:
         save(session, project, actor.person, plan.edits)
     return ImportRead(
@@ -75,7 +76,12 @@ def import_sheet(
         ],
         rows=rows,
         errors=[
-            ImportFault(row=fault.row, column=_column_name(columns, fault.field), message=fault.message)
+            ImportFault(
+                row=fault.row,
+                name=names.get(fault.row, ""),
+                column=_column_name(columns, fault.field),
+                message=fault.message,
+            )
             for fault in sorted(plan.faults, key=lambda fault: fault.row)
         ],
         added=sum(row.action == "add" for row in rows),
@@ -84,6 +90,11 @@ def import_sheet(
         imported=imports,
         revision=queries.revision_number(session, project.id),
     )
+
+
+def _names(sheet: Sheet, columns: Sequence[Column]) -> dict[int, str]:
+    place = next((column.place for column in columns if column.field == "name"), None)
+    return {} if place is None else {row: cells[place] for row, cells in sheet.rows}
 
 
 def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) -> list[Column]:

@@ -267,6 +267,7 @@ class ImportFault(Schema):
     """What is wrong in one cell."""
 
     row: int
+    name: str = Field(description="The cue's name as the row has it; empty where it has none.")
     column: str | None
     message: str
 

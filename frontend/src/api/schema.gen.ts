@@ -3243,6 +3243,11 @@ export interface components {
         ImportFault: {
             /** Row */
             row: number;
+            /**
+             * Name
+             * @description The cue's name as the row has it; empty where it has none.
+             */
+            name: string;
             /** Column */
             column: string | null;
             /** Message */

@@ -51,6 +51,9 @@ async function everyPage<T>(page: (cursor?: string) => Promise<{ items: T[]; nex
   return all
 }
 
+/** How often a screen that people leave open asks whether something new arrived. */
+export const ARRIVALS_MS = 15_000
+
 /** Every cue that waits for a verdict, the oldest first. */
 export const queueQuery = (projectId: string) =>
   queryOptions({
@@ -59,6 +62,7 @@ export const queueQuery = (projectId: string) =>
       everyPage((cursor) =>
         answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
       ),
+    refetchInterval: ARRIVALS_MS,
   })
 
 export const reviewQuery = (cueId: string) =>

@@ -105,6 +105,12 @@ export function age(from: Date | string, now: Date = new Date()): string {
   return plural(Math.floor(ms / DAY), 'day')
 }
 
+/** How long ago, in words: "just now", "20 min ago". */
+export function ago(at: Date | string, now: Date = new Date()): string {
+  const passed = age(at, now)
+  return passed === 'now' ? 'just now' : `${passed} ago`
+}
+
 /** How long something still takes: "40 s", "3 min", "2 h". */
 export function remaining(s: number): string {
   if (s < 60) return `${Math.max(1, Math.ceil(s))} s`

@@ -400,3 +400,13 @@ class Deciding:
         drafts = select(Take.state).join(ChangeRequest, ChangeRequest.take_id == Take.id)
         for state in self.session.scalars(drafts.where(Take.cue_id == self.cue_id, ChangeRequest.sending_id.is_(None))):
             assert state in (TakeState.CONFORMING, TakeState.APPROVED)
+
+
+def test_an_approval_taken_back_has_not_happened_lately(stage: Stage) -> None:
+    stays, goes = stage.take(stage.cue("laser_fire")), stage.take(stage.cue("shield_hit"))
+    for take in (stays, goes):
+        stage.approve(take)
+    assert stage.undo(goes).status_code == 200
+    overview = told(stage.world.producer.get(f"/v1/projects/{stage.world.project_id}/overview"))
+    approved = [each["text"] for each in overview["lately"] if each["kind"] == "approved"]
+    assert approved == ["approved laser_fire, version 1"]

@@ -166,6 +166,7 @@ def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World)
         (7, "duration_s"),
     }
     assert all(fault["message"] for fault in told["errors"])
+    assert {fault["name"] for fault in told["errors"]} == {"Door", "", "Bell", "Gong"}
     assert the_list(world) == {"revision": 0, "cues": []}
 
 

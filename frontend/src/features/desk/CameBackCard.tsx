@@ -6,7 +6,7 @@ import { usePeaks } from '@/judging/api'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { age, length } from '@/ui/format'
+import { ago, length } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -115,7 +115,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <span className="small dim">
           {cue && <span className="mono">{cue.label}</span>}
           {variation > 1 && `, _${String(variation).padStart(2, '0')}`}
-          {number !== null && `, version ${number}`}, {age(since)} ago
+          {number !== null && `, version ${number}`}, {ago(since)}
         </span>
       </div>
       {findings.length > 0 && (

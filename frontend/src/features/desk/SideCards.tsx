@@ -7,7 +7,7 @@ import { ShellLink } from '@/app/shell/ShellLink'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { age, length, plural } from '@/ui/format'
+import { ago, length, plural } from '@/ui/format'
 import { State } from '@/ui/State'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 import { filesOfDrop, type Picked } from '@/uploads'
@@ -189,7 +189,8 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
           <li key={id} className={classes.question}>
             <p>“{text}”</p>
             <p className="small dim">
-              {cue.name}, {age(asked_at)} ago{answer === null ? '; the studio’s turn' : ''}
+              {cue.name}, {ago(asked_at)}
+              {answer === null ? '; the studio’s turn' : ''}
             </p>
             {answer !== null && <p className={classes.answer}>{answer}</p>}
           </li>

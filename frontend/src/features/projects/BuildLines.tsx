@@ -1,13 +1,13 @@
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { plural } from '@/ui/format'
+import { ago, plural } from '@/ui/format'
 import { State } from '@/ui/State'
 
 import { type Build, type BuildBrief, useBuildReport } from './api'
 import classes from './Builds.module.css'
 import { OUTCOME_STATES, outcomeInWords, outcomeOf, type RefusedFile, refusedFiles, warnedFiles } from './reports'
-import { ago, refusal } from './words'
+import { refusal } from './words'
 
 /** One build: its label, how it ended, when and what for. */
 export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {

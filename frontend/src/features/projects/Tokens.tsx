@@ -11,7 +11,9 @@ import { State } from '@/ui/State'
 import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, useTokens } from './api'
 import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
-import { against, ago, listed } from './words'
+import { ago } from '@/ui/format'
+
+import { against, listed } from './words'
 
 const SCOPE_WORDS: Record<Scope, string> = {
   'spec:read': 'reads the spec',

@@ -1,16 +1,9 @@
 import { ApiProblem } from '@/api'
-import { age } from '@/ui/format'
 
 import type { EngagementKind, Project } from './api'
 
 /** Figures with the minus that they are read with. */
 export const trueMinus = (text: string): string => text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')
-
-/** How long ago, in words: "just now", "20 min ago". */
-export function ago(at: string): string {
-  const passed = age(at)
-  return passed === 'now' ? 'just now' : `${passed} ago`
-}
 
 /** A sentence of the server as the screens write it: a capital first, a true minus before figures, an end. */
 export function sentence(text: string): string {

@@ -149,13 +149,9 @@ function Line({ row: { row, read, faults }, at, measure }: LineProps) {
         )}
       </td>
       <td className="mono dim">{read?.label ?? ''}</td>
-      {read ? (
-        <th scope="row" className={classes.cue}>
-          {read.name}
-        </th>
-      ) : (
-        <td />
-      )}
+      <th scope="row" className={classes.cue}>
+        {read?.name ?? faults[0]?.name}
+      </th>
       <td className="mid">{read?.category}</td>
       <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
       <td className={classes.why}>

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
-import { age } from '@/ui/format'
+import { ago } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
@@ -25,8 +25,6 @@ function useKept(key: string): [string, (text: string) => void] {
     },
   ]
 }
-
-const ago = (at: string): string => (age(at) === 'now' ? 'just now' : `${age(at)} ago`)
 
 /** One question on a cue with its answer, or with the field for it. */
 export function QuestionLine({

@@ -5,7 +5,7 @@ import { WaveThumb } from '@/audio'
 import { sentence } from '@/judging/words'
 import { Card, CardHead } from '@/ui/Card'
 import { Finding } from '@/ui/Finding'
-import { age, length, place } from '@/ui/format'
+import { ago, length, place } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State, type StateKind } from '@/ui/State'
 
@@ -83,7 +83,7 @@ function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) 
         <State kind={KIND_OF_TAKE[take.state]} />
         <span className="small dim nowrap num">
           {durationS === null ? '' : `${length(durationS)}, `}
-          {age(take.received_at) === 'now' ? 'just now' : `${age(take.received_at)} ago`}
+          {ago(take.received_at)}
         </span>
       </div>
       {previewUrl === null ? (

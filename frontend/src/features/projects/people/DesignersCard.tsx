@@ -8,7 +8,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
-import { dueDay, shortDay } from '@/ui/format'
+import { ago, dueDay, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
@@ -25,7 +25,7 @@ import {
   useRevokeInvitation,
 } from '../api'
 import { Refusal } from '../Refusal'
-import { against, ago, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
+import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
 import classes from './People.module.css'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
