@@ -41,7 +41,7 @@ def keep_report(
     )
     session.add(build)
     session.flush()
-    publish(session, "build.posted", build_id=build.id)
+    publish(session, "build.posted", studio_id=build.studio_id, build_id=build.id)
     return build
 
 

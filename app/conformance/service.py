@@ -102,7 +102,14 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
         )
     )
     change_state(session, take, state_after(report, _codes_waived(session, take)))
-    publish(session, "take.checked", take_id=take.id, verdict=report["verdict"], edition=take.edition)
+    publish(
+        session,
+        "take.checked",
+        studio_id=take.studio_id,
+        take_id=take.id,
+        verdict=report["verdict"],
+        edition=take.edition,
+    )
     return True
 
 
@@ -148,7 +155,7 @@ def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRe
         )
     )
     change_state(session, take, TakeState.CONFORMING)
-    publish(session, "take.waived", take_id=take.id)
+    publish(session, "take.waived", studio_id=take.studio_id, take_id=take.id)
     return read_check(session, take)
 
 

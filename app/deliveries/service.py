@@ -178,7 +178,7 @@ def add_take(
     session.add(take)
     session.flush()
     session.refresh(take, ["cue", "designer"])
-    publish(session, "take.received", take_id=take.id)
+    publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
 
 
@@ -200,7 +200,7 @@ def receive_archive(
     )
     session.add(archive)
     session.flush()
-    publish(session, "archive.received", archive_id=archive.id)
+    publish(session, "archive.received", studio_id=archive.studio_id, archive_id=archive.id)
     return archive
 
 
@@ -241,7 +241,7 @@ def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None
     change_state(session, take, TakeState.RECEIVED)
     take.edition += 1
     session.flush()
-    publish(session, "take.received", priority=priority, take_id=take.id)
+    publish(session, "take.received", studio_id=take.studio_id, priority=priority, take_id=take.id)
 
 
 def change_state(session: Session, take: Take, wanted: TakeState) -> None:

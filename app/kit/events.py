@@ -27,16 +27,29 @@ def publish(
     session: Session,
     event: str,
     *,
+    studio_id: UUID | None,
     priority: int = NORMAL,
     delay_s: float = 0,
     **facts: UUID | str | int | list[str] | None,
 ) -> UUID:
-    """Write one job per subscriber into the caller's transaction, and return the event's id."""
+    """Write one job per subscriber into the caller's transaction, and return the event's id.
+
+    `studio_id` is whose work it is; None for what concerns one person's account alone.
+    """
     if _queue is None or event not in _subscribers:
         raise UnknownEvent(event)
     event_id = new_id()
     payload: dict[str, Any] = {"event": event, "event_id": str(event_id)}
+    payload["studio_id"] = str(studio_id) if studio_id else None
     payload |= {name: str(value) if isinstance(value, UUID) else value for name, value in facts.items()}
     for subscriber in _subscribers[event]:
-        _queue.enqueue(session, subscriber, payload, key=f"{event_id}:{subscriber}", priority=priority, delay_s=delay_s)
+        _queue.enqueue(
+            session,
+            subscriber,
+            payload,
+            key=f"{event_id}:{subscriber}",
+            studio_id=studio_id,
+            priority=priority,
+            delay_s=delay_s,
+        )
     return event_id

@@ -11,11 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
+from uuid import UUID
 
 import sqlalchemy as sa
 from dbos import DBOS, DBOSClient, DBOSConfig, EnqueueOptions
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
+from app import logs
 from app.kit import clock
 from app.kit.db import Base, Database
 
@@ -83,6 +85,7 @@ class UnfinishedJob:
 
     id: str
     name: str
+    studio_id: UUID | None
     state: str
     recoveries: int
     since: datetime
@@ -105,6 +108,7 @@ class JobQueue:
         payload: Payload,
         *,
         key: str,
+        studio_id: UUID | None,
         priority: int = NORMAL,
         delay_s: float = 0,
     ) -> None:
@@ -115,10 +119,11 @@ class JobQueue:
             "workflow_id": key,
             "app_version": STEPS_VERSION,
             "priority": priority,
+            "attributes": {"job": name, "studio": str(studio_id) if studio_id else None},
         }
         if delay_s:
             options["delay_seconds"] = delay_s
-        self._client.enqueue_in_transaction(session, options, name, payload)
+        self._client.enqueue_in_transaction(session, options, name, payload, logs.cause())
 
     def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
         """Return the jobs that wait, run or gave up, oldest first."""
@@ -128,6 +133,7 @@ class JobQueue:
             UnfinishedJob(
                 id=workflow.workflow_id,
                 name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
+                studio_id=UUID(studio) if (studio := (workflow.attributes or {}).get("studio")) else None,
                 state=STATE_WORDS[workflow.status],
                 recoveries=workflow.recovery_attempts or 0,
                 since=datetime.fromtimestamp((workflow.created_at or 0) / 1000, UTC),
@@ -165,7 +171,12 @@ def create_tables(database: Database) -> None:
     DBOS.migrate(system_database_url=_system_url(database))
 
 
-def _run_job(name: str, payload: Payload) -> None:
+def _run_job(name: str, payload: Payload, cause: logs.Cause | None = None) -> None:
+    with logs.bound(cause or {}, job=name, job_id=str(DBOS.workflow_id)):
+        _tried(name, payload)
+
+
+def _tried(name: str, payload: Payload) -> None:
     handler = _handlers[name]
     runtime = _runtime
     if runtime is None:

@@ -43,7 +43,7 @@ def write_mail(
     )
     session.add(mail)
     session.flush()
-    publish(session, "mail.written", delay_s=delay_s, mail_id=mail.id)
+    publish(session, "mail.written", studio_id=mail.studio_id, delay_s=delay_s, mail_id=mail.id)
 
 
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:
@@ -58,7 +58,7 @@ def send_again(session: Session, actor: Actor, mail_id: UUID) -> Mail:
     if mail is None or mail.studio_id is None or not actor.roles_in(mail.studio_id) & {Role.PRODUCER}:
         raise MailNotFound(f"no mail {mail_id}")
     if mail.sent_at is None:
-        publish(session, "mail.written", mail_id=mail.id)
+        publish(session, "mail.written", studio_id=mail.studio_id, mail_id=mail.id)
     return mail
 
 

@@ -321,7 +321,7 @@ def save_spec(
         return newest
     spec = add_version(session, standing.project, actor.person, toml=toml, number=newest.version + 1, note=note)
     if read.sha256 != newest.sha256:
-        publish(session, "spec.changed", project_id=project_id, version=spec.version)
+        publish(session, "spec.changed", studio_id=spec.studio_id, project_id=project_id, version=spec.version)
     return spec
 
 

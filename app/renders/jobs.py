@@ -143,5 +143,6 @@ def renew_renders(runtime: Runtime, payload: Payload) -> None:
                 "renders.make_renders",
                 {"take_id": str(take_id)},
                 key=f"{payload['event_id']}:renders.make_renders:{take_id}",
+                studio_id=UUID(payload["studio_id"]),
                 priority=BULK,
             )

@@ -83,7 +83,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     rounds = _count_rounds(session, sending, reversals)
     session.flush()
     session.expire_all()
-    publish(session, "changes.sent", sending_id=sending.id)
+    publish(session, "changes.sent", studio_id=sending.studio_id, sending_id=sending.id)
     sent = queries.change_requests_of(session, ChangeRequest.sending_id == sending.id)
     return SendingRead(
         id=sending.id,

@@ -137,7 +137,7 @@ class _Decision:
         approved = queries.approved_variations(self._session, [cue.id]).get(cue.id, [])
         accepted = not missing_variations(cue.variations, approved)
         for take in self.approved:
-            publish(self._session, "take.approved", take_id=take.id, cue_accepted=accepted)
+            publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
     def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
@@ -346,5 +346,5 @@ def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue
     ):
         session.delete(draft)
     cut_from_list(session, actor, cue, reason)
-    publish(session, "cue.cut", cue_id=cue.id)
+    publish(session, "cue.cut", studio_id=cue.studio_id, cue_id=cue.id)
     return cue

@@ -25,7 +25,7 @@ def ask_question(session: Session, actor: Actor, cue_id: UUID, text: str) -> tup
     )
     session.add(question)
     session.flush()
-    publish(session, "question.asked", question_id=question.id)
+    publish(session, "question.asked", studio_id=question.studio_id, question_id=question.id)
     return standing, _read_again(session, question.id)
 
 
@@ -49,7 +49,7 @@ def answer_question(
     if joins and cue.state is not CueState.CUT:
         joined = f"{cue.description}\n\n{question.text} {question.answer}".strip()
         service.change_cue(session, actor, cue.id, None, {"description": joined})
-    publish(session, "question.answered", question_id=question.id)
+    publish(session, "question.answered", studio_id=question.studio_id, question_id=question.id)
     return standing, _read_again(session, question.id)
 
 

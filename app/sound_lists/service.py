@@ -353,7 +353,7 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
             unlike.append(str(cue.id))
     session.execute(insert(CueChange), records)
     if unlike:
-        publish(session, "cue.changed", project_id=project.id, cue_ids=unlike)
+        publish(session, "cue.changed", studio_id=project.studio_id, project_id=project.id, cue_ids=unlike)
     _tell(session, revision, person_id, added=added, changed=changed, cut=0)
     return cues
 
@@ -421,6 +421,7 @@ def _tell(session: Session, revision: Revision, actor_id: UUID, *, added: int, c
     publish(
         session,
         "list.revised",
+        studio_id=revision.studio_id,
         project_id=revision.project_id,
         revision=revision.number,
         actor_id=actor_id,

@@ -43,7 +43,7 @@ def until(condition: Callable[[], object], seconds: float = 20) -> None:
 
 def enqueue(runtime: Runtime, job: str, word: str, **more: Any) -> None:
     with runtime.database.writing() as session:
-        runtime.queue.enqueue(session, job, {"word": word}, key=f"key of {word}", **more)
+        runtime.queue.enqueue(session, job, {"word": word}, key=f"key of {word}", studio_id=None, **more)
 
 
 def parked(runtime: Runtime) -> list[queue.UnfinishedJob]:
@@ -53,7 +53,7 @@ def parked(runtime: Runtime) -> list[queue.UnfinishedJob]:
 def test_a_job_of_a_transaction_that_failed_never_was(runtime: Runtime):
     def begin_and_fail() -> None:
         with runtime.database.writing() as session:
-            runtime.queue.enqueue(session, "tests.note", {"word": "never"}, key="never")
+            runtime.queue.enqueue(session, "tests.note", {"word": "never"}, key="never", studio_id=None)
             raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):

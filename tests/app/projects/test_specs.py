@@ -86,7 +86,8 @@ def test_a_new_version_is_kept_beside_the_old(world: World, published: list[tupl
     assert world.producer.get(spec_path(world, "/versions/3")).json()["code"] == "spec-version-not-found"
     assert world.producer.get(spec_path(world, "/versions/0")).status_code == 422
     assert world.producer.get(spec_path(world, "/versions/99999999999999999999")).status_code == 422
-    assert published == [("spec.changed", {"project_id": world.project_id, "version": 2})]
+    told = {"studio_id": world.studio_id, "project_id": world.project_id, "version": 2}
+    assert published == [("spec.changed", told)]
 
 
 def test_what_says_the_same_asks_nobody_to_check_again(

@@ -145,14 +145,15 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr(service, "publish", publish)
     (cue,) = add(world, {"name": "Door"})
-    whole = {"project_id": world.project_id, "actor_id": world.producer_id}
+    studio = {"studio_id": world.studio_id, "project_id": world.project_id}
+    whole = {**studio, "actor_id": world.producer_id}
     assert told == [("list.revised", {**whole, "revision": 1, "added": 1, "changed": 0, "cut": 0})]
     url = f"/v1/cues/{cue['id']}"
     world.producer.patch(url, json={"edition": 1, "description": "a heavy door"})  # which no check reads
     assert [event for event, _ in told] == ["list.revised"] * 2
     world.producer.patch(url, json={"edition": 2, "duration_s": 2.0})
     assert told[2:] == [
-        ("cue.changed", {"project_id": world.project_id, "cue_ids": [cue["id"]]}),
+        ("cue.changed", {**studio, "cue_ids": [cue["id"]]}),
         ("list.revised", {**whole, "revision": 3, "added": 0, "changed": 1, "cut": 0}),
     ]
 
