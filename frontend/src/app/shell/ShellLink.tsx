@@ -3,13 +3,15 @@ import type { ReactNode } from 'react'
 
 interface ShellLinkProps {
   path: string
-  exact?: boolean
+  /** The page belongs to the screen that this leads to. */
+  current?: boolean
   className?: string
   children: ReactNode
   'aria-label'?: string
 }
 
 /** A link by address: the shell stands below the features, so it does not know their routes by type. */
-export function ShellLink({ path, exact = false, ...rest }: ShellLinkProps) {
-  return <Link {...rest} to={path as LinkProps['to']} activeOptions={{ exact }} />
+export function ShellLink({ path, current, ...rest }: ShellLinkProps) {
+  const to = path as LinkProps['to']
+  return <Link {...rest} to={to} activeOptions={{ exact: true }} {...(current && { 'aria-current': 'true' })} />
 }

@@ -1,10 +1,12 @@
+import { useLocation } from '@tanstack/react-router'
+
 import { Count } from '@/ui/Count'
 import { Icon } from '@/ui/Icon'
 
 import type { ShellData } from '../session'
 import { Mark } from './Mark'
 import { ProjectSwitcher } from './ProjectSwitcher'
-import type { Screen } from './screens'
+import { type Screen, screenOf } from './screens'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
 import { WhoMenu } from './WhoMenu'
@@ -19,6 +21,7 @@ interface TopBarProps {
 
 export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps) {
   const home = screens[0]?.path ?? '/'
+  const here = screenOf(screens, useLocation().pathname)
   return (
     <header className={classes.bar}>
       <ShellLink path={home} className={classes.mark} aria-label={`Soundlist, ${screens[0]?.label ?? 'start'}`}>
@@ -27,8 +30,8 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
       {data.person && <ProjectSwitcher data={data} />}
       {screens.length > 0 && (
         <nav className={classes.tabs} aria-label="Screens">
-          {screens.map(({ label, path, icon, exact, count }) => (
-            <ShellLink key={path} path={path} exact={exact}>
+          {screens.map(({ label, path, icon, count }) => (
+            <ShellLink key={path} path={path} current={path === here?.path}>
               <Icon name={icon} size={18} />
               <span>{label}</span>
               {count !== undefined && count > 0 && <Count of={count} what="waiting" />}

@@ -8,8 +8,13 @@ export interface Screen {
   icon: IconName
   /** The letter after `g`. */
   letter: string
-  exact?: boolean
   count?: number
+}
+
+/** The screen that a page belongs to: the one whose address goes farthest towards the page's. */
+export function screenOf(screens: readonly Screen[], pathname: string): Screen | undefined {
+  const under = screens.filter(({ path }) => pathname === path || pathname.startsWith(`${path}/`))
+  return under.toSorted((a, b) => b.path.length - a.path.length)[0]
 }
 
 /** The tabs of the person's role, in their order. */
@@ -19,7 +24,7 @@ export function screensOf({ person, side, project, counts }: ShellData): Screen[
     ? [{ label: 'Sound list', path: `/projects/${project.id}/sound-list`, icon: 'lines', letter: 'l' }]
     : []
   const projectTab: Screen = project
-    ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p', exact: true }
+    ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p' }
     : { label: 'Projects', path: '/projects', icon: 'sliders', letter: 'p' }
   if (side === 'designer') {
     const path = project ? `/projects/${project.id}/desk` : '/desk'

@@ -9,7 +9,7 @@ import { draw } from '@/test/draw'
 import { nowhereRoute, rootRoute, shellRoute } from '../roots'
 import type { ShellData } from '../session'
 import { useTitle } from '../title'
-import { screensOf } from './screens'
+import { screenOf, screensOf } from './screens'
 
 const PRODUCER: ShellData = {
   person: { name: 'Producer', role: 'Producer' },
@@ -47,6 +47,7 @@ async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn =
     shellRoute.addChildren([
       page('/projects/$projectId/today', 'Today'),
       page('/projects/$projectId/sound-list', 'Sound list'),
+      page('/projects/$projectId/builds', 'Builds'),
       page('/desk', 'Desk'),
       createRoute({
         getParentRoute: () => shellRoute,
@@ -80,6 +81,14 @@ test('the studio has Today, Sound list, Review and Project; what waits is beside
   expect(tabs().map((tab) => tab.textContent)).toEqual(['Today', 'Sound list', 'Review4 waiting', 'Project'])
   expect(tabs()[0]).toHaveAttribute('aria-current', 'page')
   expect(tabs()[3]).not.toHaveAttribute('aria-current')
+})
+
+test('a page below a screen is marked as part of it', async () => {
+  expect(screenOf(screensOf(PRODUCER), '/projects/p1/builds')?.label).toBe('Project')
+  expect(screenOf(screensOf(PRODUCER), '/projects/p1/sound-list/compare')?.label).toBe('Sound list')
+  expect(screenOf(screensOf(PRODUCER), '/studio')).toBeUndefined()
+  await open(PRODUCER, '/projects/p1/builds')
+  expect(tabs().map((tab) => tab.getAttribute('aria-current'))).toEqual([null, null, null, 'true'])
 })
 
 test('a designer has a Desk, Sound list and Project', async () => {

@@ -19,6 +19,8 @@ interface Point {
 }
 
 const NAMES_APART = 0.24
+const LETTERS_APART = 0.09
+const STOREY_PX = 20
 
 /** How loud the versions are beside the sounds of the palette, on one line. */
 export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps) {
@@ -36,6 +38,7 @@ export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps
   const from = Math.min(...all) - 2
   const to = Math.max(...all) + 2
   const share = (lufs: number) => (lufs - from) / (to - from)
+  const storeys = stacked(own, share)
   const words = [...own, ...palette].map(({ name, lufs }) => `${name || 'this one'} ${level(lufs, 'LUFS')}`).join('; ')
   return (
     <section className={classes.block} aria-label="Beside the palette">
@@ -43,7 +46,12 @@ export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps
         <span className="strong">Beside the palette</span>
         <span className="dim">LUFS</span>
       </p>
-      <div className={classes.plot} role="img" aria-label={words}>
+      <div
+        className={classes.plot}
+        style={{ height: 26 + STOREY_PX * Math.max(...storeys.map(({ storey }) => storey), 1) }}
+        role="img"
+        aria-label={words}
+      >
         {palette.map(({ name, lufs }) => (
           <i key={name} style={{ left: `${share(lufs) * 100}%` }} />
         ))}
@@ -52,14 +60,35 @@ export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps
             {name}
           </span>
         ))}
-        {own.map(({ id, name, lufs }) => (
-          <b key={id} data-on={id === hand.id || undefined} style={{ left: `${share(lufs) * 100}%` }}>
+        {storeys.map(({ id, name, lufs, storey }) => (
+          <b
+            key={id}
+            data-on={id === hand.id || undefined}
+            style={{ left: `${share(lufs) * 100}%`, bottom: 9 + storey * STOREY_PX }}
+          >
             {name.replace('_0', '').replace('_', '')}
           </b>
         ))}
       </div>
     </section>
   )
+}
+
+interface Own extends Point {
+  id: string
+}
+
+/** Each one above those that it would cover. */
+function stacked(own: readonly Own[], share: (lufs: number) => number): (Own & { storey: number })[] {
+  const placed: (Own & { storey: number })[] = []
+  for (const one of own.toSorted((a, b) => a.lufs - b.lufs)) {
+    const near = placed.filter((each) => share(one.lufs) - share(each.lufs) < LETTERS_APART)
+    const taken = new Set(near.map((each) => each.storey))
+    let storey = 0
+    while (taken.has(storey)) storey += 1
+    placed.push({ ...one, storey })
+  }
+  return placed
 }
 
 /** Those whose names find room below the line. */

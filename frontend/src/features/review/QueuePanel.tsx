@@ -106,7 +106,8 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
         </span>
         {waits.odd ? (
           <span className="small cut-text tone-warn toned">
-            <Icon name="triangle" size={14} /> {waits.odd}
+            <Icon name="triangle" size={14} /> {item.kind === 'alternates' && waits.before}
+            {waits.odd}
           </span>
         ) : (
           <span className="small mid cut-text">{waits.before}</span>

@@ -99,11 +99,12 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
           />
         )}
         {project.mine.is_producer && (
-          <Button variant="quiet" onClick={() => setEnded(!ended)}>
-            <span>
-              {ended ? 'Take up again' : 'End'}
-              <span className="visually-hidden">{`: the engagement of ${designer.name}`}</span>
-            </span>
+          <Button
+            variant="quiet"
+            aria-label={`${ended ? 'Take up again' : 'End'}: the engagement of ${designer.name}`}
+            onClick={() => setEnded(!ended)}
+          >
+            {ended ? 'Take up again' : 'End'}
           </Button>
         )}
       </Row>

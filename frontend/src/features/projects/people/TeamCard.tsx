@@ -64,12 +64,10 @@ export function TeamCard({ project, members }: { project: Project; members: read
                 <Button
                   variant={isLiaison ? 'quiet' : 'plain'}
                   aria-busy={set.isPending}
+                  aria-label={`${isLiaison ? 'Remove as liaison' : 'Make liaison'}: ${person.name}`}
                   onClick={() => change(member, !isLiaison)}
                 >
-                  <span>
-                    {isLiaison ? 'Remove as liaison' : 'Make liaison'}
-                    <span className="visually-hidden">{`: ${person.name}`}</span>
-                  </span>
+                  {isLiaison ? 'Remove as liaison' : 'Make liaison'}
                 </Button>
               )}
             </Row>
