@@ -10,9 +10,9 @@ RUN npm run build
 FROM python:3.13-slim-bookworm
 RUN apt-get update && apt-get install -y --no-install-recommends gcc libc6-dev && rm -rf /var/lib/apt/lists/*
 WORKDIR /srv/soundlist
-COPY pyproject.toml constraints.txt README.md LICENSE ./
+COPY pyproject.toml setup.py MANIFEST.in constraints.txt README.md LICENSE ./
 COPY audio_checks ./audio_checks
-RUN pip install --no-cache-dir --constraint constraints.txt '.[server]'
+RUN pip install --no-cache-dir --constraint constraints.txt '.[server]' && rm -rf audio_checks build
 COPY app ./app
 COPY migrations ./migrations
 COPY --from=page /src/frontend/dist ./frontend/dist

@@ -229,12 +229,8 @@ class AudioFile:
         for raw in wav.raw_blocks(self._file, layout):
             whole.update(raw)
             sound.update(raw)
-            if layout.encoding == "pcm":
-                values = wav.integers(raw, layout)
-                used |= int(np.bitwise_or.reduce(values))
-                block = wav.scaled(values, layout.channels)
-            else:
-                block = wav.decode(raw, layout)
+            block, bits = wav.decode(raw, layout)
+            used |= bits
             for accumulator in accumulators:
                 accumulator.add(block)
         while tail := self._file.read(READ_BYTES):

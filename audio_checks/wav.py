@@ -19,6 +19,7 @@ from typing import BinaryIO, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.errors import Unreadable
 
 BLOCK_FRAMES = 65_536
@@ -661,46 +662,28 @@ def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAM
         yield block
 
 
-def integers(raw: bytes, layout: WavLayout) -> NDArray[np.integer]:
-    """Return interleaved PCM as signed integers of the container's width (24 bit: the upper three bytes of 32)."""
-    if layout.container_bits == 8:
-        return (np.frombuffer(raw, np.uint8) ^ 0x80).view(np.int8)
-    if layout.container_bits == 24:
-        wide = np.zeros((len(raw) // 3, 4), np.uint8)
-        wide[:, 1:] = np.frombuffer(raw, np.uint8).reshape(-1, 3)
-        return wide.view("<i4")[:, 0]
-    return np.frombuffer(raw, "<i2" if layout.container_bits == 16 else "<i4")
+def decode(raw: bytes, layout: WavLayout) -> tuple[NDArray[np.float64], int]:
+    """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
 
-
-def decode(raw: bytes, layout: WavLayout) -> NDArray[np.float64]:
-    """Return whole frames as samples, shape (frames, channels), each channel contiguous, full scale ±1.0.
+    The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are
+    signed integers of the container's width; of 24 bits, the upper three bytes of 32.
 
     Raises
     ------
     Unreadable
         R7, for a float sample that is not a finite number.
     """
+    planar = np.empty((layout.channels, len(raw) // layout.frame_bytes))
     if layout.encoding == "pcm":
-        return scaled(integers(raw, layout), layout.channels)
-    values = np.frombuffer(raw, f"<f{layout.container_bits // 8}").reshape(-1, layout.channels)
-    finite = np.isfinite(values)
-    if not finite.all():
-        channel = int(np.flatnonzero(~finite.all(axis=0))[0]) + 1
+        return planar.T, kernel.decode_pcm(raw, layout.container_bits, planar)
+    if channel := kernel.decode_float(raw, layout.container_bits, planar):
         raise Unreadable(
             f"channel {channel} holds samples that are not numbers (infinity or NaN)",
             "R7",
             "structure:not-finite",
             "look for a broken plug-in in the session, then export again",
         )
-    planar: NDArray[np.float64] = np.ascontiguousarray(values.T, dtype=np.float64)
-    return planar.T
-
-
-def scaled(values: NDArray[np.integer], channels: int) -> NDArray[np.float64]:
-    """Return interleaved signed integers as samples, shape (frames, channels), full scale ±1.0."""
-    planar = np.empty((channels, len(values) // channels))
-    np.multiply(values.reshape(-1, channels).T, 2.0 ** (1 - 8 * values.itemsize), out=planar)
-    return planar.T
+    return planar.T, 0
 
 
 def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:
@@ -712,7 +695,7 @@ def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) 
         R7, for a float sample that is not a finite number; R1, when the file became shorter meanwhile.
     """
     for raw in raw_blocks(file, layout, block_frames):
-        yield decode(raw, layout)
+        yield decode(raw, layout)[0]
 
 
 def chunk_payload(file: BinaryIO, chunk: Chunk) -> bytes:
