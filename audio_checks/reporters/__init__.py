@@ -1,7 +1,8 @@
 """The formats of a report: one module each, found by being here.
 
 A format has `judged(report, colour=…)`, which returns the whole output of `check` as text, and may
-have `measured(report, colour=…)`, the output of `measure`.
+have `measured(report, colour=…)`, the output of `measure`. One whose lines are read by a machine out
+of whatever stands around them says `BESIDE = True`, and may go to the same place as another format.
 """
 
 import pkgutil
@@ -34,6 +35,17 @@ def measured_as(name: str, report: Report, *, colour: bool = False) -> str:
     """Return figures in a format."""
     text: str = _module(name).measured(report, colour=colour)
     return text
+
+
+def goes_beside(name: str) -> bool:
+    """Tell whether a format may share its place with another."""
+    return getattr(_module(name), "BESIDE", False)
+
+
+def help_of(kind: str) -> str:
+    """Return what `--format` says of itself for `judged` or `measured` reports."""
+    names = formats() if kind == "judged" else measured_formats()
+    return f"{', '.join(names)}; to a file if one is named; may be repeated"
 
 
 def _module(name: str) -> ModuleType:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from audio_checks.findings import FileReport, Finding, Report, printable
+from audio_checks.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
 
-RED, YELLOW, GREEN, MAGENTA, BOLD, DIM = "31", "33", "32", "35", "1", "2"
 VERDICT_COLOURS = {"unjudged": MAGENTA, "unreadable": RED, "rejected": RED, "conforming": GREEN}
 SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
 WORST_FIRST = tuple(VERDICT_COLOURS)
@@ -12,19 +12,9 @@ LAYOUTS = {1: "mono", 2: "stereo"}
 FIX_INDENT = " " * 11
 
 
-class _Ink:
-    """Colours text, or leaves it plain."""
-
-    def __init__(self, colour: bool) -> None:
-        self._colour = colour
-
-    def __call__(self, text: str, *codes: str) -> str:
-        return f"\x1b[{';'.join(codes)}m{text}\x1b[0m" if self._colour and codes else text
-
-
 def judged(report: Report, *, colour: bool) -> str:
     """Return the files that something was found in, and a line that sums up."""
-    ink = _Ink(colour)
+    ink = Ink(colour)
     shown = sorted((entry for entry in report.files if entry.findings), key=_badness)
     blocks = ["\n".join(_file(entry, ink)) + "\n" for entry in shown]
     return "\n".join([*blocks, "\n".join(_summary(report, ink)) + "\n"])
@@ -32,7 +22,7 @@ def judged(report: Report, *, colour: bool) -> str:
 
 def measured(report: Report, *, colour: bool) -> str:
     """Return each file with its figures, one a line."""
-    ink = _Ink(colour)
+    ink = Ink(colour)
     return "\n".join("\n".join(_figures(entry, ink)) + "\n" for entry in report.files)
 
 
@@ -40,7 +30,7 @@ def _badness(entry: FileReport) -> tuple[int, int, int]:
     return WORST_FIRST.index(entry.verdict), -entry.count("error"), -entry.count("warning")
 
 
-def _file(entry: FileReport, ink: _Ink) -> Iterator[str]:
+def _file(entry: FileReport, ink: Ink) -> Iterator[str]:
     verdict = ink(entry.verdict, VERDICT_COLOURS[entry.verdict], BOLD)
     about = ink(", ".join(_facts(entry)), DIM)
     yield "  ".join(part for part in (ink(printable(entry.path), BOLD), verdict, about) if part)
@@ -48,7 +38,7 @@ def _file(entry: FileReport, ink: _Ink) -> Iterator[str]:
         yield from _finding(finding, ink)
 
 
-def _finding(finding: Finding, ink: _Ink) -> Iterator[str]:
+def _finding(finding: Finding, ink: Ink) -> Iterator[str]:
     severity = finding.severity or "warning"
     where = f" at {_span(finding)}" if finding.start_s is not None else ""
     waived = "  waived" if finding.waived else ""
@@ -73,7 +63,7 @@ def _facts(entry: FileReport) -> Iterator[str]:
         yield printable(entry.category)
 
 
-def _summary(report: Report, ink: _Ink) -> Iterator[str]:
+def _summary(report: Report, ink: Ink) -> Iterator[str]:
     counts = report.summary
     if report.not_run:
         yield ink(f"not run, because this version lacks them: {', '.join(report.not_run)}", YELLOW)
@@ -96,7 +86,7 @@ def _count(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def _figures(entry: FileReport, ink: _Ink) -> Iterator[str]:
+def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
     yield "  ".join(part for part in (ink(printable(entry.path), BOLD), ink(", ".join(_facts(entry)), DIM)) if part)
     if entry.facts is None:
         yield "  cannot be read"

@@ -317,7 +317,7 @@ class TestReports:
             terminal = Terminal()
             monkeypatch.setattr("sys.stderr", terminal)
             main(["check", *SPEC, *extra, "."])
-            assert ("2/2" in terminal.getvalue()) is shown
+            assert ("1/2" in terminal.getvalue()) is shown
 
     def test_processes_change_nothing(self, folder, run):
         for number in range(4):

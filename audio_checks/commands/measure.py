@@ -1,0 +1,36 @@
+"""`audio-checks measure`: every figure, no verdict."""
+
+import argparse
+
+from audio_checks import reporters
+from audio_checks.arguments import FOUND, OK, add_paths, found_files
+from audio_checks.errors import Unreadable
+from audio_checks.findings import FileReport
+from audio_checks.outputs import Outputs
+from audio_checks.terminal import say
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Take paths and formats."""
+    add_paths(parser)
+    parser.add_argument("--category", metavar="NAME", help="name of the category, for the record")
+    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=reporters.help_of("measured"))
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure the files, and say of each that cannot be read why."""
+    from audio_checks import runner
+
+    outputs = Outputs(options.format, reporters.measured_formats())
+    entries, code = [], OK
+    for one in found_files(options):
+        shown = runner.legible(one.path)
+        try:
+            entries.append(runner.measure_file(one.path, category=options.category))
+        except Unreadable as error:
+            say(f"{shown}: {error}; {error.fix}")
+            entries.append(FileReport(shown, "unreadable", category=options.category))
+            code = FOUND
+    report = runner.report_on(entries, [])
+    outputs.write(lambda name, colour: reporters.measured_as(name, report, colour=colour))
+    return code

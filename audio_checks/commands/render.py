@@ -1,0 +1,44 @@
+"""`audio-checks render`: game files from masters."""
+
+import argparse
+from pathlib import Path
+
+from audio_checks.arguments import FOUND, OK, UsageError, add_paths, add_spec, found_files, spec_for
+from audio_checks.discovery import SpecFinder
+from audio_checks.errors import RenderRefused, Unreadable
+from audio_checks.findings import printable
+from audio_checks.sound_list import read_sound_list
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Take masters, a spec, targets and a folder."""
+    add_paths(parser)
+    add_spec(parser)
+    parser.add_argument("--target", metavar="NAME", action="append", help="only this target; may be repeated")
+    parser.add_argument("--out", metavar="DIR", required=True, help="renders go to DIR/TARGET/relative path")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render every master to every target, and say what was made or refused."""
+    from audio_checks import runner
+    from audio_checks.render_files import RenderRun
+
+    if options.spec is None:
+        raise UsageError("renders are made to the targets of a spec: name it with --spec")
+    finder = SpecFinder(options.spec)
+    found = found_files(options)
+    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    run, code = RenderRun(options.out), OK
+    for one in found:
+        spec = spec_for(one.path, finder, options)
+        targets = options.target or list(spec.targets if spec else ())
+        if spec is None or not targets:
+            raise UsageError(f"{options.spec}: the spec names no targets")
+        for target in targets:
+            task = runner.task_for(one.path, spec, target=target, category=options.category, sound_list=sound_list)
+            try:
+                line = run.render(task, one.relative)
+            except (RenderRefused, Unreadable) as error:
+                line, code = f"refused: {error}; {error.fix}", FOUND
+            print(printable(f"{runner.legible(one.path)} -> {target}: {line}"))
+    return code
