@@ -39,7 +39,12 @@ EXTREMES = [0, 1, 7, 8, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFF, 0x7FFFFFFF, 0x
 
 def mutant(rng: np.random.Generator) -> bytes:
     """A seed with one to three damages, most of them near its start."""
-    content = bytearray(SEEDS[rng.integers(len(SEEDS))])
+    return damaged(rng, SEEDS[rng.integers(len(SEEDS))])
+
+
+def damaged(rng: np.random.Generator, whole: bytes) -> bytes:
+    """A copy with one to three damages, most of them near its start."""
+    content = bytearray(whole)
     for _ in range(rng.integers(1, 4)):
         near = int(rng.integers(min(120, len(content)) if rng.random() < 0.8 else len(content)))
         match rng.integers(6):
