@@ -24,6 +24,8 @@ from audio_checks.measure.phase import Phase
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.spectrum import Spectrum
 from audio_checks.measure.true_peak import TruePeak
+from audio_checks.metadata import Metadata
+from audio_checks.metadata.gather import Gathering
 
 READ_BYTES = 1 << 20
 
@@ -76,6 +78,7 @@ class Facts:
     duration_s: float
     chunks: tuple[str, ...]
     _effective_bits: Callable[[], int | None] = field(repr=False, compare=False)
+    _metadata: Callable[[], Metadata] = field(repr=False, compare=False)
 
     @property
     def effective_bits(self) -> int | None:
@@ -83,7 +86,8 @@ class Facts:
         return self._effective_bits()
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the facts as the report lists them. Streams the file once."""
+        """Return the facts as the report lists them, metadata only where there is some. Streams the file once."""
+        metadata = self._metadata().to_dict()
         return {
             "container": self.container,
             "encoding": self.encoding,
@@ -94,6 +98,7 @@ class Facts:
             "frames": self.frames,
             "duration_s": self.duration_s,
             "chunks": list(self.chunks),
+            **({"metadata": metadata} if metadata else {}),
         }
 
 
@@ -127,6 +132,7 @@ class AudioFile:
         self._measured: set[str] = set()
         self._hashes: tuple[str, str] | None = None
         self._effective_bits: int | None = None
+        self._gathering = Gathering(self.layout.chunks)
 
     def __enter__(self) -> Self:
         return self
@@ -164,7 +170,14 @@ class AudioFile:
             duration_s=layout.duration_s,
             chunks=tuple(chunk.id for chunk in layout.chunks),
             _effective_bits=self._bits_in_use,
+            _metadata=lambda: self.metadata,
         )
+
+    @cached_property
+    def metadata(self) -> Metadata:
+        """What the file says of itself beside its sound. Streams the file once."""
+        self._hashed()
+        return self._gathering.read()
 
     @cached_property
     def measurements(self) -> Measurements:
@@ -220,11 +233,13 @@ class AudioFile:
         layout = self.layout
         accumulators = [self._accumulator(family) for family in sorted(families)]
         whole, sound = hashlib.sha256(), hashlib.sha256()
+        gathering = Gathering(layout.chunks)
         self._file.seek(0)
-        left = layout.data_offset
-        while left and (head := self._file.read(min(left, READ_BYTES))):
+        at = 0
+        while at < layout.data_offset and (head := self._file.read(min(layout.data_offset - at, READ_BYTES))):
             whole.update(head)
-            left -= len(head)
+            gathering.pass_by(at, head)
+            at += len(head)
         used = 0
         for raw in wav.raw_blocks(self._file, layout):
             whole.update(raw)
@@ -233,10 +248,14 @@ class AudioFile:
             used |= bits
             for accumulator in accumulators:
                 accumulator.add(block)
+        at = layout.data_offset + layout.data_size
         while tail := self._file.read(READ_BYTES):
             whole.update(tail)
+            gathering.pass_by(at, tail)
+            at += len(tail)
         for accumulator in accumulators:
             self._figures.update(accumulator.result())
+        self._gathering = gathering
         self._measured |= families
         self._hashes = (whole.hexdigest(), sound.hexdigest())
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None

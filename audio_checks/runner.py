@@ -124,6 +124,7 @@ def measure_file(path: PathLike, *, category: str | None = None, name: str | Non
 def is_placeholder(path: PathLike) -> bool:
     """Tell whether a file carries the mark of a stand-in; Unreadable when it is no sound at all."""
     with AudioFile(path) as file:
+        file.prepare(())
         return placeholder.cue_marked(file) is not None
 
 

@@ -4,15 +4,14 @@ Why: stand-ins (a spoken word, a beep) let the team hear what is missing. One th
 ships with the game.
 How to fix: deliver the sound for the cue that the mark names; the mark goes with the stand-in.
 Source: stand-ins are marked by `SOUNDLIST:PLACEHOLDER` and the cue's number in the comment
-(LIST/INFO ICMT) or in the description of a broadcast wave (bext).
+(LIST/INFO ICMT, or COMMENT of a FLAC file) or in the description of a broadcast wave (bext); other
+tools say `placeholder` as the state in iXML (ASWG-G006).
 """
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from audio_checks import wav
 from audio_checks.findings import Finding
 from audio_checks.spec import DeliverySpec
 
@@ -20,9 +19,9 @@ if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
 
 FIGURES = ()
-MARK = re.compile(rb"SOUNDLIST:PLACEHOLDER(?: ([^\x00-\x1f\x7f]{1,64}))?")
-DESCRIPTION_BYTES = 256  # of bext
-MOST_BYTES = 1 << 20  # of a LIST chunk: comments stand near its start
+MARK = re.compile(r"SOUNDLIST:PLACEHOLDER(?: ([^\x00-\x1f\x7f]{1,64}))?")
+MARKED_FIELDS = ("INFO.ICMT", "bext.Description", "Vorbis.COMMENT", "Vorbis.DESCRIPTION")
+STATE_FIELD = "iXML.ASWG.state"
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
@@ -39,27 +38,8 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
 
 def cue_marked(file: "AudioFile") -> str | None:
     """Return the number of the cue that a stand-in is for ("" when it names none); None for a real sound."""
-    marked = [chunk for chunk in file.layout.chunks if chunk.id in ("LIST", "bext")]
-    if not marked:
-        return None
-    with wav.open_regular(file.path) as stream:
-        for chunk in marked:
-            most = DESCRIPTION_BYTES if chunk.id == "bext" else MOST_BYTES
-            payload = wav.chunk_payload(stream, replace(chunk, size=min(chunk.size, most)))
-            text = payload if chunk.id == "bext" else _comment(payload)
-            if found := MARK.match(text.lstrip()):
-                return (found[1] or b"").decode("utf-8", "replace").strip()
-    return None
-
-
-def _comment(payload: bytes) -> bytes:
-    """Return the ICMT text of a LIST/INFO chunk; empty where there is none."""
-    if payload[:4] != b"INFO":
-        return b""
-    at = 4
-    while at + 8 <= len(payload):
-        size = int.from_bytes(payload[at + 4 : at + 8], "little")
-        if payload[at : at + 4] == b"ICMT":
-            return payload[at + 8 : at + 8 + size]
-        at += 8 + size + size % 2
-    return b""
+    fields = file.metadata.fields
+    for name in MARKED_FIELDS:
+        if found := MARK.match(fields.get(name, "")):
+            return (found[1] or "").strip()
+    return "" if fields.get(STATE_FIELD, "").lower() == "placeholder" else None

@@ -8,9 +8,10 @@ import sys
 import numpy as np
 import pytest
 
-from audio_checks import wav
+from audio_checks import audio, wav
 from audio_checks.audio import FAMILIES, FIGURES, AudioFile
 from audio_checks.errors import Unreadable
+from tests.support.chunks import bext, cue, info, inst
 from tests.support.mutants import mutant
 from tests.support.waves import chunk, join, noise, pcm_bytes, silence, sine, smpl, wav_bytes, write_wav
 
@@ -62,6 +63,17 @@ def test_facts(tmp_path):
     assert (file.name, file.stem, file.warnings) == ("laser_fire_01.wav", "laser_fire_01", ())
 
 
+def test_metadata_is_told_where_there_is_some(tmp_path, monkeypatch):
+    monkeypatch.setattr(audio, "READ_BYTES", 500)  # so that chunks come in pieces
+    samples = noise(seconds=0.1)
+    path = write_wav(tmp_path / "a.wav", samples, before=[bext(description="x" * 256)], after=[cue({1: 480}), inst()])
+    facts = AudioFile(path).facts.to_dict()["metadata"]
+    assert facts["fields"]["bext.Description"] == "x" * 256
+    assert facts["cue_points"] == [{"frame": 480, "label": ""}]
+    assert facts["instrument"]["unity_note"] == 60
+    assert AudioFile(path).metadata == AudioFile(path).metadata
+
+
 def test_the_name_as_delivered_wins(tmp_path):
     file = AudioFile(write_wav(tmp_path / "0f3a", noise(seconds=0.1)), name="Schuß.v2.wav")
     assert (file.name, file.stem) == ("Schuß.v2.wav", "Schuß.v2")
@@ -69,12 +81,14 @@ def test_the_name_as_delivered_wins(tmp_path):
 
 @pytest.mark.parametrize("figures", [list(FAMILIES), ["true_peak_dbtp", "edges"], []])
 def test_every_byte_of_sound_is_read_once(tmp_path, counted, figures):
-    path = write_wav(tmp_path / "wind.wav", noise(seconds=3, channels=2), after=[chunk(b"LIST", bytes(300_000))])
+    around = {"before": [bext(originator="Mara Lind")], "after": [chunk(b"LIST", bytes(300_000)), info(ICMT="wind")]}
+    path = write_wav(tmp_path / "wind.wav", noise(seconds=3, channels=2), **around)
     file = AudioFile(path)
     file.prepare(figures)
     for figure in figures:
         getattr(file.measurements, figure)
     assert (file.sha256, file.facts.effective_bits) == (hashlib.sha256(path.read_bytes()).hexdigest(), 24)
+    assert file.metadata.fields.items() >= {"bext.Originator": "Mara Lind", "INFO.ICMT": "wind"}.items()
     (reads,) = counted
     start, size = file.layout.data_offset, file.layout.data_size
     assert (reads.reads[start : start + size] == 1).all()

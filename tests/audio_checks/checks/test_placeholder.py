@@ -4,6 +4,7 @@ import pytest
 
 from audio_checks.audio import AudioFile
 from audio_checks.runner import is_placeholder
+from tests.support.chunks import ixml
 from tests.support.waves import chunk, placeholder_mark, silence, sine, write_wav
 
 TARGET = "targets.game = { sample_rate_hz = 48000, bit_depth = 24 }"
@@ -39,6 +40,12 @@ def test_a_mark_among_other_comments(codes_of):
     assert codes_of("placeholder", silence(), after=[comment(b"SOUNDLIST:PLACEHOLDER SW-1\0")]) == [
         "placeholder:marked"
     ]
+
+
+def test_the_state_that_other_tools_write(found_by):
+    (finding,) = found_by("placeholder", silence(), before=[ixml("<ASWG><state>placeholder</state></ASWG>")])
+    assert finding.message == "this is a stand-in, not the sound itself"
+    assert found_by("placeholder", silence(), before=[ixml("<ASWG><state>mastered</state></ASWG>")]) == []
 
 
 def test_one_among_renders_is_an_error(found_by):
