@@ -53,6 +53,15 @@ class Finding:
         """The name of the check that found it."""
         return self.code.partition(":")[0]
 
+    @property
+    def sentence(self) -> str:
+        """The message, and where in the sound it was found."""
+        if self.start_s is None:
+            return self.message
+        if self.end_s is None or self.end_s - self.start_s < 0.0005:
+            return f"{self.message} at {self.start_s:.3f} s"
+        return f"{self.message} at {self.start_s:.3f} to {self.end_s:.3f} s"
+
     def to_dict(self) -> dict[str, Any]:
         """Return the finding as the report has it."""
         found = {

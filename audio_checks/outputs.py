@@ -8,6 +8,8 @@ from audio_checks import reporters
 from audio_checks.arguments import UsageError
 from audio_checks.terminal import in_colour
 
+FORMAT_HELP = "{}; to a file if one is named; may be repeated"
+
 
 class Outputs:
     """The formats that were asked for, and the place of each."""

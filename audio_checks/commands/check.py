@@ -9,7 +9,7 @@ from audio_checks.baseline import read_baseline
 from audio_checks.check_names import Severity
 from audio_checks.discovery import SpecFinder
 from audio_checks.findings import Report, with_waivers
-from audio_checks.outputs import Outputs
+from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
 from audio_checks.terminal import say
@@ -20,7 +20,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_paths(parser)
     add_spec(parser)
     parser.add_argument("--target", metavar="NAME", help="judge renders made to this target, not deliveries")
-    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=reporters.help_of("judged"))
+    parser.add_argument(
+        "--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(reporters.formats()))
+    )
     parser.add_argument(
         "--fail-level", choices=("error", "warning"), default="error", help="what makes the exit code 1"
     )
@@ -55,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
     report = runner.report_on(entries, used, [task.spec for task in tasks if task.spec])
     if report.not_run:
         say(f"not run, because this version lacks them: {', '.join(report.not_run)}")
-    outputs.write(lambda name, colour: reporters.judged_as(name, report, colour=colour))
+    outputs.write(lambda name, colour: reporters.judged_as(name, report, reporters.Style(colour, options.fail_level)))
     return exit_code(report, options.fail_level)
 
 

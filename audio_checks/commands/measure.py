@@ -6,7 +6,7 @@ from audio_checks import reporters
 from audio_checks.arguments import FOUND, OK, add_paths, found_files
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport
-from audio_checks.outputs import Outputs
+from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.terminal import say
 
 
@@ -14,7 +14,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Take paths and formats."""
     add_paths(parser)
     parser.add_argument("--category", metavar="NAME", help="name of the category, for the record")
-    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=reporters.help_of("measured"))
+    parser.add_argument(
+        "--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(reporters.measured_formats()))
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -32,5 +34,5 @@ def run(options: argparse.Namespace) -> int:
             entries.append(FileReport(shown, "unreadable", category=options.category))
             code = FOUND
     report = runner.report_on(entries, [])
-    outputs.write(lambda name, colour: reporters.measured_as(name, report, colour=colour))
+    outputs.write(lambda name, colour: reporters.measured_as(name, report, reporters.Style(colour)))
     return code

@@ -1,16 +1,31 @@
 """The formats of a report: one module each, found by being here.
 
-A format has `judged(report, colour=…)`, which returns the whole output of `check` as text, and may
-have `measured(report, colour=…)`, the output of `measure`. One whose lines are read by a machine out
-of whatever stands around them says `BESIDE = True`, and may go to the same place as another format.
+A format has `judged(report, style)`, which returns the whole output of `check` as text, and may have
+`measured(report, style)`, the output of `measure`. One whose lines are read by a machine out of
+whatever stands around them says `BESIDE = True`, and may go to the same place as another format.
 """
 
 import pkgutil
+from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from types import ModuleType
 
+from audio_checks.check_names import Severity
 from audio_checks.findings import Report
+
+
+@dataclass(frozen=True)
+class Style:
+    """How a report is shown: coloured or not, and the mildest severity that fails."""
+
+    colour: bool = False
+    fail_level: Severity = "error"
+
+    @property
+    def failing(self) -> tuple[Severity, ...]:
+        """The severities that fail."""
+        return ("error", "warning") if self.fail_level == "warning" else ("error",)
 
 
 @cache
@@ -25,27 +40,21 @@ def measured_formats() -> tuple[str, ...]:
     return tuple(name for name in formats() if hasattr(_module(name), "measured"))
 
 
-def judged_as(name: str, report: Report, *, colour: bool = False) -> str:
+def judged_as(name: str, report: Report, style: Style) -> str:
     """Return a report in a format."""
-    text: str = _module(name).judged(report, colour=colour)
+    text: str = _module(name).judged(report, style)
     return text
 
 
-def measured_as(name: str, report: Report, *, colour: bool = False) -> str:
+def measured_as(name: str, report: Report, style: Style) -> str:
     """Return figures in a format."""
-    text: str = _module(name).measured(report, colour=colour)
+    text: str = _module(name).measured(report, style)
     return text
 
 
 def goes_beside(name: str) -> bool:
     """Tell whether a format may share its place with another."""
     return getattr(_module(name), "BESIDE", False)
-
-
-def help_of(kind: str) -> str:
-    """Return what `--format` says of itself for `judged` or `measured` reports."""
-    names = formats() if kind == "judged" else measured_formats()
-    return f"{', '.join(names)}; to a file if one is named; may be repeated"
 
 
 def _module(name: str) -> ModuleType:

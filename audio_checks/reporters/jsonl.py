@@ -1,13 +1,14 @@
 """One JSON object a line, one line a file."""
 
 from audio_checks.findings import Report, dumps
+from audio_checks.reporters import Style
 
 
-def judged(report: Report, *, colour: bool) -> str:  # noqa: ARG001
+def judged(report: Report, style: Style) -> str:  # noqa: ARG001
     """Return the lines."""
     return "".join(dumps(entry.to_dict()) + "\n" for entry in report.files)
 
 
-def measured(report: Report, *, colour: bool) -> str:  # noqa: ARG001
+def measured(report: Report, style: Style) -> str:  # noqa: ARG001
     """Return the lines of figures, without verdict and findings."""
     return "".join(dumps(entry.to_measured()) + "\n" for entry in report.files)

@@ -1,8 +1,10 @@
 """The report for people: grouped by file, the worst first, the figure before the limit before the fix."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 
 from audio_checks.findings import FileReport, Finding, Report, printable
+from audio_checks.reporters import Style
 from audio_checks.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
 
 VERDICT_COLOURS = {"unjudged": MAGENTA, "unreadable": RED, "rejected": RED, "conforming": GREEN}
@@ -10,24 +12,38 @@ SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
 WORST_FIRST = tuple(VERDICT_COLOURS)
 LAYOUTS = {1: "mono", 2: "stereo"}
 FIX_INDENT = " " * 11
+MANY_FILES = 5  # from here on, what was found most is summed up too
+MOST_FOUND = 5
+LFS_POINTER = "container:git-lfs-pointer"
 
 
-def judged(report: Report, *, colour: bool) -> str:
-    """Return the files that something was found in, and a line that sums up."""
-    ink = Ink(colour)
-    shown = sorted((entry for entry in report.files if entry.findings), key=_badness)
+def judged(report: Report, style: Style) -> str:
+    """Return the files that something was found in, and a few lines that sum up.
+
+    A file is left out when all that was found in it is waived.
+    """
+    ink = Ink(style.colour)
+    shown = sorted((entry for entry in report.files if _counting(entry)), key=_badness)
     blocks = ["\n".join(_file(entry, ink)) + "\n" for entry in shown]
     return "\n".join([*blocks, "\n".join(_summary(report, ink)) + "\n"])
 
 
-def measured(report: Report, *, colour: bool) -> str:
+def measured(report: Report, style: Style) -> str:
     """Return each file with its figures, one a line."""
-    ink = Ink(colour)
+    ink = Ink(style.colour)
     return "\n".join("\n".join(_figures(entry, ink)) + "\n" for entry in report.files)
 
 
+def _counting(entry: FileReport) -> list[Finding]:
+    return [finding for finding in entry.findings if not finding.waived]
+
+
 def _badness(entry: FileReport) -> tuple[int, int, int]:
-    return WORST_FIRST.index(entry.verdict), -entry.count("error"), -entry.count("warning")
+    return (
+        WORST_FIRST.index(entry.verdict),
+        -entry.count("error", waived=False),
+        -entry.count("warning", waived=False),
+    )
 
 
 def _file(entry: FileReport, ink: Ink) -> Iterator[str]:
@@ -40,16 +56,12 @@ def _file(entry: FileReport, ink: Ink) -> Iterator[str]:
 
 def _finding(finding: Finding, ink: Ink) -> Iterator[str]:
     severity = finding.severity or "warning"
-    where = f" at {_span(finding)}" if finding.start_s is not None else ""
-    waived = "  waived" if finding.waived else ""
-    label = ink(f"{severity:<7}", *([DIM] if finding.waived else [SEVERITY_COLOURS[severity]]))
-    yield f"  {label}  {printable(finding.message)}{where}  {ink(printable(finding.code), DIM)}{ink(waived, DIM)}"
+    code = ink(printable(finding.code), DIM)
+    if finding.waived:
+        yield f"  {ink(f'{severity:<7}  {printable(finding.sentence)}', DIM)}  {code}  {ink('waived', DIM)}"
+        return
+    yield f"  {ink(f'{severity:<7}', SEVERITY_COLOURS[severity])}  {printable(finding.sentence)}  {code}"
     yield f"{FIX_INDENT}{ink('fix:', DIM)} {printable(finding.fix)}"
-
-
-def _span(finding: Finding) -> str:
-    start_s, end_s = finding.start_s or 0.0, finding.end_s
-    return f"{start_s:.3f} s" if end_s is None or end_s - start_s < 0.0005 else f"{start_s:.3f} to {end_s:.3f} s"
 
 
 def _facts(entry: FileReport) -> Iterator[str]:
@@ -77,9 +89,38 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         found.append(f"{counts['waived']} waived")
     total = ink(_count(counts["files"], "file"), BOLD)
     yield f"{total}: {', '.join(verdicts) or 'nothing to judge'}; {', '.join(found)}"
-    checks = dict.fromkeys(finding.check for entry in report.files for finding in entry.findings if not finding.waived)
-    if checks:
-        yield ink(f"why: audio-checks explain {next(iter(checks))}", DIM)
+    most = _most_found(report.files)
+    if len([entry for entry in report.files if _counting(entry)]) >= MANY_FILES:
+        yield ""
+        yield from _table(most[:MOST_FOUND], ink)
+        if len(most) > MOST_FOUND:
+            yield ink(f"  and {len(most) - MOST_FOUND} more kinds", DIM)
+        yield ""
+    pointers = sum(finding.code == LFS_POINTER for entry in report.files for finding in entry.findings)
+    if pointers:
+        yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
+    if most:
+        yield ink(f"why: audio-checks explain {most[0][0].partition(':')[0]}", DIM)
+
+
+def _most_found(files: Iterable[FileReport]) -> list[tuple[str, str, int]]:
+    """Return code, gravest severity and number of files, of errors before warnings, the most common first."""
+    within: Counter[str] = Counter()
+    severities: dict[str, str] = {}
+    for entry in files:
+        codes = {finding.code: finding.severity or "warning" for finding in reversed(_counting(entry))}
+        within.update(codes.keys())
+        for code, severity in codes.items():
+            severities[code] = "error" if "error" in (severity, severities.get(code)) else severity
+    rows = [(code, severities[code], count) for code, count in within.items()]
+    return sorted(rows, key=lambda row: (row[1] != "error", -row[2], row[0]))
+
+
+def _table(rows: list[tuple[str, str, int]], ink: Ink) -> Iterator[str]:
+    digits = max((len(str(count)) for _, _, count in rows), default=0)
+    for code, severity, count in rows:
+        files = "file " if count == 1 else "files"
+        yield f"  {ink(f'{severity:<7}', SEVERITY_COLOURS[severity])}  {count:>{digits}} {files}  {printable(code)}"
 
 
 def _count(number: int, noun: str) -> str:
@@ -89,11 +130,12 @@ def _count(number: int, noun: str) -> str:
 def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
     yield "  ".join(part for part in (ink(printable(entry.path), BOLD), ink(", ".join(_facts(entry)), DIM)) if part)
     if entry.facts is None:
-        yield "  cannot be read"
+        yield ink("  cannot be read", RED)
         return
     figures = {"effective_bits": entry.facts["effective_bits"], **entry.to_measured()["measurements"]}
+    columns = max(map(len, figures)) + 2
     for name, value in figures.items():
-        yield f"  {name:<22}{_value(value)}"
+        yield f"  {ink(f'{name:<{columns}}', DIM)}{_value(value)}"
 
 
 def _value(value: object) -> str:

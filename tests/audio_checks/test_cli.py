@@ -114,7 +114,7 @@ class TestExitCodes:
             (["check"], "no path given"),
             (["check", "nowhere.wav"], "nowhere.wav: no such file or folder"),
             (["check", "--frmat", "json", "."], "--frmat"),
-            (["check", "--format", "yaml", "."], "formats: json, jsonl, text"),
+            (["check", "--format", "yaml", "."], "formats: github, json, jsonl, junit, sarif, text"),
             (["check", "--format", "json", "--format", "text", "."], "same place"),
             (["check", "--format", "json:no/such/folder.json", "laser.wav"], "cannot be written"),
             (["check", "--spec", "none.toml", "."], "none.toml"),
@@ -367,7 +367,7 @@ class TestMeasure:
         write_wav(folder / "laser.wav", silence(seconds=0.1))
         code, out, _ = run("measure", "laser.wav")
         assert code == 0
-        assert "true_peak_dbtp        -" in out
+        assert "true_peak_dbtp       -" in out
 
 
 class TestRender:
