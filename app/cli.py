@@ -3,18 +3,18 @@
 import json
 import sys
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 from uuid import UUID
 
 import typer
-from pydantic import ValidationError
 from rich.console import Console
 from rich.table import Table
 
 from app import logs
 from app.kit.runtime import Runtime
-from app.settings import Settings
+from app.settings import Settings, SettingsWrong, read_settings
 
 cli = typer.Typer(
     no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help="The Soundlist server."
@@ -22,6 +22,7 @@ cli = typer.Typer(
 jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, runs and keeps failing.")
 cli.add_typer(jobs_cli, name="jobs")
 console = Console()
+STOP_WITHIN_S = 15  # what is being answered then may finish
 
 
 def main() -> None:
@@ -29,23 +30,42 @@ def main() -> None:
     cli()
 
 
-def _settings() -> Settings:
+def _settings(*, serving: bool = False) -> Settings:
     try:
-        return Settings()
-    except ValidationError as error:
-        for wrong in error.errors():
-            name = "_".join(str(part) for part in wrong["loc"]).upper()
-            message = str(wrong["msg"]).removeprefix("Value error, ")
-            typer.echo(message if "SOUNDLIST_" in message else f"SOUNDLIST_{name}: {message}", err=True)
-        raise typer.Exit(2) from None
+        return read_settings(serving=serving)
+    except SettingsWrong as error:
+        raise _refusal(error.lines) from None
 
 
-def _serving_settings() -> Settings:
-    settings = _settings()
-    if not settings.secret_key.get_secret_value():
-        typer.echo("SOUNDLIST_SECRET_KEY is not set. Make one with: openssl rand -hex 32", err=True)
-        raise typer.Exit(2)
-    return settings
+def _refusal(lines: Iterable[str]) -> typer.Exit:
+    for line in lines:
+        typer.echo(line, err=True)
+    return typer.Exit(2)
+
+
+def _opened(settings: Settings) -> Runtime:
+    try:
+        return Runtime.of(settings)
+    except OSError as error:
+        raise _refusal(
+            [
+                f"SOUNDLIST_DATA_DIR is {settings.data_dir}, and {error.filename} cannot be used ({error.strerror}); "
+                "name a folder that this user may write to"
+            ]
+        ) from None
+
+
+def _ready_to_serve(settings: Settings) -> Runtime:
+    """Return an open runtime whose database and store can be used; leave with everything that is wrong otherwise."""
+    from app.kit import health
+    from app.migrate import ensure_at_head
+
+    runtime = _opened(settings)
+    states = [health.tried(probe, runtime) for probe in (health.database, ensure_at_head, health.store)]
+    if wrong := [state for state in states if state != "ok"]:
+        runtime.close()
+        raise _refusal(wrong)
+    return runtime
 
 
 @cli.command()
@@ -56,27 +76,38 @@ def serve(
     """Serve the web application; run `soundlist migrate` before and `soundlist worker` beside it."""
     import uvicorn
 
+    from app.kit import metrics
     from app.main import create_app
 
-    logs.configure()
-    settings = _serving_settings()
+    settings = _settings(serving=True)
+    logs.configure(settings.log_level)
     if settings.demo and host != "127.0.0.1":
-        typer.echo("the demo listens on 127.0.0.1 only, since it asks nobody to sign in", err=True)
-        raise typer.Exit(2)
-    application = create_app(Runtime.of(settings))
-    uvicorn.run(
-        application, host=host, port=port, log_config=None, access_log=False, proxy_headers=False, server_header=False,
-        timeout_graceful_shutdown=15,
-    )  # fmt: skip
+        raise _refusal(["the demo listens on 127.0.0.1 only, since it asks nobody to sign in"])
+    runtime = _ready_to_serve(settings)
+    try:
+        with metrics.listening(settings, metrics.collectors(runtime)):
+            uvicorn.run(
+                create_app(runtime), host=host, port=port, log_config=None, access_log=False, proxy_headers=False,
+                server_header=False, timeout_graceful_shutdown=STOP_WITHIN_S,
+            )  # fmt: skip
+    except metrics.CannotListen as error:
+        raise _refusal([str(error)]) from None
 
 
 @cli.command()
 def worker() -> None:
     """Run jobs until stopped."""
+    from app.kit import metrics
     from app.worker import run
 
-    logs.configure()
-    run(Runtime.of(_serving_settings()))
+    settings = _settings(serving=True)
+    logs.configure(settings.log_level)
+    runtime = _ready_to_serve(settings)
+    try:
+        with metrics.listening(settings, [metrics.PoolFigures(runtime.database)]):
+            run(runtime)
+    except metrics.CannotListen as error:
+        raise _refusal([str(error)]) from None
 
 
 @cli.command()
@@ -84,7 +115,7 @@ def migrate() -> None:
     """Bring the database to the tables of this version."""
     from app.migrate import migrate as bring_up_to_date
 
-    runtime = Runtime.of(_settings())
+    runtime = _opened(_settings())
     bring_up_to_date(runtime.database)
     runtime.close()
 
@@ -96,7 +127,8 @@ def demo(
     """Serve the product with a demo project on the embedded database; nobody needs to sign in."""
     from app.demo.run import run_demo
 
-    logs.configure()
+    settings = _settings()
+    logs.configure(settings.log_level)
     raise typer.Exit(run_demo(port))
 
 
@@ -111,7 +143,7 @@ def token(
     from app.projects.service import issue_token
 
     scopes = [Scope(each) for each in scope] if scope else [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE]
-    runtime = Runtime.of(_settings())
+    runtime = _opened(_settings())
     with runtime.database.writing() as session:
         typer.echo(issue_token(session, project, name=name, scopes=scopes))
     runtime.close()
@@ -139,7 +171,7 @@ def list_jobs(
     failed: Annotated[bool, typer.Option("--failed", help="Only jobs that gave up.")] = False,
 ) -> None:
     """List jobs that wait, run or gave up."""
-    runtime = Runtime.of(_settings())
+    runtime = _opened(_settings())
     table = Table("id", "job", "state", "tries", "since")
     for job in runtime.queue.unfinished(only_failed=failed):
         table.add_row(job.id, job.name, job.state, str(job.recoveries), job.since.isoformat(timespec="seconds"))
@@ -150,7 +182,7 @@ def list_jobs(
 @jobs_cli.command("retry")
 def retry_job(job_id: Annotated[str, typer.Argument(help="Id from `soundlist jobs list --failed`.")]) -> None:
     """Run a job again that gave up."""
-    runtime = Runtime.of(_settings())
+    runtime = _opened(_settings())
     runtime.queue.retry(job_id)
     runtime.close()
     typer.echo(f"{job_id} waits for a worker")

@@ -1,7 +1,6 @@
 """How the processes of the server log: one line an event, with the ids of its request and job."""
 
 import logging
-import os
 import sys
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
@@ -9,12 +8,14 @@ from typing import Any
 
 import structlog
 
+OURS = "app"  # the loggers of all modules here begin so
 REQUEST_ID = "request_id"
+TRACEBACK = structlog.tracebacks.ExceptionDictTransformer(show_locals=False)  # they may hold secrets
 Cause = dict[str, str]  # what a job's log lines carry on from the request, or the job, that asked for it
 
 
-def configure() -> None:
-    """Send our own and the libraries' log through one formatter; JSON unless a person watches."""
+def configure(level: str = "WARNING") -> None:
+    """Send our own log, and the libraries' warnings, through one formatter; JSON unless a person watches."""
     shared: list[structlog.typing.Processor] = [
         structlog.contextvars.merge_contextvars,
         structlog.stdlib.add_logger_name,
@@ -25,7 +26,7 @@ def configure() -> None:
     last: list[structlog.typing.Processor] = (
         [structlog.dev.ConsoleRenderer()]
         if is_watched
-        else [structlog.processors.dict_tracebacks, structlog.processors.JSONRenderer()]
+        else [structlog.processors.ExceptionRenderer(TRACEBACK), structlog.processors.JSONRenderer()]
     )
     structlog.configure(
         processors=[*shared, structlog.stdlib.ProcessorFormatter.wrap_for_formatter],
@@ -40,7 +41,8 @@ def configure() -> None:
             processors=[structlog.stdlib.ProcessorFormatter.remove_processors_meta, *last],
         )
     )
-    logging.basicConfig(handlers=[handler], level=os.environ.get("SOUNDLIST_LOG_LEVEL", "WARNING"), force=True)
+    logging.basicConfig(handlers=[handler], level=max(logging.WARNING, logging.getLevelName(level)), force=True)
+    logging.getLogger(OURS).setLevel(level)
 
 
 def bound(cause: Mapping[str, str], **more: Any) -> AbstractContextManager[None]:

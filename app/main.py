@@ -4,15 +4,17 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from fastapi import FastAPI, Request, Response
+from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
+from starlette.datastructures import MutableHeaders
 from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import rooms
 from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
 from app.kit import events, health, http
 from app.kit.runtime import Runtime
-from app.settings import Settings
+from app.migrate import ensure_at_head
 
 CONTENT_SECURITY_POLICY = (
     "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
@@ -39,6 +41,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.runtime = runtime
+    app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     events.connect(runtime.queue, rooms.SUBSCRIBERS)
     http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE))
     for router in rooms.ROUTERS:
@@ -48,16 +51,27 @@ def create_app(runtime: Runtime) -> FastAPI:
     return app
 
 
-def _serve_frontend(app: FastAPI, folder: Path) -> None:
-    @app.middleware("http")
-    async def _with_security_headers(request: Request, call_next: http.CallNext) -> Response:
-        response = await call_next(request)
-        response.headers.setdefault("X-Content-Type-Options", "nosniff")
-        response.headers.setdefault("Referrer-Policy", "same-origin")
-        if not request.url.path.startswith("/docs"):
-            response.headers.setdefault("Content-Security-Policy", CONTENT_SECURITY_POLICY)
-        return response
+class _WithSecurityHeaders:
+    """Tells browsers what a page of ours may load and do."""
 
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        async def say(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                headers.setdefault("X-Content-Type-Options", "nosniff")
+                headers.setdefault("Referrer-Policy", "same-origin")
+                if not scope["path"].startswith("/docs"):
+                    headers.setdefault("Content-Security-Policy", CONTENT_SECURITY_POLICY)
+            await send(message)
+
+        await self._app(scope, receive, say)
+
+
+def _serve_frontend(app: FastAPI, folder: Path) -> None:
+    app.add_middleware(_WithSecurityHeaders)
     if (folder / "assets").is_dir():
         app.mount("/assets", StaticFiles(directory=folder / "assets"), name="assets")
 
@@ -71,8 +85,3 @@ def _serve_frontend(app: FastAPI, folder: Path) -> None:
         if path and named.is_file() and named.is_relative_to(folder.resolve()):
             return FileResponse(named)
         return FileResponse(folder / "index.html", headers={"Cache-Control": "no-cache"})
-
-
-def app_from_environment() -> FastAPI:
-    """Build the application that uvicorn serves."""
-    return create_app(Runtime.of(Settings()))

@@ -1,13 +1,18 @@
 """Brings a database to the tables that this version wants."""
 
+from functools import cache
 from pathlib import Path
 
 from alembic import command
 from alembic.config import Config
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
 
 from app import tables  # noqa: F401  every model, for the comparison
 from app.kit import queue
 from app.kit.db import Database
+from app.kit.health import NotReady
+from app.kit.runtime import Runtime
 
 MIGRATIONS = Path(__file__).resolve().parent.parent / "migrations"
 
@@ -24,3 +29,21 @@ def migrate(database: Database, revision: str = "head") -> None:
     """Upgrade our tables and those of the job queue."""
     queue.create_tables(database)
     command.upgrade(alembic_config(database), revision)
+
+
+@cache
+def _history() -> tuple[str, ...]:
+    """Return the revisions that this version knows, the newest first."""
+    script = ScriptDirectory(str(MIGRATIONS))
+    return tuple(revision.revision for revision in script.walk_revisions())
+
+
+def ensure_at_head(runtime: Runtime) -> None:
+    """Raise NotReady where the database lacks tables of this version; one that a newer version changed will do."""
+    with runtime.database.reading() as session:
+        found = MigrationContext.configure(session.connection()).get_current_revision()
+    known = _history()
+    if found in known[1:] or found is None:
+        raise NotReady(
+            f"the database is at revision {found or 'none'}, and this version wants {known[0]}; run: soundlist migrate"
+        )

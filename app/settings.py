@@ -1,11 +1,27 @@
 """What an operator sets: environment variables named SOUNDLIST_…, checked at start with words."""
 
+import difflib
+import os
 from functools import cached_property
 from pathlib import Path
+from typing import Annotated, Literal
 from urllib.parse import urlsplit
 
-from pydantic import Field, SecretStr, field_validator
-from pydantic_settings import BaseSettings, SettingsConfigDict
+from pydantic import Field, SecretStr, ValidationError, field_validator
+from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
+
+PREFIX = "SOUNDLIST_"
+# Names that are read elsewhere: by the lines for a game's CI, and by the tests that kill processes.
+NOT_SETTINGS = frozenset({"SOUNDLIST_TOKEN", "SOUNDLIST_KILL_AT", "SOUNDLIST_KILL_MARKER"})
+SECRET_KEY_LENGTH = 16
+
+
+class SettingsWrong(Exception):
+    """Settings that cannot be used: each line says what was found, what was wanted and how to mend it."""
+
+    def __init__(self, lines: list[str]) -> None:
+        super().__init__("\n".join(lines))
+        self.lines = lines
 
 
 class Settings(BaseSettings):
@@ -24,6 +40,13 @@ class Settings(BaseSettings):
     demo: bool = Field(False, description="Only `soundlist demo` sets this: the demo studio needs no sign-in.")
     worker_id: str = Field("worker-1", description="One id per worker process; two processes never share one.")
     worker_jobs: int = Field(2, ge=1, le=64, description="Jobs that one worker process runs at once.")
+    operators: Annotated[frozenset[str], NoDecode] = Field(
+        frozenset(), description="Addresses, with commas between, of the people who see the whole server's jobs."
+    )
+    metrics_token: SecretStr = Field(SecretStr(""), description="What Prometheus sends as a bearer to /metrics.")
+    metrics_port: int | None = Field(None, ge=1, le=65_535, description="A port of its own for /metrics.")
+    metrics_host: str = Field("127.0.0.1", description="The address that the port for /metrics listens on.")
+    log_level: Literal["DEBUG", "INFO", "WARNING", "ERROR"] = "INFO"
     frontend_dir: Path = Path(__file__).resolve().parent.parent / "frontend" / "dist"
 
     @field_validator("base_url")
@@ -35,6 +58,41 @@ class Settings(BaseSettings):
                 f"SOUNDLIST_BASE_URL is {value!r}; give the address people open, as https://sounds.example"
             )
         return value.rstrip("/")
+
+    @field_validator("smtp_url")
+    @classmethod
+    def _is_an_smtp_server(cls, value: str) -> str:
+        parts = urlsplit(value)
+        if value and (parts.scheme not in ("smtp", "smtps") or not parts.hostname):
+            raise ValueError(
+                f"SOUNDLIST_SMTP_URL begins with {parts.scheme or 'nothing'}:// and names the host "
+                f"{parts.hostname or 'nothing'}; write smtp://user:password@host:587 or smtps://user:password@host:465"
+            )
+        return value
+
+    @field_validator("database_url")
+    @classmethod
+    def _is_a_database_we_know(cls, value: str) -> str:
+        kind = value.partition("://")[0].partition("+")[0]
+        if value and kind not in ("sqlite", "postgresql", "postgres"):
+            raise ValueError(
+                f"SOUNDLIST_DATABASE_URL begins with {kind}://; write postgresql://user:password@host/name, "
+                "or leave it out for SQLite in SOUNDLIST_DATA_DIR"
+            )
+        return value
+
+    @field_validator("operators", mode="before")
+    @classmethod
+    def _are_addresses(cls, value: object) -> object:
+        if not isinstance(value, str):
+            return value
+        addresses = frozenset(part.strip().lower() for part in value.split(",") if part.strip())
+        if wrong := sorted(address for address in addresses if "@" not in address):
+            raise ValueError(
+                f"SOUNDLIST_OPERATORS holds {wrong[0]!r}, which is no mail address; "
+                "write ada@studio.example,bo@studio.example"
+            )
+        return addresses
 
     @field_validator("store_url")
     @classmethod
@@ -59,3 +117,37 @@ class Settings(BaseSettings):
     def is_https(self) -> bool:
         """Whether people reach us over TLS, so cookies can demand it."""
         return self.base_url.startswith("https://")
+
+
+def read_settings(*, serving: bool = False) -> Settings:
+    """Return what the environment sets; raise SettingsWrong with everything that is wrong, at once."""
+    lines = _unknown_names()
+    try:
+        settings = Settings()
+    except ValidationError as error:
+        raise SettingsWrong([*lines, *(_in_words(wrong["loc"], wrong["msg"]) for wrong in error.errors())]) from None
+    secret = settings.secret_key.get_secret_value()
+    if serving and len(secret) < SECRET_KEY_LENGTH:
+        found = f"has {len(secret)} characters; {SECRET_KEY_LENGTH} or more are wanted" if secret else "is not set"
+        lines.append(f"SOUNDLIST_SECRET_KEY {found}. Make one with: openssl rand -hex 32")
+    if lines:
+        raise SettingsWrong(lines)
+    return settings
+
+
+def _unknown_names() -> list[str]:
+    known = {name.upper() for name in Settings.model_fields}
+    lines = []
+    for name in sorted(os.environ.keys() - NOT_SETTINGS):
+        bare = name.removeprefix(PREFIX)
+        if bare != name and bare not in known:
+            near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
+            hint = f"is it {PREFIX}{near[0]}?" if near else "docs/operate.md lists them"
+            lines.append(f"{name} is no setting; {hint}")
+    return lines
+
+
+def _in_words(place: tuple[int | str, ...], message: str) -> str:
+    name = PREFIX + "_".join(str(part) for part in place).upper()
+    said = message.removeprefix("Value error, ")
+    return said if PREFIX in said else f"{name}: {said}"

@@ -4,6 +4,8 @@ import math
 from functools import cache
 from uuid import UUID
 
+from prometheus_client import Counter
+
 import audio_checks
 from app.conformance import queries, service
 from app.conformance.rules import TRIES, Report, unjudged
@@ -16,6 +18,7 @@ from app.kit.storage import BlobMissing
 BASE_TIME_S = 60
 BYTES_A_SECOND = 8 << 20  # far slower than any machine that this runs on
 MEMORY_BYTES = 1 << 30
+TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by verdict.", ["verdict"])
 
 
 @job("conformance.check_take")
@@ -30,8 +33,10 @@ def check_take(runtime: Runtime, payload: Payload) -> None:
     report = report or _checked(runtime, order)
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
-        service.record_check(session, order, report)
+        is_news = service.record_check(session, order, report)
         kill.point("conformance.before_commit")
+    if is_news:
+        TAKES_CHECKED.labels(report["verdict"]).inc()
     kill.point("conformance.after_commit")
 
 

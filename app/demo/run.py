@@ -44,6 +44,7 @@ def run_demo(port: int) -> int:
             "SOUNDLIST_SECRET_KEY": _secret_key(settings.data_dir),
             "SOUNDLIST_BASE_URL": f"http://127.0.0.1:{port}",
             "SOUNDLIST_DEMO": "1",
+            "SOUNDLIST_LOG_LEVEL": os.environ.get("SOUNDLIST_LOG_LEVEL", "WARNING"),
         }
         os.environ.update(environment)
         runtime = Runtime.of(Settings())

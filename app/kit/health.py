@@ -1,22 +1,117 @@
-"""Whether the process lives, and whether it can do its work."""
+"""Whether the process lives, whether it can do its work, and what it counts."""
 
 import os
 import tempfile
-from collections.abc import Callable
+import threading
+import time
+from collections.abc import Callable, Mapping
 from datetime import timedelta
-from typing import Any
 
+import structlog
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
-from sqlalchemy import func, select, text
+from sqlalchemy import text
+from sqlalchemy.exc import SQLAlchemyError
 
-from app.kit import clock
-from app.kit.http import runtime_of
-from app.kit.queue import Heartbeat
+from app.kit import metrics
+from app.kit.errors import NotFound, Refused
+from app.kit.http import problems, runtime_of
 from app.kit.runtime import Runtime
 
 WORKER_SILENT_AFTER = timedelta(seconds=20)
+ANSWER_HOLDS_S = 1.0  # trying writes to the disk, and anybody may ask
 router = APIRouter(tags=["health"])
+log = structlog.get_logger(__name__)
+
+
+class NotReady(Exception):
+    """A part of the server cannot do its work: says what was found and how to mend it, and nothing secret."""
+
+
+Probe = Callable[[Runtime], None]  # raises NotReady
+
+
+class NoMetricsHere(NotFound):
+    """Nobody set a token, so this port tells no figures."""
+
+
+class MetricsTokenNeeded(Refused):
+    """The figures want their token."""
+
+    status = 401
+
+
+class Readiness:
+    """Tries every part, at most once a second however many ask."""
+
+    def __init__(self, runtime: Runtime, probes: Mapping[str, Probe]) -> None:
+        self._runtime = runtime
+        self._probes = probes
+        self._lock = threading.Lock()
+        self._tried_at = -ANSWER_HOLDS_S
+        self._parts: dict[str, str] = {}
+
+    def parts(self) -> dict[str, str]:
+        """Return the state of each part: "ok", or what is wrong with it in words."""
+        with self._lock:
+            if time.monotonic() - self._tried_at >= ANSWER_HOLDS_S:
+                self._parts = {name: tried(probe, self._runtime) for name, probe in self._probes.items()}
+                self._tried_at = time.monotonic()
+            return self._parts
+
+
+def tried(probe: Probe, runtime: Runtime) -> str:
+    """Return "ok", or what a probe says is wrong."""
+    try:
+        probe(runtime)
+    except NotReady as error:
+        return str(error)
+    except SQLAlchemyError:
+        return "cannot be known while the database does not answer"
+    except Exception:
+        log.exception("a probe failed", probe=getattr(probe, "__name__", "probe"))
+        return "could not be tried; the log says why"
+    return "ok"
+
+
+def database(runtime: Runtime) -> None:
+    """Raise NotReady unless the database answers."""
+    try:
+        with runtime.database.reading() as session:
+            session.execute(text("SELECT 1"))
+    except SQLAlchemyError as error:
+        log.warning("the database does not answer", error=str(getattr(error, "orig", None) or error))
+        raise NotReady(
+            "the database does not answer; see that what SOUNDLIST_DATABASE_URL names is there and may be used"
+        ) from None
+
+
+def store(runtime: Runtime) -> None:
+    """Raise NotReady unless the store takes bytes and gives them back."""
+    try:
+        runtime.store.root.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=runtime.store.root) as file:
+            file.write(b"ready?")
+            os.fsync(file.fileno())
+            file.seek(0)
+            if file.read() != b"ready?":
+                raise NotReady("the store gives back other bytes than it was given; look at its disk")
+    except OSError as error:
+        metrics.STORE_ERRORS.labels("probe").inc()
+        log.warning("the store cannot be used", error=str(error))
+        raise NotReady(
+            f"the store cannot be written to ({error.strerror}); give its folder room and write permission"
+        ) from None
+
+
+def worker(runtime: Runtime) -> None:
+    """Raise NotReady unless a worker said lately that it lives."""
+    if not runtime.queue.heartbeats(within=WORKER_SILENT_AFTER):
+        silent_s = WORKER_SILENT_AFTER.total_seconds()
+        raise NotReady(f"no worker has said for {silent_s:.0f} s that it lives; start one with: soundlist worker")
+
+
+PROBES: Mapping[str, Probe] = {"database": database, "store": store, "worker": worker}
 
 
 @router.get("/healthz", include_in_schema=False)
@@ -27,38 +122,23 @@ def alive() -> dict[str, str]:
 
 @router.get("/readyz", include_in_schema=False)
 def ready(request: Request) -> Response:
-    """Answer whether database, store and worker are there, each by trying."""
-    runtime = runtime_of(request)
-    parts = {name: _tried(probe, runtime) for name, probe in PROBES.items()}
-    is_ready = all(part == "ok" for part in parts.values())
+    """Answer whether every part is there, each by trying."""
+    readiness: Readiness = request.app.state.readiness
+    parts = readiness.parts()
+    is_ready = all(state == "ok" for state in parts.values())
     return JSONResponse({"status": "ready" if is_ready else "not ready", **parts}, 200 if is_ready else 503)
 
 
-def _tried(probe: Callable[[Runtime], Any], runtime: Runtime) -> str:
-    try:
-        probe(runtime)
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-    return "ok"
-
-
-def _database(runtime: Runtime) -> None:
-    with runtime.database.reading() as session:
-        session.execute(text("SELECT 1"))
-
-
-def _store(runtime: Runtime) -> None:
-    runtime.store.root.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryFile(dir=runtime.store.root) as file:
-        file.write(b"ready?")
-        os.fsync(file.fileno())
-
-
-def _worker(runtime: Runtime) -> None:
-    with runtime.database.reading() as session:
-        last = session.scalar(select(func.max(Heartbeat.beat_at)))
-    if last is None or clock.now() - last > WORKER_SILENT_AFTER:
-        raise RuntimeError(f"no worker has said that it lives since {last}")
-
-
-PROBES: dict[str, Callable[[Runtime], None]] = {"database": _database, "store": _store, "worker": _worker}
+@router.get("/metrics", include_in_schema=False, responses=problems(NoMetricsHere, MetricsTokenNeeded))
+def figures(request: Request) -> Response:
+    """Tell Prometheus what this process counted, to whoever sends the token."""
+    runtime = runtime_of(request)
+    token = runtime.settings.metrics_token.get_secret_value()
+    if not token:
+        raise NoMetricsHere(
+            "figures are not told here",
+            fix="set SOUNDLIST_METRICS_TOKEN, or SOUNDLIST_METRICS_PORT for a port of its own",
+        )
+    if not metrics.is_admitted(request.headers.get("authorization", ""), token):
+        raise MetricsTokenNeeded("send the token of SOUNDLIST_METRICS_TOKEN as a bearer")
+    return Response(metrics.exposition(metrics.collectors(runtime)), media_type=metrics.CONTENT_TYPE)

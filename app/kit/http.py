@@ -1,7 +1,9 @@
 """What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
 
 import hashlib
-from collections.abc import Awaitable, Callable, Iterator, Sequence
+import re
+import time
+from collections.abc import Iterator, Sequence
 from datetime import datetime
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
@@ -15,19 +17,23 @@ from pydantic import BaseModel, ConfigDict
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Mapped, Session, mapped_column
 from starlette.concurrency import run_in_threadpool
+from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.kit import clock
+from app import logs
+from app.kit import clock, metrics
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.runtime import Runtime
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
+METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
+REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
+UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
-CallNext = Callable[[Request], Awaitable[Response]]
 
 
 class Schema(BaseModel):
@@ -254,17 +260,63 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
         return _problem(request, error.status_code, code, str(error.detail))
 
     @app.exception_handler(Exception)
-    def _broken(request: Request, error: Exception) -> JSONResponse:
-        log.error("request failed", path=request.url.path, exc_info=error)
-        return _problem(request, 500, "our-fault", "This is our fault; nothing that you sent was half-done.")
+    def _broken(request: Request, _error: Exception) -> JSONResponse:
+        answer = _problem(request, 500, "our-fault", "This is our fault; nothing that you sent was half-done.")
+        answer.headers["X-Request-ID"] = request.state.request_id  # this answer is made outside all that follows
+        return answer
 
-    @app.middleware("http")
-    async def _with_request_id(request: Request, call_next: CallNext) -> Response:
-        request.state.request_id = str(new_id())
-        with structlog.contextvars.bound_contextvars(request_id=request.state.request_id):
-            response = await call_next(request)
-        response.headers["X-Request-Id"] = request.state.request_id
-        return response
+    app.add_middleware(_Watched)
+
+
+class _Watched:
+    """Gives every request its id, counts and times it, and logs how it ended."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        begun, status = time.perf_counter(), 500
+        request_id = _request_id(scope)
+        scope.setdefault("state", {})["request_id"] = request_id
+
+        async def say(message: Message) -> None:
+            nonlocal status
+            if message["type"] == "http.response.start":
+                status = message["status"]
+                MutableHeaders(scope=message)["X-Request-ID"] = request_id
+            await send(message)
+
+        with logs.bound({logs.REQUEST_ID: request_id}), metrics.IN_FLIGHT.track_inprogress():
+            try:
+                await self._app(scope, receive, say)
+            except Exception:
+                log.exception("request failed", method=scope["method"], route=_route(scope))
+                raise
+            finally:
+                taken_s = time.perf_counter() - begun
+                method, route = _method(scope), _route(scope)
+                metrics.REQUESTS.labels(method, route, str(status)).inc()
+                metrics.REQUEST_S.labels(method, route).observe(taken_s)
+                if route not in UNLOGGED_ROUTES:
+                    log.info("request", method=method, route=route, status=status, seconds=round(taken_s, 4))
+
+
+def _request_id(scope: Scope) -> str:
+    """Return the id that a proxy or client gave the request, or a new one where it gave none that is fit for a log."""
+    given = Headers(scope=scope).get("x-request-id", "")
+    return given if REQUEST_ID.fullmatch(given) else str(new_id())
+
+
+def _method(scope: Scope) -> str:
+    return scope["method"] if scope["method"] in METHODS else "other"
+
+
+def _route(scope: Scope) -> str:
+    """Return the path as the route declares it: an address may hold a secret, and there are too many to count by."""
+    return getattr(scope.get("route"), "path", "none")
 
 
 def _in_words(error: Any) -> str:

@@ -4,21 +4,22 @@ Nothing else imports DBOS. Its tables live in the application's own database.
 """
 
 import contextlib
-import logging
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Any
 from uuid import UUID
 
 import sqlalchemy as sa
+import structlog
 from dbos import DBOS, DBOSClient, DBOSConfig, EnqueueOptions
+from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
-from app.kit import clock
+from app.kit import clock, metrics
 from app.kit.db import Base, Database
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
 FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
 STATE_WORDS = {
     "ENQUEUED": "waiting",
-    "DELAYED": "waiting",
+    "DELAYED": "delayed",
     "PENDING": "running",
     "CANCELLED": "parked",
     "MAX_RECOVERY_ATTEMPTS_EXCEEDED": "parked",
@@ -50,7 +51,7 @@ Payload = dict[str, Any]
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
 _runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
-log = logging.getLogger(__name__)
+log = structlog.get_logger(__name__)
 
 
 class Heartbeat(Base):
@@ -91,10 +92,22 @@ class UnfinishedJob:
     since: datetime
 
 
+@dataclass(frozen=True)
+class JobCount:
+    """How many jobs of one name are in one state, and since when the first of them is written down."""
+
+    name: str
+    state: str
+    jobs: int
+    oldest_at: datetime
+
+
 class JobQueue:
     """Writes jobs into the caller's transaction; needs no running worker."""
 
     def __init__(self, database: Database) -> None:
+        self._database = database
+        self._workflows = _workflows(database)
         self._client = DBOSClient(
             system_database_url=_system_url(database),
             application_name=APPLICATION,
@@ -136,10 +149,34 @@ class JobQueue:
                 studio_id=UUID(studio) if (studio := (workflow.attributes or {}).get("studio")) else None,
                 state=STATE_WORDS[workflow.status],
                 recoveries=workflow.recovery_attempts or 0,
-                since=datetime.fromtimestamp((workflow.created_at or 0) / 1000, UTC),
+                since=_instant(workflow.created_at),
             )
             for workflow in found
         ]
+
+    def counts(self, studio_id: UUID | None = None) -> list[JobCount]:
+        """Return how many jobs wait, run or gave up, by name; those of one studio where it is given."""
+        jobs = self._workflows
+        name, state = jobs.c.attributes["job"].as_string(), sa.case(STATE_WORDS, value=jobs.c.status)
+        counted = (
+            sa.select(name, state, sa.func.count(), sa.func.min(jobs.c.created_at))
+            .where(jobs.c.status.in_([*OPEN_STATES, *FAILED_STATES]))
+            .group_by(name, state)
+            .order_by(name, state)
+        )
+        if studio_id is not None:
+            counted = counted.where(jobs.c.attributes["studio"].as_string() == str(studio_id))
+        with self._database.reading() as session:
+            return [
+                JobCount(name or RUN_JOB, word, jobs, _instant(ms)) for name, word, jobs, ms in session.execute(counted)
+            ]
+
+    def heartbeats(self, *, within: timedelta) -> Sequence[Heartbeat]:
+        """Return the workers that said lately that they live, in order of their ids."""
+        with self._database.reading() as session:
+            return session.scalars(
+                sa.select(Heartbeat).where(Heartbeat.beat_at > clock.now() - within).order_by(Heartbeat.worker_id)
+            ).all()
 
     def retry(self, job_id: str) -> None:
         """Let a job run again that gave up."""
@@ -148,6 +185,22 @@ class JobQueue:
     def close(self) -> None:
         """Close the client's own connections."""
         self._client.destroy()
+
+
+def _workflows(database: Database) -> sa.TableClause:
+    """Return DBOS's table of jobs, as far as we read it."""
+    return sa.table(
+        "workflow_status",
+        sa.column("workflow_uuid", sa.Text),
+        sa.column("status", sa.Text),
+        sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
+        sa.column("created_at", sa.BigInteger),
+        schema=None if database.is_sqlite else "dbos",
+    )
+
+
+def _instant(epoch_ms: int | None) -> datetime:
+    return datetime.fromtimestamp((epoch_ms or 0) / 1000, UTC)
 
 
 def _system_url(database: Database) -> str:
@@ -172,8 +225,16 @@ def create_tables(database: Database) -> None:
 
 
 def _run_job(name: str, payload: Payload, cause: logs.Cause | None = None) -> None:
+    begun, outcome = time.perf_counter(), "parked"
     with logs.bound(cause or {}, job=name, job_id=str(DBOS.workflow_id)):
-        _tried(name, payload)
+        try:
+            _tried(name, payload)
+            outcome = "done"
+        finally:
+            taken_s = time.perf_counter() - begun
+            metrics.JOBS.labels(name, outcome).inc()
+            metrics.JOB_S.labels(name).observe(taken_s)
+            log.info("job ended", outcome=outcome, seconds=round(taken_s, 3))
 
 
 def _tried(name: str, payload: Payload) -> None:
@@ -185,11 +246,12 @@ def _tried(name: str, payload: Payload) -> None:
         try:
             handler(runtime, payload)
         except Exception:
+            metrics.JOB_FAILURES.labels(name).inc()
             if attempt == ATTEMPTS:
-                log.exception("job %s is parked", name)
+                log.exception("job is parked", attempts=ATTEMPTS)
                 DBOS.cancel_workflow(str(DBOS.workflow_id))  # a cancelled job can be resumed, one in error cannot
                 raise
-            log.warning("job %s failed, attempt %d of %d", name, attempt, ATTEMPTS, exc_info=True)
+            log.warning("job failed", attempt=attempt, attempts=ATTEMPTS, exc_info=True)
             time.sleep(FIRST_RETRY_S * BACKOFF ** (attempt - 1))
         else:
             return

@@ -18,7 +18,7 @@ from uuid import UUID
 from sqlalchemy import BigInteger, CheckConstraint, select
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
-from app.kit import clock, kill
+from app.kit import clock, kill, metrics
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict, NotFound, Refused
 from app.kit.storage import READ_BYTES, Store, make_folder, sync
@@ -308,6 +308,7 @@ class Uploads:
         with self._database.writing() as session:
             row = session.get_one(Upload, upload.id)
             row.sha256, row.finished_at = sha256, clock.now()
+        metrics.UPLOADED.inc(row.length)
         kill.point("uploads.finished")
         staging.unlink(missing_ok=True)
         return row

@@ -8,6 +8,7 @@ from typing import Any
 from uuid import UUID
 
 import structlog
+from prometheus_client import Counter
 
 from app.deliveries.queries import take_by_id
 from app.kit.queue import BULK, Payload, job
@@ -21,6 +22,7 @@ log = structlog.get_logger(__name__)
 TRIES = 3
 TIMEOUT_S = 300.0
 MEMORY_BYTES = 1 << 30
+RENDERS = Counter("soundlist_renders", "Game files made, or refused.", ["state"])
 OUR_FAULT = "the renderer itself failed three times; that is our fault, and nothing is wrong with the master"
 
 
@@ -93,6 +95,7 @@ def make_renders(runtime: Runtime, payload: Payload) -> None:
         render, picture = _rendered(runtime, order, target, recipe)
         with runtime.database.writing() as session:
             service.keep_render(session, render, picture)
+        RENDERS.labels(render.state.value).inc()
     with runtime.database.writing() as session:
         service.complete(session, order)
 

@@ -20,7 +20,7 @@ from app.migrate import migrate
 from app.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]
-SECRET_KEY = "only for tests"
+SECRET_KEY = "only for tests, nowhere else"
 PATIENCE_S = 60.0
 
 

@@ -1,0 +1,178 @@
+"""What a process counts of its own work, in the words of Prometheus; rooms add what only they can count.
+
+Figures of this process grow while it lives. Figures of the whole server (jobs by state, workers) are
+read from the database when somebody looks, and say the same on every web process.
+"""
+
+import hmac
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from datetime import timedelta
+from typing import TYPE_CHECKING, Any
+from wsgiref.simple_server import WSGIRequestHandler, WSGIServer, make_server
+
+from prometheus_client import CONTENT_TYPE_LATEST, REGISTRY, CollectorRegistry, Counter, Gauge, Histogram
+from prometheus_client.core import GaugeMetricFamily
+from prometheus_client.exposition import generate_latest
+from prometheus_client.registry import Collector
+from sqlalchemy.pool import QueuePool
+
+from app.kit import clock
+
+if TYPE_CHECKING:
+    from app.kit.db import Database
+    from app.kit.runtime import Runtime
+    from app.settings import Settings
+
+CONTENT_TYPE = CONTENT_TYPE_LATEST
+WORKERS_SHOWN = timedelta(hours=1)  # a worker that stopped is not told of for ever
+REQUEST_BUCKETS_S = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0)
+JOB_BUCKETS_S = (0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 15.0, 60.0, 300.0)
+
+REQUESTS = Counter("soundlist_requests", "Requests answered.", ["method", "route", "status"])
+REQUEST_S = Histogram(
+    "soundlist_request_seconds",
+    "From the request's head to the end of its answer.",
+    ["method", "route"],
+    buckets=REQUEST_BUCKETS_S,
+)
+IN_FLIGHT = Gauge("soundlist_requests_in_flight", "Requests that are being answered.")
+JOBS = Counter("soundlist_jobs_run", "Runs of jobs, by how they ended: done or parked.", ["job", "outcome"])
+JOB_S = Histogram(
+    "soundlist_job_seconds", "How long a run of a job took, its tries included.", ["job"], buckets=JOB_BUCKETS_S
+)
+JOB_FAILURES = Counter("soundlist_job_failures", "Tries of jobs that failed.", ["job"])
+UPLOADED = Counter("soundlist_upload_bytes", "Bytes of files that came in whole.")
+STORE_ERRORS = Counter("soundlist_store_errors", "What the store could not do.", ["operation"])
+
+
+class ServerFigures(Collector):
+    """Figures that are read when somebody looks."""
+
+    def __init__(self, runtime: "Runtime") -> None:
+        self._runtime = runtime
+
+    def collect(self) -> Iterator[GaugeMetricFamily]:
+        """Yield what waits, runs and gave up, which workers live, and what the connection pool holds."""
+        jobs = GaugeMetricFamily("soundlist_jobs", "Jobs that wait, run or gave up.", labels=["job", "state"])
+        oldest = GaugeMetricFamily(
+            "soundlist_job_oldest_seconds", "How long the oldest job of that name waits to be run.", labels=["job"]
+        )
+        now = clock.now()
+        for count in self._runtime.queue.counts():
+            jobs.add_metric([count.name, count.state], count.jobs)
+            if count.state == "waiting":
+                oldest.add_metric([count.name], max(0.0, (now - count.oldest_at).total_seconds()))
+        beats = GaugeMetricFamily(
+            "soundlist_worker_silent_seconds", "How long ago a worker said that it lives.", labels=["worker"]
+        )
+        for heartbeat in self._runtime.queue.heartbeats(within=WORKERS_SHOWN):
+            beats.add_metric([heartbeat.worker_id], (now - heartbeat.beat_at).total_seconds())
+        yield from (jobs, oldest, beats)
+
+
+class PoolFigures(Collector):
+    """What the connection pool of this process holds."""
+
+    def __init__(self, database: "Database") -> None:
+        self._database = database
+
+    def collect(self) -> Iterator[GaugeMetricFamily]:
+        """Yield how many connections are in use and how many wait for work."""
+        pool = self._database.engine.pool
+        family = GaugeMetricFamily(
+            "soundlist_database_connections", "Connections of this process to the database.", labels=["state"]
+        )
+        if isinstance(pool, QueuePool):
+            family.add_metric(["in use"], pool.checkedout())
+            family.add_metric(["idle"], pool.checkedin())
+        yield family
+
+
+def collectors(runtime: "Runtime") -> tuple[Collector, ...]:
+    """Return what a web process reads when somebody looks; a worker leaves out what is the whole server's."""
+    return ServerFigures(runtime), PoolFigures(runtime.database)
+
+
+def exposition(collectors: Iterable[Collector]) -> bytes:
+    """Return everything that this process counted, and what the collectors read now."""
+    registry = CollectorRegistry()
+    for collector in collectors:
+        registry.register(collector)
+    return generate_latest(REGISTRY) + generate_latest(registry)
+
+
+def is_admitted(authorization: str, token: str) -> bool:
+    """Whether a request's Authorization header carries the token."""
+    scheme, _, sent = authorization.partition(" ")
+    return scheme.lower() == "bearer" and hmac.compare_digest(sent.strip().encode(), token.encode())
+
+
+class _Quiet(WSGIRequestHandler):
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
+        """Say nothing: somebody looks every few seconds."""
+
+
+class CannotListen(Exception):
+    """The port for the figures cannot be opened: says which, and how to mend it."""
+
+
+class MetricsServer:
+    """A listener of its own for the figures, for a process that serves nothing else or not to everybody."""
+
+    def __init__(self, host: str, port: int, token: str, collectors: Iterable[Collector]) -> None:
+        self._token = token
+        self._collectors = tuple(collectors)
+        try:
+            self._server: WSGIServer = make_server(host, port, self._answer, handler_class=_Quiet)
+        except OSError as error:
+            raise CannotListen(
+                f"the figures cannot be told at {host}:{port} ({error.strerror}); "
+                "each process on a machine wants a SOUNDLIST_METRICS_PORT of its own"
+            ) from None
+        self._thread = threading.Thread(target=self._server.serve_forever, args=[0.1], name="metrics", daemon=True)
+
+    @property
+    def port(self) -> int:
+        """The port in use; with port 0 the system chose it."""
+        return self._server.server_port
+
+    def start(self) -> None:
+        """Answer from now on."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Close the port."""
+        self._server.shutdown()
+        self._server.server_close()
+        self._thread.join()
+
+    def _answer(self, environ: dict[str, Any], start_response: Callable[..., Any]) -> list[bytes]:
+        status, body = "200 OK", b""
+        if environ.get("PATH_INFO") != "/metrics":
+            status, body = "404 Not Found", b"only /metrics is here\n"
+        elif self._token and not is_admitted(environ.get("HTTP_AUTHORIZATION", ""), self._token):
+            status, body = "401 Unauthorized", b"send the token of SOUNDLIST_METRICS_TOKEN as a bearer\n"
+        else:
+            body = exposition(self._collectors)
+        is_figures = status.startswith("200")
+        headers = [("Content-Type", CONTENT_TYPE if is_figures else "text/plain"), ("Content-Length", str(len(body)))]
+        start_response(status, headers)
+        return [body]
+
+
+@contextmanager
+def listening(settings: "Settings", collectors: Iterable[Collector]) -> Iterator[None]:
+    """Tell the figures on a port of their own for the length of a block, where the settings ask for one."""
+    if settings.metrics_port is None:
+        yield
+        return
+    server = MetricsServer(
+        settings.metrics_host, settings.metrics_port, settings.metrics_token.get_secret_value(), collectors
+    )
+    server.start()
+    try:
+        yield
+    finally:
+        server.stop()

@@ -1,0 +1,93 @@
+"""Readiness is tried, part by part, and what is wrong is said in words."""
+
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+from fastapi.testclient import TestClient
+
+from app.kit import health
+from app.kit.health import Readiness
+from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import migrate
+from app.settings import Settings
+from tests.support.server import RunningServer
+
+PARTS = {"database", "store", "worker", "migrations"}
+
+
+def test_every_part_is_named(server: RunningServer):
+    answer = server.browser().get("/readyz")
+    assert answer.status_code == 200
+    assert answer.json() == {"status": "ready", **dict.fromkeys(PARTS, "ok")}
+
+
+@pytest.fixture
+def runtime(tmp_path: Path):
+    """A database and a store of this test, and nobody who works."""
+    runtime = Runtime.of(Settings(data_dir=tmp_path, secret_key="only for tests"))  # type: ignore[arg-type]
+    migrate(runtime.database)
+    yield runtime
+    runtime.close()
+
+
+def asked(runtime: Runtime) -> tuple[int, dict[str, str]]:
+    answer = TestClient(create_app(runtime)).get("/readyz")
+    return answer.status_code, answer.json()
+
+
+def test_without_a_worker_the_server_is_not_ready(runtime: Runtime):
+    status, parts = asked(runtime)
+    assert status == 503
+    assert parts.pop("worker") == "no worker has said for 20 s that it lives; start one with: soundlist worker"
+    assert parts == {"status": "not ready", **dict.fromkeys(PARTS - {"worker"}, "ok")}
+
+
+def test_a_database_without_our_tables_wants_to_be_migrated(runtime: Runtime):
+    migrate(runtime.database)
+    with runtime.database.writing() as session:
+        session.execute(sa.text("delete from alembic_version"))
+    _, parts = asked(runtime)
+    assert "at revision none" in parts["migrations"]
+    assert "soundlist migrate" in parts["migrations"]
+
+
+def test_a_database_that_a_newer_version_migrated_will_do(runtime: Runtime):
+    with runtime.database.writing() as session:
+        session.execute(sa.text("update alembic_version set version_num = 'of_a_later_version'"))
+    assert asked(runtime)[1]["migrations"] == "ok"  # else a rolling upgrade would stop the servers still running
+
+
+def test_a_store_that_cannot_be_written_is_told(runtime: Runtime):
+    runtime.store.root.parent.mkdir(parents=True, exist_ok=True)
+    runtime.store.root.write_text("a file where a folder is wanted")
+    _, parts = asked(runtime)
+    assert parts["store"].startswith("the store cannot be written to")
+    assert str(runtime.store.root) not in parts["store"]  # anybody may ask
+
+
+def test_a_database_that_is_gone_is_told_and_so_is_what_hangs_on_it(runtime: Runtime, tmp_path: Path):
+    for file in tmp_path.glob("soundlist.sqlite*"):
+        file.unlink()
+    runtime.database.dispose()
+    (tmp_path / "soundlist.sqlite").mkdir()
+    status, parts = asked(runtime)
+    assert status == 503
+    assert "the database does not answer" in parts["database"]
+    assert parts["worker"] == parts["migrations"] == "cannot be known while the database does not answer"
+    assert str(tmp_path) not in str(parts)
+
+
+def test_many_who_ask_are_told_what_was_tried_once(runtime: Runtime):
+    tried = []
+    readiness = Readiness(runtime, {"part": lambda _: tried.append("once")})
+    assert [readiness.parts() for _ in range(5)] == [{"part": "ok"}] * 5
+    assert tried == ["once"]
+
+
+def test_a_broken_probe_is_not_taken_for_readiness(runtime: Runtime):
+    def probe(_runtime: Runtime) -> None:
+        raise ZeroDivisionError
+
+    assert health.tried(probe, runtime) == "could not be tried; the log says why"

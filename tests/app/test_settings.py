@@ -1,0 +1,105 @@
+"""Settings are checked at start, all at once, each with what was found, what is wanted and how to mend it."""
+
+import socket
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+from typer.testing import CliRunner
+
+from app import cli
+from app.settings import Settings, SettingsWrong, read_settings
+
+
+@pytest.fixture
+def environment(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., None]:
+    monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "data"))
+
+    def of(**settings: str) -> None:
+        for name, value in settings.items():
+            monkeypatch.setenv(f"SOUNDLIST_{name}", value)
+
+    return of
+
+
+def wrong(*, serving: bool = True) -> list[str]:
+    with pytest.raises(SettingsWrong) as refused:
+        read_settings(serving=serving)
+    return refused.value.lines
+
+
+def test_everything_that_is_wrong_is_said_at_once(environment):
+    environment(
+        BASE_URL="sounds.example", WORKER_JOBS="many", SMTP_URL="mail.example:587", DATABSE_URL="postgresql://x/y"
+    )
+    told = wrong()
+    assert len(told) == 4
+    assert any("SOUNDLIST_BASE_URL is 'sounds.example'" in line for line in told)
+    assert any(line.startswith("SOUNDLIST_WORKER_JOBS") for line in told)
+    assert any("smtp://user:password@host:587" in line for line in told)
+    assert "SOUNDLIST_DATABSE_URL is no setting; is it SOUNDLIST_DATABASE_URL?" in told
+
+
+def test_an_address_with_a_password_is_not_repeated(environment):
+    environment(SMTP_URL="http://ada:hush@mail.example", DATABASE_URL="mysql://ada:hush@db/x", SECRET_KEY="k" * 32)
+    told = wrong()
+    assert len(told) == 2
+    assert "hush" not in "".join(told)
+
+
+def test_a_short_key_is_no_key(environment):
+    environment(SECRET_KEY="hush")
+    assert wrong() == [
+        "SOUNDLIST_SECRET_KEY has 4 characters; 16 or more are wanted. Make one with: openssl rand -hex 32"
+    ]
+    assert read_settings(serving=False)
+
+
+def test_a_name_like_none_of_ours_is_told_too(environment):
+    environment(SECRET_KEY="k" * 32, ZZZ="1")
+    assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/operate.md lists them"]
+
+
+def test_operators_are_a_list_of_addresses(environment):
+    environment(OPERATORS=" Ada@studio.example, bo@studio.example ,")
+    assert Settings().operators == {"ada@studio.example", "bo@studio.example"}
+    environment(OPERATORS="ada", SECRET_KEY="k" * 32)
+    (line,) = wrong()
+    assert "'ada', which is no mail address" in line
+
+
+def started(*command: str) -> Result:
+    return CliRunner().invoke(cli.cli, command)
+
+
+@pytest.mark.parametrize("command", ["serve", "worker"])
+def test_what_cannot_serve_does_not_start(environment, tmp_path: Path, command: str):
+    environment(SECRET_KEY="k" * 32, STORE_URL=f"file://{tmp_path}/blobs")
+    (tmp_path / "blobs").write_text("a file where a folder is wanted")
+    result = started(command)
+    assert result.exit_code == 2
+    assert "run: soundlist migrate" in result.output
+    assert "the store cannot be written to" in result.output
+    assert "Traceback" not in result.output
+
+
+def test_a_data_folder_that_cannot_be_made_is_said_in_words(environment, tmp_path: Path):
+    (tmp_path / "data").write_text("a file where a folder is wanted")
+    result = started("migrate")
+    assert result.exit_code == 2
+    assert f"SOUNDLIST_DATA_DIR is {tmp_path / 'data'}" in result.output
+    assert "Traceback" not in result.output
+
+
+def test_a_taken_port_for_figures_is_said_in_words(environment):
+    environment(SECRET_KEY="k" * 32)
+    assert started("migrate").exit_code == 0
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        environment(METRICS_PORT=str(taken.getsockname()[1]))
+        for command in ("serve", "worker"):
+            result = started(command)
+            assert result.exit_code == 2
+            assert "SOUNDLIST_METRICS_PORT of its own" in result.output
