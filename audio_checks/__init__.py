@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
     from audio_checks.errors import (
         AudioChecksError,
+        MendRefused,
         RenderRefused,
         SandboxCrashed,
         SandboxFailed,
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     )
     from audio_checks.findings import FileReport, Finding, Report
     from audio_checks.measure.waveform import WaveShape
+    from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
+    from audio_checks.mending.offers import Offer, mendable
     from audio_checks.render.preview import preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
@@ -42,6 +45,7 @@ if TYPE_CHECKING:
     from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
 
 __all__ = [
+    "MENDER_VERSION",
     "RENDERER_VERSION",
     "TOOL_VERSION",
     "AudioChecksError",
@@ -50,6 +54,9 @@ __all__ = [
     "DeliverySpec",
     "FileReport",
     "Finding",
+    "MendRefused",
+    "Mended",
+    "Offer",
     "RenderRefused",
     "Rendered",
     "Report",
@@ -69,6 +76,8 @@ __all__ = [
     "is_placeholder",
     "load_spec",
     "measure_file",
+    "mend_master",
+    "mendable",
     "new_spec",
     "parse_file_name",
     "parse_spec",
@@ -85,6 +94,7 @@ _HOMES = {
     "audio_checks.audio": ("AudioFile",),
     "audio_checks.errors": (
         "AudioChecksError",
+        "MendRefused",
         "RenderRefused",
         "SandboxCrashed",
         "SandboxFailed",
@@ -95,6 +105,8 @@ _HOMES = {
     ),
     "audio_checks.findings": ("FileReport", "Finding", "Report"),
     "audio_checks.measure.waveform": ("WaveShape",),
+    "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
+    "audio_checks.mending.offers": ("Offer", "mendable"),
     "audio_checks.render.preview": ("preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),

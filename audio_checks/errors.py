@@ -67,6 +67,25 @@ class RenderRefused(AudioChecksError):
         self.fix = fix
 
 
+class MendRefused(AudioChecksError):
+    """A mend that cannot be made without harm, such as one that would overwrite its master.
+
+    Parameters
+    ----------
+    message : str
+        What was asked, and why it is not done.
+    code : str
+        Stable name of the condition, such as "mend:over-master".
+    fix : str
+        What to do instead.
+    """
+
+    def __init__(self, message: str, code: str, fix: str) -> None:
+        super().__init__(message, code, fix)
+        self.code = code
+        self.fix = fix
+
+
 class SandboxFailed(AudioChecksError):
     """A sandboxed call that gave no result; never the file's fault in itself.
 

@@ -1,0 +1,82 @@
+"""Which findings a mend answers, from the report alone."""
+
+from dataclasses import replace
+
+import pytest
+
+from audio_checks import FileReport, Finding, check_names, mendable, parse_spec
+from audio_checks.checks import all_checks
+
+SPEC = parse_spec("""
+format = 1
+[accept]
+encodings = ["pcm"]
+bit_depths = [16, 24]
+[limits]
+sample_peak_dbfs = -0.1
+true_peak_dbtp = -1.0
+[naming]
+pattern = '[a-z_]+'
+""")
+REPORT = FileReport(
+    "deliveries/Laser Fire.wav",
+    "rejected",
+    facts={"container": "wav", "encoding": "pcm", "sample_rate_hz": 48_000, "bit_depth": 24, "frames": 48_000,
+           "channels": 1},
+    measurements={"sample_peak_dbfs": -4.0, "true_peak_dbtp": -3.0},
+)  # fmt: skip
+
+
+def finding(code, measured=None, limit=None):
+    return Finding(code, "what was found", "what to do", measured=measured, limit=limit)
+
+
+@pytest.mark.parametrize(
+    ("found", "repair", "words"),
+    [
+        (finding("sample-peak:over", 0.0, -0.1), "gain", "lowers the level by 0.10 dB"),
+        (finding("true-peak:over", 0.7, -1.0), "gain", "lowers the level by 1.70 dB"),
+        (finding("loudness:over", -12.0, -16.0), "gain", "lowers the level by 4.00 dB"),
+        (finding("loudness:under", -20.0, -18.0), "gain", "raises the level by 2.00 dB"),
+        (finding("head-silence:over", 412.0, 5.0), "head", "trims 407.0 ms from the start"),
+        (finding("tail-silence:over", 500.0, 100.0), "tail", "trims 400.0 ms from the end"),
+        (finding("naming:pattern"), "name", "names it laser_fire.wav"),
+        (finding("structure:padding"), "header", "writes the header's sizes anew"),
+        (finding("structure:stream-header"), "header", "writes the header's sizes anew"),
+    ],
+)
+def test_what_a_mend_does(found, repair, words):
+    offer = mendable(found, REPORT, SPEC)
+    assert (offer.repair, offer.words, bool(offer)) == (repair, words, True)
+
+
+def test_depth_goes_down_only():
+    too_deep = replace(REPORT, facts={**REPORT.facts, "bit_depth": 32})
+    assert mendable(finding("bit-depth:not-accepted"), too_deep, SPEC).words == "brings it to 24 bit"
+    floats = replace(too_deep, facts={**too_deep.facts, "encoding": "float"})
+    assert mendable(finding("encoding:not-accepted"), floats, SPEC).repair == "depth"
+    shallow = replace(REPORT, facts={**REPORT.facts, "bit_depth": 8})
+    assert not mendable(finding("bit-depth:not-accepted"), shallow, SPEC)
+    only_float = parse_spec("format = 1\n[accept]\nencodings = ['float']\n")
+    assert not mendable(finding("encoding:not-accepted"), REPORT, only_float)
+
+
+def test_a_level_rises_only_as_far_as_the_peaks_allow():
+    offer = mendable(finding("loudness:under", -20.0, -17.9), REPORT, SPEC)
+    assert not offer
+    assert "2.0 dB" in offer.words
+
+
+@pytest.mark.parametrize("name", [one for one in check_names.DEFAULT_SEVERITY if one in all_checks()])
+def test_every_check_is_answered_or_told_why_not(name):
+    if name in {"sample-peak", "true-peak", "loudness", "head-silence", "tail-silence", "structure", "naming",
+                "bit-depth", "encoding", "container"}:  # fmt: skip
+        return
+    offer = mendable(finding(f"{name}:anything"), REPORT, SPEC)
+    assert not offer
+    assert offer.words.endswith(".")
+
+
+def test_another_kind_of_file_is_not_mended():
+    flac = replace(REPORT, facts={**REPORT.facts, "container": "flac"})
+    assert "WAV" in mendable(finding("sample-peak:over", 0.0, -0.1), flac, SPEC).words
