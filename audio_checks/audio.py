@@ -20,9 +20,11 @@ from audio_checks.measure.edges import Edges
 from audio_checks.measure.flat_tops import FlatTops
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.loudness import Loudness, channel_weights
+from audio_checks.measure.mono_sum import MonoSum
 from audio_checks.measure.phase import Phase
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.spectrum import Spectrum
+from audio_checks.measure.steps import Steps
 from audio_checks.measure.true_peak import TruePeak
 from audio_checks.metadata import Metadata
 from audio_checks.metadata.gather import Gathering
@@ -47,6 +49,8 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "edges": Edges.FIGURES,
     "flat_tops": FlatTops.FIGURES,
     "phase": Phase.FIGURES,
+    "mono_sum": MonoSum.FIGURES,
+    "steps": Steps.FIGURES,
     "spectrum": Spectrum.FIGURES,
     "seam": Seam.FIGURES,
 }
@@ -270,6 +274,8 @@ class AudioFile:
             "edges": Edges,
             "flat_tops": partial(FlatTops, step=step),
             "phase": Phase,
+            "mono_sum": MonoSum,
+            "steps": partial(Steps, step=step),
             "spectrum": partial(Spectrum, step=step),
             "seam": partial(Seam, loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None),
         }
@@ -284,7 +290,7 @@ class Measurements:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the measured figures by name; levels of silence are -inf still."""
-        hidden = ("edges", "clipped_spans")
+        hidden = ("edges", "clipped_spans", "mono_loss_spans")
         return {name: value for name, value in self._file.measured().items() if name not in hidden}
 
     @property
@@ -365,6 +371,29 @@ class Measurements:
     def channel_correlation(self) -> float | None:
         """The least correlation of two channels, -1..1; None for mono or when only one channel sounds."""
         value = self._file.figure("channel_correlation")
+        return None if value is None else float(value)
+
+    @property
+    def mono_loss_db(self) -> float | None:
+        """How much quieter left + right is than the channels, in dB, 120 where nothing is left; None but for stereo."""
+        value = self._file.figure("mono_loss_db")
+        return None if value is None else float(value)
+
+    @property
+    def channel_difference_db(self) -> float | None:
+        """Level of left − right under the louder channel, in dB, -inf for equal channels; None but for stereo."""
+        value = self._file.figure("channel_difference_db")
+        return None if value is None else float(value)
+
+    def mono_loss_spans(self, limit_db: float) -> list[tuple[float, float]]:
+        """Return where a stereo sound loses more than a limit in mono: starts and ends in seconds."""
+        spans = self._file.figure("mono_loss_spans")
+        return [] if spans is None else list(spans(limit_db))
+
+    @property
+    def sample_step(self) -> float | None:
+        """The step all samples stand on, in the file's own smallest; 1 where there is none, None where none is told."""
+        value = self._file.figure("sample_step")
         return None if value is None else float(value)
 
     @property
