@@ -209,8 +209,8 @@ def _stored(store: Store, studio_id: UUID, path: str, sha256: str, size_bytes: i
 
 
 def _ensure_stored(store: Store, studio_id: UUID, entries: Sequence[Entry]) -> None:
+    sizes_bytes = store.sizes_bytes(studio_id, {entry.sha256 for entry in entries})
     for entry in entries:
-        path = store.path(studio_id, entry.sha256)
-        if not path.is_file() or path.stat().st_size != entry.size_bytes:
+        if sizes_bytes.get(entry.sha256) != entry.size_bytes:
             message = f"{entry.path} is lost or damaged in the store; restore {entry.sha256} from a backup"
             raise BlobDamaged(message, errors=[{"where": entry.path, "message": "lost or damaged in the store"}])

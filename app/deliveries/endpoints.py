@@ -1,11 +1,9 @@
 """The endpoints of this room."""
 
 from typing import Annotated, Any
-from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Response
-from fastapi.responses import FileResponse
+from fastapi import APIRouter, Query, Request, Response
 from sqlalchemy.orm import Session
 
 from app.accounts.endpoints import allows
@@ -33,7 +31,9 @@ from app.deliveries.schemas import (
     TakeRead,
 )
 from app.deliveries.upload_endpoints import router as uploads_router
+from app.kit.blob_answer import blob_answer
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.projects.errors import DesignerNeeded, ProjectNotFound
 from app.projects.service import standing_in
@@ -233,24 +233,27 @@ def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor 
 
 @router.get(
     "/takes/{take_id}/master",
-    response_class=FileResponse,
-    responses=problems(TakeNotFound) | {200: {"content": {"application/octet-stream": {}}}},
+    response_class=Response,
+    responses=problems(TakeNotFound, BlobMissing) | {200: {"content": {"application/octet-stream": {}}}},
 )
 def download_master(
-    take_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PROJECT)
-) -> FileResponse:
+    take_id: UUID,
+    request: Request,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Response:
     """Give a take's master exactly as it was delivered; ranges may be asked for."""
     take, standing = service.take_for(session, actor, take_id)
-    name = quote(shown_name(base_name(take.file_name)), safe="")
-    return FileResponse(
-        runtime.store.path(standing.project.studio_id, take.master_sha256),
+    return blob_answer(
+        request,
+        runtime.store,
+        standing.project.studio_id,
+        take.master_sha256,
         media_type="application/octet-stream",
-        headers={
-            "Content-Disposition": f"attachment; filename*=UTF-8''{name}",
-            "Cache-Control": "private, max-age=31536000, immutable",
-            "Content-Security-Policy": "sandbox",
-            "ETag": f'"{take.master_sha256}"',
-        },
+        file_name=shown_name(base_name(take.file_name)),
+        headers={"Content-Security-Policy": "sandbox"},
+        by_link=True,
     )
 
 

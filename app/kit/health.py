@@ -1,7 +1,5 @@
 """Whether the process lives, whether it can do its work, and what it counts."""
 
-import os
-import tempfile
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -17,6 +15,7 @@ from app.kit import metrics
 from app.kit.errors import NotFound, Refused
 from app.kit.http import problems, runtime_of
 from app.kit.runtime import Runtime
+from app.kit.storage import StoreUnready
 
 WORKER_SILENT_AFTER = timedelta(seconds=20)
 ANSWER_HOLDS_S = 1.0  # trying writes to the disk, and anybody may ask
@@ -89,19 +88,11 @@ def database(runtime: Runtime) -> None:
 def store(runtime: Runtime) -> None:
     """Raise NotReady unless the store takes bytes and gives them back."""
     try:
-        runtime.store.root.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=runtime.store.root) as file:
-            file.write(b"ready?")
-            os.fsync(file.fileno())
-            file.seek(0)
-            if file.read() != b"ready?":
-                raise NotReady("the store gives back other bytes than it was given; look at its disk")
-    except OSError as error:
+        runtime.store.ensure_ready()
+    except StoreUnready as error:
         metrics.STORE_ERRORS.labels("probe").inc()
         log.warning("the store cannot be used", error=str(error))
-        raise NotReady(
-            f"the store cannot be written to ({error.strerror}); give its folder room and write permission"
-        ) from None
+        raise NotReady(str(error)) from None
 
 
 def worker(runtime: Runtime) -> None:

@@ -7,6 +7,7 @@ are counted only once it was found right. A finished file is in the store before
 import asyncio
 import fcntl
 import hashlib
+import itertools
 import os
 import shutil
 from collections.abc import AsyncIterator, Callable, Iterator
@@ -21,7 +22,7 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 from app.kit import clock, kill, metrics
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict, NotFound, Refused
-from app.kit.storage import READ_BYTES, Store, make_folder, sync
+from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync
 
 CHECKSUMS = ("sha256", "sha1")
 KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
@@ -244,9 +245,10 @@ class Uploads:
 
     def sweep(self) -> int:
         """Delete what expired unfinished and what dead processes left over; return how many files went."""
-        staged = list(self._store.root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
+        staged = list(self._store.staging_root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
         gone = sum(self._swept(staging) for staging in staged)
-        for left_over in self._store.root.glob("*/.put-*"):
+        left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in (PUT_PREFIX, COPY_PREFIX)]
+        for left_over in itertools.chain(*left_overs):
             if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
                 left_over.unlink(missing_ok=True)
                 gone += 1
@@ -314,7 +316,7 @@ class Uploads:
         return row
 
     def _staging(self, upload: Upload) -> Path:
-        return self._store.root / str(upload.studio_id) / STAGING / str(upload.id)
+        return self._store.staging_root / str(upload.studio_id) / STAGING / str(upload.id)
 
     def _row(self, upload_id: UUID, owner_id: UUID) -> Upload:
         upload = self._found(upload_id)
@@ -367,7 +369,7 @@ class Uploads:
             part.unlink(missing_ok=True)
 
     def _ensure_room(self, length: int) -> None:
-        folder = self._store.root
+        folder = self._store.staging_root
         folder.mkdir(parents=True, exist_ok=True)
         if shutil.disk_usage(folder).free < length + SPARE_BYTES:
             raise StoreFull("the server's disk has no room for this file", fix="tell whoever runs this server")

@@ -275,7 +275,8 @@ def test_a_file_of_two_gigabytes_is_judged(world: World, declared: int) -> None:
         file.write(header if declared > 2 << 30 else bytes(44))
         file.truncate(2 << 30)
     sha256 = f"{declared:064x}"
-    store.adopt(studio_id, sparse, sha256)
+    store.keep(studio_id, sparse, sha256)
+    sparse.unlink()
     row = Upload(
         studio_id=studio_id,
         owner_id=world.designer_id,

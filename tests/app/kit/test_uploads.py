@@ -16,7 +16,7 @@ import pytest
 from app.kit import kill, uploads
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict
-from app.kit.storage import Store
+from app.kit.storage import FolderStore
 from app.kit.uploads import (
     Checksum,
     ChecksumMismatch,
@@ -50,12 +50,12 @@ def database(tmp_path: Path) -> Iterator[Database]:
 
 
 @pytest.fixture
-def store(tmp_path: Path) -> Store:
-    return Store(tmp_path / "blobs")
+def store(tmp_path: Path) -> FolderStore:
+    return FolderStore(tmp_path / "blobs")
 
 
 @pytest.fixture
-def incoming(database: Database, store: Store) -> Uploads:
+def incoming(database: Database, store: FolderStore) -> Uploads:
     return Uploads(database, store)
 
 
@@ -82,7 +82,7 @@ def send(incoming: Uploads, upload: Upload, offset: int, content: bytes, **more:
     return asyncio.run(incoming.receive(upload, offset, stream(content), **more))
 
 
-def staged(store: Store) -> list[Path]:
+def staged(store: FolderStore) -> list[Path]:
     return list(store.root.glob(f"*/{uploads.STAGING}/*"))
 
 
@@ -94,7 +94,7 @@ def grow_old(path: Path, seconds: float) -> None:
     os.utime(path, (time.time() - seconds,) * 2)
 
 
-def test_pieces_become_the_file_that_was_sent(incoming: Uploads, store: Store) -> None:
+def test_pieces_become_the_file_that_was_sent(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming)
     upload = send(incoming, upload, 0, CONTENT[:1_000_003])
     assert (upload.sha256, incoming.offset(upload)) == (None, 1_000_003)
@@ -105,13 +105,13 @@ def test_pieces_become_the_file_that_was_sent(incoming: Uploads, store: Store) -
     assert incoming.expires_at(upload) is None
 
 
-def test_a_file_of_no_bytes_is_finished_at_once(incoming: Uploads, store: Store) -> None:
+def test_a_file_of_no_bytes_is_finished_at_once(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming, 0)
     assert upload.sha256 == hashlib.sha256(b"").hexdigest()
     assert store.read(STUDIO, upload.sha256) == b""
 
 
-def test_the_same_file_twice_is_stored_once(incoming: Uploads, store: Store) -> None:
+def test_the_same_file_twice_is_stored_once(incoming: Uploads, store: FolderStore) -> None:
     for _ in range(2):
         assert send(incoming, begun(incoming), 0, CONTENT).sha256 == SHA256
     assert store.read(STUDIO, SHA256) == CONTENT
@@ -126,7 +126,7 @@ def test_bytes_that_do_not_continue_are_refused(incoming: Uploads, offset: int) 
     assert incoming.offset(upload) == 1_000
 
 
-def test_a_broken_line_keeps_what_came(incoming: Uploads, store: Store) -> None:
+def test_a_broken_line_keeps_what_came(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming)
     with pytest.raises(ConnectionResetError):
         asyncio.run(incoming.receive(upload, 0, stream(CONTENT, breaks_after=40 * 65_536)))
@@ -180,7 +180,7 @@ def test_more_than_announced_is_refused(incoming: Uploads, announced: int | None
     assert send(incoming, upload, 0, b"1234567890").sha256 == hashlib.sha256(b"1234567890").hexdigest()
 
 
-def test_a_finished_upload_takes_nothing_more(incoming: Uploads, store: Store) -> None:
+def test_a_finished_upload_takes_nothing_more(incoming: Uploads, store: FolderStore) -> None:
     upload = send(incoming, begun(incoming), 0, CONTENT)
     assert send(incoming, upload, len(CONTENT), b"").sha256 == SHA256
     with pytest.raises(UploadTooLong):
@@ -200,7 +200,7 @@ def test_bytes_with_a_wrong_checksum_are_not_kept(incoming: Uploads, algorithm: 
     assert incoming.offset(send(incoming, upload, 0, CONTENT[:1_000], checksum=right)) == 1_000
 
 
-def test_bytes_that_no_checksum_could_prove_are_not_kept(incoming: Uploads, store: Store) -> None:
+def test_bytes_that_no_checksum_could_prove_are_not_kept(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming)
     proof = Checksum("sha256", hashlib.sha256(CONTENT).digest())
     with pytest.raises(ConnectionResetError):
@@ -209,7 +209,7 @@ def test_bytes_that_no_checksum_could_prove_are_not_kept(incoming: Uploads, stor
     assert [path.name for path in staged(store)] == [str(upload.id)]
 
 
-def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: Store) -> None:
+def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming, expected_sha256=SHA256)
     with pytest.raises(ChecksumMismatch, match="announced was"):
         send(incoming, upload, 0, CONTENT[::-1])
@@ -222,7 +222,7 @@ def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: Stor
     "point", ["uploads.received", "uploads.before_store", "uploads.after_store", "uploads.finished"]
 )
 def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
-    incoming: Uploads, store: Store, database: Database, monkeypatch: pytest.MonkeyPatch, point: str
+    incoming: Uploads, store: FolderStore, database: Database, monkeypatch: pytest.MonkeyPatch, point: str
 ) -> None:
     hits: list[str] = []
 
@@ -237,7 +237,7 @@ def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
         with pytest.raises(Killed):
             send(incoming, upload, 0, CONTENT)
     assert hits == [point]
-    found = find(Uploads(database, Store(store.root)), upload)
+    found = find(Uploads(database, FolderStore(store.root)), upload)
     assert (found.sha256, incoming.offset(found)) == (SHA256, len(CONTENT))
     assert store.read(STUDIO, SHA256) == CONTENT
     incoming.sweep()
@@ -262,7 +262,7 @@ def test_an_unfinished_upload_is_no_file_yet(incoming: Uploads, database: Databa
         finished_upload(session, upload.id, owner_id=OWNER, scope="delivery")
 
 
-def test_given_up_is_gone(incoming: Uploads, store: Store) -> None:
+def test_given_up_is_gone(incoming: Uploads, store: FolderStore) -> None:
     upload = send(incoming, begun(incoming), 0, CONTENT[:100])
     incoming.give_up(upload)
     assert staged(store) == []
@@ -272,14 +272,14 @@ def test_given_up_is_gone(incoming: Uploads, store: Store) -> None:
         send(incoming, upload, 100, CONTENT[100:])
 
 
-def test_a_finished_file_cannot_be_given_up(incoming: Uploads, store: Store) -> None:
+def test_a_finished_file_cannot_be_given_up(incoming: Uploads, store: FolderStore) -> None:
     upload = send(incoming, begun(incoming), 0, CONTENT)
     with pytest.raises(Conflict):
         incoming.give_up(upload)
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
-def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store: Store) -> None:
+def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store: FolderStore) -> None:
     week_s = uploads.KEPT_FOR.total_seconds()
     expired, fresh, busy = (send(incoming, begun(incoming), 0, CONTENT[:9]) for _ in range(3))
     finished = send(incoming, begun(incoming), 0, CONTENT)
@@ -287,7 +287,7 @@ def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store:
     grow_old(paths[str(expired.id)], week_s + 60)
     grow_old(paths[str(fresh.id)], week_s - 60)
     grow_old(paths[str(busy.id)], week_s + 60)
-    crashed_put = store.root / str(STUDIO) / ".put-crashed"
+    crashed_put = store.root / ".put-crashed"
     crashed_put.write_bytes(b"half")
     grow_old(crashed_put, uploads.LEFT_OVER_AFTER.total_seconds() + 60)
     with paths[str(busy.id)].open("rb") as held:
@@ -301,7 +301,9 @@ def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store:
     assert incoming.offset(find(incoming, fresh)) == 9
 
 
-def test_the_sweep_forgets_rows_whose_file_was_never_made(incoming: Uploads, store: Store, database: Database) -> None:
+def test_the_sweep_forgets_rows_whose_file_was_never_made(
+    incoming: Uploads, store: FolderStore, database: Database
+) -> None:
     lost, fresh = begun(incoming), begun(incoming)
     for path in staged(store):
         path.unlink()
@@ -319,14 +321,14 @@ def test_the_file_says_when_it_expires(incoming: Uploads) -> None:
     assert expires_at.timestamp() == pytest.approx(time.time() + uploads.KEPT_FOR.total_seconds(), abs=5)
 
 
-def test_too_long_for_one_file(incoming: Uploads, store: Store) -> None:
+def test_too_long_for_one_file(incoming: Uploads, store: FolderStore) -> None:
     with pytest.raises(UploadTooLong, match="1099511627777"):
         begun(incoming, (1 << 40) + 1)
     assert staged(store) == []
 
 
 def test_a_full_disk_is_said_before_and_while_bytes_come(
-    incoming: Uploads, store: Store, monkeypatch: pytest.MonkeyPatch
+    incoming: Uploads, store: FolderStore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with monkeypatch.context() as patched:
         patched.setattr(uploads, "SPARE_BYTES", 1 << 60)

@@ -1,0 +1,175 @@
+"""What a store of blobs promises: `studio_id/sha256`, written once, never altered, nothing shared between studios."""
+
+import hashlib
+import io
+import os
+import tempfile
+from abc import ABC, abstractmethod
+from collections.abc import Generator, Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO, ClassVar
+from uuid import UUID
+
+from app.kit.errors import Refused
+
+READ_BYTES = 1 << 20
+Pieces = Generator[bytes, None, None]
+PUT_PREFIX, COPY_PREFIX = ".put-", ".copy-"  # files of a process that died at it are found by these
+
+
+class BlobMissing(Refused):
+    """The database names a blob that the store does not have."""
+
+    status = 500
+
+
+class BlobAltered(Refused):
+    """The store holds other bytes under a hash than those that the hash is of."""
+
+    status = 500
+
+
+class StoreUnavailable(Refused):
+    """The store does not do its work now; nothing was half-kept, and the same may be tried again."""
+
+    status = 503
+
+
+class StoreUnready(Exception):
+    """The store cannot be used as it is set up: says what was found and how to mend it, and nothing secret."""
+
+
+@dataclass(frozen=True)
+class StoredBlob:
+    """What was stored: the SHA-256 that names it and its size in bytes."""
+
+    sha256: str
+    size_bytes: int
+
+
+class Store(ABC):
+    """Where masters, game files and pictures are kept."""
+
+    staging_root: Path  # on this machine's disk; bytes on their way in or out wait here
+    public_origin: ClassVar[str | None] = None
+
+    @abstractmethod
+    def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
+        """Store a finished file below the staging root under its known hash, and leave it where it is.
+
+        Until the caller has written down that the blob is stored, that file is what a restart finds.
+        """
+
+    @abstractmethod
+    def size_bytes(self, studio_id: UUID, sha256: str) -> int:
+        """Return how long a blob is; raise BlobMissing where there is none."""
+
+    @abstractmethod
+    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
+        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
+
+    @abstractmethod
+    def local_copy(self, studio_id: UUID, sha256: str) -> AbstractContextManager[Path]:
+        """Give a path on this machine's disk to read a blob from; never write to it."""
+
+    @abstractmethod
+    def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
+        """Yield every blob with its studio."""
+
+    @abstractmethod
+    def ensure_ready(self) -> None:
+        """Raise StoreUnready unless bytes can be stored and read again."""
+
+    @abstractmethod
+    def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> str | None:
+        """Return a link to a blob that works for a while without credentials; None where none is offered."""
+
+    def put(self, studio_id: UUID, chunks: Iterable[bytes]) -> StoredBlob:
+        """Store what the chunks add up to; storing the same bytes twice is storing them once."""
+        with self._staged(PUT_PREFIX) as (staged, file):
+            digest = hashlib.sha256()
+            for chunk in chunks:
+                digest.update(chunk)
+                file.write(chunk)
+            file.flush()
+            return self.keep(studio_id, staged, digest.hexdigest())
+
+    def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
+        """Store a copy of a file."""
+        with source.open("rb") as file:
+            return self.put(studio_id, iter(lambda: file.read(READ_BYTES), b""))
+
+    def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
+        """Return how long each of many blobs is; those that are missing are left out."""
+        sizes = {}
+        for sha256 in sha256s:
+            try:
+                sizes[sha256] = self.size_bytes(studio_id, sha256)
+            except BlobMissing:
+                continue
+        return sizes
+
+    def open(self, studio_id: UUID, sha256: str) -> BinaryIO:
+        """Open a blob for reading from its beginning to its end; raise BlobMissing where there is none."""
+        return io.BufferedReader(_Flow(self.stream(studio_id, sha256)), READ_BYTES)
+
+    def read(self, studio_id: UUID, sha256: str) -> bytes:
+        """Return a whole small blob."""
+        return b"".join(self.stream(studio_id, sha256))
+
+    @contextmanager
+    def _staged(self, prefix: str) -> Iterator[tuple[Path, BinaryIO]]:
+        """Give a new file below the staging root that is gone afterwards."""
+        with self._in_words():
+            self.staging_root.mkdir(parents=True, exist_ok=True)
+            descriptor, name = tempfile.mkstemp(prefix=prefix, dir=self.staging_root)
+            try:
+                with os.fdopen(descriptor, "wb") as file:
+                    yield Path(name), file
+            finally:
+                Path(name).unlink(missing_ok=True)
+
+    @contextmanager
+    def _in_words(self) -> Iterator[None]:
+        """Tell what this machine's disk refuses."""
+        try:
+            yield
+        except OSError as error:
+            raise StoreUnavailable(
+                f"the server could not write to its disk ({error.strerror})", fix="tell whoever runs this server"
+            ) from error
+
+
+def altered(sha256: str, found: str) -> BlobAltered:
+    """Return the error that says that a blob is not what its name says."""
+    return BlobAltered(f"blob {sha256} is {found} in the store; restore it from a backup")
+
+
+def missing(studio_id: UUID, sha256: str) -> BlobMissing:
+    """Return the error that says that a blob is not there."""
+    return BlobMissing(f"blob {sha256} of studio {studio_id} is not in the store; restore it from a backup")
+
+
+class _Flow(io.RawIOBase):
+    """A file to be read once, from the beginning, out of pieces as they come."""
+
+    def __init__(self, pieces: Pieces) -> None:
+        self._pieces = pieces
+        self._rest = memoryview(next(pieces, b""))  # so that what is missing is said when it is opened
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: "memoryview[int]") -> int:  # type: ignore[override]
+        while not self._rest and (piece := next(self._pieces, b"")):
+            self._rest = memoryview(piece)
+        length = min(len(buffer), len(self._rest))
+        buffer[:length] = self._rest[:length]
+        self._rest = self._rest[length:]
+        return length
+
+    def close(self) -> None:
+        self._pieces.close()
+        super().close()
