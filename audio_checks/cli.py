@@ -21,6 +21,7 @@ COMMANDS = {
     "check": ("audio_checks.commands.check", "judge files and folders"),
     "measure": ("audio_checks.commands.measure", "every figure, no verdict"),
     "render": ("audio_checks.commands.render", "make game files from masters"),
+    "mend": ("audio_checks.commands.mend", "make repaired copies, and say what no mend answers"),
     "explain": ("audio_checks.commands.explain", "why a check is there, and how to mend what it finds"),
     "list": ("audio_checks.commands.list", "all checks"),
     "new-spec": ("audio_checks.commands.new_spec", "print a commented spec to start from"),

@@ -3,7 +3,7 @@
 import math
 import os
 import secrets
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -136,6 +136,7 @@ def mend_master(
     category: str | None = None,
     cue: CueFacts | None = None,
     name: str | None = None,
+    beside: Collection[Path] = (),
 ) -> Mended:
     """Write a mended copy of a master into a folder, and judge it by the same spec.
 
@@ -158,6 +159,8 @@ def mend_master(
         not at all, and replaces what has its name there.
     target, category, cue, name
         As for `check_file`.
+    beside : collection of path
+        Copies made before, which this one must not replace.
 
     Returns
     -------
@@ -168,7 +171,8 @@ def mend_master(
     Raises
     ------
     MendRefused
-        `mend:over-master`, when the copy would replace the master; `mend:large-chunks`.
+        `mend:over-master` and `mend:same-name`, when the copy would replace the master or a copy made
+        before; `mend:large-chunks`.
     SpecError
         The spec has no such target.
     """
@@ -176,7 +180,7 @@ def mend_master(
     view = _view(spec, path, target, category, cue)
     before = _judged(path, view, cue, name)
     with ExitStack() as scratches:
-        work = _Work(Path(path), Path(out), view, cue, scratches)
+        work = _Work(Path(path), Path(out), view, cue, scratches, beside)
         return work.mend(before, name)
 
 
@@ -254,12 +258,21 @@ class _Plan:
 class _Work:
     """One master being mended."""
 
-    def __init__(self, path: Path, out: Path, view: DeliverySpec, cue: CueFacts | None, scratches: ExitStack) -> None:
+    def __init__(
+        self,
+        path: Path,
+        out: Path,
+        view: DeliverySpec,
+        cue: CueFacts | None,
+        scratches: ExitStack,
+        beside: Collection[Path],
+    ) -> None:
         self._path = path
         self._out = out
         self._view = view
         self._cue = cue
         self._scratches = scratches
+        self._beside = beside
         self._fades = (0, 0)
         self._header_words: tuple[str, ...] = ()
 
@@ -401,6 +414,12 @@ class _Work:
                 "the mended copy would replace its master",
                 code="mend:over-master",
                 fix="name another folder; a master is never altered",
+            )
+        if final in self._beside:
+            raise MendRefused(
+                f"another file has the name {name} too, once both are lawful",
+                code="mend:same-name",
+                fix="rename one of the two masters",
             )
         return final
 

@@ -1,11 +1,13 @@
 """Which findings a mend answers, from the report alone."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from audio_checks import FileReport, Finding, check_names, mendable, parse_spec
 from audio_checks.checks import all_checks
+from audio_checks.mending import offers
 
 SPEC = parse_spec("""
 format = 1
@@ -80,3 +82,8 @@ def test_every_check_is_answered_or_told_why_not(name):
 def test_another_kind_of_file_is_not_mended():
     flac = replace(REPORT, facts={**REPORT.facts, "container": "flac"})
     assert "WAV" in mendable(finding("sample-peak:over", 0.0, -0.1), flac, SPEC).words
+
+
+def test_the_guide_names_every_finding_that_a_mend_answers():
+    told = (Path(__file__).parents[3] / "docs/mending.md").read_text(encoding="utf-8")
+    assert [code for code in offers._OFFERS if f"`{code}`" not in told] == []
