@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
     from audio_checks.mending.offers import Offer, mendable
+    from audio_checks.mending.spots import repair_spots
     from audio_checks.render.preview import preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
@@ -84,6 +85,7 @@ __all__ = [
     "preview",
     "read_sound_list",
     "render_master",
+    "repair_spots",
     "slug",
     "stems_of",
     "wave_shapes",
@@ -107,6 +109,7 @@ _HOMES = {
     "audio_checks.measure.waveform": ("WaveShape",),
     "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
     "audio_checks.mending.offers": ("Offer", "mendable"),
+    "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.render.preview": ("preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
