@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from audio_checks.findings import FileReport, Finding, Report
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
-    from audio_checks.mending.offers import Offer, mendable
+    from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
     from audio_checks.render.preview import preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
@@ -77,6 +77,7 @@ __all__ = [
     "is_placeholder",
     "load_spec",
     "measure_file",
+    "mend_in_words",
     "mend_master",
     "mendable",
     "new_spec",
@@ -108,7 +109,7 @@ _HOMES = {
     "audio_checks.findings": ("FileReport", "Finding", "Report"),
     "audio_checks.measure.waveform": ("WaveShape",),
     "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
-    "audio_checks.mending.offers": ("Offer", "mendable"),
+    "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.render.preview": ("preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),

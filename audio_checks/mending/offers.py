@@ -7,7 +7,7 @@ denoises or resamples: whether that still is the sound that was meant, only an e
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -17,6 +17,7 @@ from audio_checks.mending.names import lawful_name
 from audio_checks.spec import DeliverySpec
 
 RepairKind = Literal["gain", "head", "tail", "name", "header", "depth"]
+ORDER: tuple[RepairKind, ...] = ("header", "head", "tail", "gain", "depth", "name")  # of the sound's way
 HEADROOM_DB = 1e-6  # of rounding, when a level is raised just to its limit
 WAV_KINDS = frozenset({"wav", "rf64"})
 WAV_BYTES = 0xFFFFFFFF - (1 << 20)  # of sound in a WAV file, with room for a megabyte of chunks
@@ -34,10 +35,13 @@ class Offer:
     words : str
         What the mend does, as in "lowers the level by 1.70 dB"; without a repair a sentence that
         says why there is none, and who can put it right.
+    gain_db : float
+        By how much the level would be moved for this finding alone; 0 for other repairs.
     """
 
     repair: RepairKind | None
     words: str
+    gain_db: float = 0.0
 
     def __bool__(self) -> bool:
         """Tell whether there is a repair."""
@@ -71,6 +75,19 @@ def mendable(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     if finding.check == "naming" and finding.code != "naming:unlisted":
         return _renaming(finding, report, spec)
     return Offer(None, _WHY_NOT.get(finding.code) or _WHY_NOT.get(finding.check) or ONLY_THE_SESSION)
+
+
+def mend_in_words(offers: Iterable[Offer]) -> str:
+    """Return what a mend does, as in "trims 407.0 ms from the start and lowers the level by 1.70 dB"; "" for nothing.
+
+    Of several findings about the level, the one that lowers it most is told: the mend moves it once.
+    """
+    by_kind: dict[str, Offer] = {}
+    for offer in offers:
+        if offer.repair is not None and (offer.repair not in by_kind or offer.gain_db < by_kind[offer.repair].gain_db):
+            by_kind[offer.repair] = offer
+    told = [by_kind[kind].words for kind in ORDER if kind in by_kind]
+    return " and ".join(part for part in (", ".join(told[:-1]), *told[-1:]) if part)
 
 
 def excess_db(finding: Finding) -> float:
@@ -112,7 +129,7 @@ def _facts(report: FileReport) -> Mapping[str, Any]:
 
 
 def _lowering(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
-    return Offer("gain", f"lowers the level by {excess_db(finding):.2f} dB")
+    return Offer("gain", f"lowers the level by {excess_db(finding):.2f} dB", -excess_db(finding))
 
 
 def _raising(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
@@ -125,7 +142,7 @@ def _raising(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
             f"Raising the level by {wanted_db:.1f} dB would take {peak} over their limit: "
             "less dynamic range is needed, which is made in the session.",
         )
-    return Offer("gain", f"raises the level by {wanted_db:.2f} dB")
+    return Offer("gain", f"raises the level by {wanted_db:.2f} dB", wanted_db)
 
 
 def headroom_db(report: FileReport, spec: DeliverySpec) -> float | None:

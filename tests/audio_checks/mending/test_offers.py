@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from audio_checks import FileReport, Finding, check_names, mendable, parse_spec
+from audio_checks import FileReport, Finding, check_names, mend_in_words, mendable, parse_spec
 from audio_checks.checks import all_checks
 from audio_checks.mending import offers
 
@@ -77,6 +77,21 @@ def test_every_check_is_answered_or_told_why_not(name):
     offer = mendable(finding(f"{name}:anything"), REPORT, SPEC)
     assert not offer
     assert offer.words.endswith(".")
+
+
+def test_a_whole_mend_in_words():
+    found = [
+        finding("sample-peak:over", 0.0, -0.1),
+        finding("naming:pattern"),
+        finding("true-peak:over", 0.7, -1.0),
+        finding("dc-offset:over", 2.0, 1.0),
+        finding("head-silence:over", 412.0, 5.0),
+    ]
+    offers_made = [mendable(one, REPORT, SPEC) for one in found]
+    told = "trims 407.0 ms from the start, lowers the level by 1.70 dB and names it laser_fire.wav"
+    assert mend_in_words(offers_made) == told
+    assert mend_in_words(offers_made[:1]) == "lowers the level by 0.10 dB"
+    assert mend_in_words([]) == ""
 
 
 def test_another_kind_of_file_is_not_mended():
