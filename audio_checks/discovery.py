@@ -74,12 +74,22 @@ class SpecFinder:
     """
 
     def __init__(self, named: str | None = None) -> None:
-        self._named = load_spec(named) if named else None
+        self._files: dict[int, Path] = {}
+        self._named = self._load(Path(named)) if named else None
         self._by_folder: dict[Path, DeliverySpec | None] = {}
 
     def spec_of(self, path: str) -> DeliverySpec | None:
         """Return the spec that a file stands under; None where no folder above it has one."""
         return self._named or self._in(Path(path).absolute().parent)
+
+    def file_of(self, spec: DeliverySpec) -> Path:
+        """Return the file that a spec was read from, by this finder."""
+        return self._files[id(spec)]
+
+    def _load(self, path: Path) -> DeliverySpec:
+        spec = load_spec(path)
+        self._files[id(spec)] = path
+        return spec
 
     def _in(self, folder: Path) -> DeliverySpec | None:
         if folder not in self._by_folder:
@@ -90,7 +100,7 @@ class SpecFinder:
         for name in SPEC_NAMES:
             path = folder / name
             if path.is_file() and _is_ours(path):
-                return load_spec(path)
+                return self._load(path)
         return None if folder.parent == folder else self._in(folder.parent)
 
 

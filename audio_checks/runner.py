@@ -96,7 +96,10 @@ def check_files(
 
     `jobs` is the number of processes, 0 for one a core. A process that dies leaves its file unjudged.
     """
-    tasks = [task_for(path, spec, target=target, category=category, sound_list=sound_list) for path in paths]
+    views: dict[tuple[int, str | None], DeliverySpec] = {}
+    tasks = [
+        task_for(path, spec, target=target, category=category, sound_list=sound_list, views=views) for path in paths
+    ]
     entries = judge(tasks, jobs=jobs)
     return report_on(entries, [spec] if spec else [], [task.spec for task in tasks if task.spec])
 
@@ -145,11 +148,21 @@ def task_for(
     target: str | None = None,
     category: str | None = None,
     sound_list: SoundList | None = None,
+    views: dict[tuple[int, str | None], DeliverySpec] | None = None,
 ) -> Task:
-    """Return the task of judging one file: its cue found by name, its limits by category and target."""
+    """Return the task of judging one file: its cue found by name, its limits by category and target.
+
+    `views` keeps the views of specs by category, so that many files share them; one target has one.
+    """
     slot = sound_list.slot_of_file(os.path.basename(os.fspath(path))) if sound_list else None
     cue = slot[0] if slot else None
-    view = view_of(spec, path, target=target, category=category, cue=cue) if spec else None
+    view = None
+    if spec is not None:
+        views = {} if views is None else views
+        name = category or (cue.category if cue else None) or spec.category_of(os.fspath(path))
+        if (id(spec), name) not in views:
+            views[id(spec), name] = view_of(spec, path, target=target, category=name, cue=cue)
+        view = views[id(spec), name]
     return Task(os.fspath(path), view, cue, unlisted=sound_list is not None and slot is None)
 
 

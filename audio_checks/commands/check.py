@@ -1,70 +1,275 @@
 """`audio-checks check`: judges files and folders."""
 
 import argparse
+import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from audio_checks import reporters
-from audio_checks.arguments import FOUND, OK, WRONG, add_paths, add_spec, found_files, number_of_jobs, spec_for
-from audio_checks.baseline import read_baseline
-from audio_checks.check_names import Severity
-from audio_checks.discovery import SpecFinder
-from audio_checks.findings import Report, with_waivers
+from audio_checks.arguments import (
+    FOUND,
+    OK,
+    WRONG,
+    UsageError,
+    add_paths,
+    add_spec,
+    found_files,
+    number_of_jobs,
+    spec_for,
+)
+from audio_checks.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_bytes, read_baseline
+from audio_checks.discovery import Found, SpecFinder
+from audio_checks.findings import FileReport, Report, printable, with_waivers
 from audio_checks.outputs import FORMAT_HELP, Outputs
+from audio_checks.processes import CORES, worth
 from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
-from audio_checks.terminal import say
+from audio_checks.spec import DeliverySpec
+from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, say
+
+if TYPE_CHECKING:
+    from audio_checks.in_place import Change
+    from audio_checks.runner import Task
+
+MANY_FAILING = 50  # from here on, to begin with a baseline is less work than to mend everything first
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Take paths, what they are judged by, and how the report is shown."""
+    """Take paths, what they are judged by, what is done about it, and how it is shown."""
     add_paths(parser)
     add_spec(parser)
     parser.add_argument("--target", metavar="NAME", help="judge renders made to this target, not deliveries")
-    parser.add_argument(
-        "--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(reporters.formats()))
-    )
-    parser.add_argument(
-        "--fail-level", choices=("error", "warning"), default="error", help="what makes the exit code 1"
-    )
-    parser.add_argument("-j", "--jobs", type=number_of_jobs, default=1, metavar="N", help="processes; 0 is one a core")
+    parser.add_argument("--changed-since", metavar="REF", help="only files that differ from where REF was left")
     parser.add_argument("--allow-empty", action="store_true", help="no audio at all is no fault")
-    parser.add_argument("--baseline", metavar="FILE", help="waived findings, as the server exports them")
-    parser.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+
+    fails = parser.add_argument_group("what fails")
+    fails.add_argument("--fail-level", choices=("error", "warning"), default="error", help="what makes the exit code 1")
+    fails.add_argument("--baseline", metavar="FILE", help="findings that are let through, as the server exports them")
+    fails.add_argument(
+        "--add-baseline", action="store_true", help=f"let through what is found now; kept in FILE, or {DEFAULT_NAME}"
+    )
+
+    mended = parser.add_argument_group("what is put right")
+    mended.add_argument("--fix", action="store_true", help="names, sizes in headers and zero padding, in place")
+    mended.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
+
+    shown = parser.add_argument_group("how it runs, and what is shown")
+    formats = ", ".join(reporters.formats())
+    shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(formats))
+    shown.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
+    shown.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+    shown.add_argument("--no-cache", action="store_true", help="judge every file, and remember no verdict")
+    shown.add_argument("--cache-dir", metavar="DIR", help="where verdicts are remembered")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Judge the files and report on them."""
+    """Judge the files, put right what may be, and report on the rest."""
     from audio_checks import runner
 
     outputs = Outputs(options.format, reporters.formats())
-    waived = read_baseline(options.baseline) if options.baseline else {}
-    finder = SpecFinder(options.spec)
-    found = found_files(options, may_be_none=options.allow_empty)
-    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
-    specs = [spec_for(one.path, finder, options) for one in found]
-    tasks = [
-        runner.task_for(one.path, spec, target=options.target, category=options.category, sound_list=sound_list)
-        for one, spec in zip(found, specs, strict=True)
-    ]
-    used = list({id(spec): spec for spec in specs if spec is not None}.values())
-    for warning in dict.fromkeys(f"{spec.name}: {one}" for spec in used for one in spec.warnings):
-        say(warning)
-    if None in specs:
-        say(f"no delivery spec for {specs.count(None)} of {len(specs)} files: only their structure is judged")
-    with Progress(len(tasks), shown=not options.no_progress) as progress:
-        entries = runner.judge(tasks, jobs=options.jobs, done=lambda entry: progress.step(entry.path))
-    entries = [with_waivers(entry, waived) for entry in entries]
-    report = runner.report_on(entries, used, [task.spec for task in tasks if task.spec])
+    if options.diff and options.format:
+        raise UsageError("--diff shows what would change in place of a report; leave --format out")
+    judging = _Judging(options)
+    tasks = judging.tasks()
+    entries = judging.entries(tasks)
+    left = False
+    if options.fix or options.diff:
+        changes, left = _planned(judging, tasks, entries)
+        if options.diff:
+            _show(changes)
+            return max(_exit_code(entries, options.fail_level), FOUND if changes or left else OK)
+        done, stayed = _put_right(changes)
+        left = left or stayed
+        tasks, entries = judging.again(tasks, entries, done)
+    if options.add_baseline:
+        entries = _let_through(entries, options)
+    report = runner.report_on(entries, judging.specs, [task.spec for task in tasks if task.spec])
     if report.not_run:
         say(f"not run, because this version lacks them: {', '.join(report.not_run)}")
     outputs.write(lambda name, colour: reporters.judged_as(name, report, reporters.Style(colour, options.fail_level)))
-    return exit_code(report, options.fail_level)
+    _offer_baseline(report, options)
+    return max(_exit_code(entries, options.fail_level), FOUND if left else OK)
 
 
-def exit_code(report: Report, fail_level: str) -> int:
+class _Judging:
+    """One run over files: what they are judged by, and what is said of them."""
+
+    def __init__(self, options: argparse.Namespace) -> None:
+        begins = options.add_baseline and not Path(options.baseline or DEFAULT_NAME).exists()
+        named = options.baseline or (DEFAULT_NAME if options.add_baseline else None)
+        self._waived = read_baseline(named) if named and not begins else {}
+        self._by_bytes = bool(self._waived) or options.add_baseline
+        self._options = options
+        self._finder = SpecFinder(options.spec)
+        self.sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+        self.specs: list[DeliverySpec] = []
+        self._spec_of: dict[str, DeliverySpec | None] = {}
+        self._views: dict[tuple[int, str | None], DeliverySpec] = {}
+
+    def tasks(self) -> list["Task"]:
+        """Return a task for every file that is meant, and say what is doubtful about the specs."""
+        options = self._options
+        found = found_files(options, may_be_none=options.allow_empty)
+        self._spec_of = {one.path: spec_for(one.path, self._finder, options) for one in found}
+        if options.changed_since is not None:
+            found = self._changed(found)
+        specs = [self._spec_of[one.path] for one in found]
+        self.specs = list({id(spec): spec for spec in specs if spec is not None}.values())
+        for warning in dict.fromkeys(f"{spec.name}: {one}" for spec in self.specs for one in spec.warnings):
+            say(warning)
+        if None in specs:
+            say(f"no delivery spec for {specs.count(None)} of {len(specs)} files: only their structure is judged")
+        return [self._task(one.path, spec) for one, spec in zip(found, specs, strict=True)]
+
+    def _task(self, path: str, spec: DeliverySpec | None) -> "Task":
+        from audio_checks import runner
+
+        target, category = self._options.target, self._options.category
+        return runner.task_for(
+            path, spec, target=target, category=category, sound_list=self.sound_list, views=self._views
+        )
+
+    def _changed(self, found: list[Found]) -> list[Found]:
+        """Return the files that the change touches; all, where it touches what they are judged by."""
+        from audio_checks.changed_since import Changes, spec_files
+
+        options = self._options
+        changes = Changes(options.changed_since)
+        shared = [Path(one) for one in (options.sound_list, options.baseline) if one and Path(one).exists()]
+        of_all: dict[int, bool] = {}
+        for spec in {id(spec): spec for spec in self._spec_of.values()}.values():
+            rules = [*shared, *(spec_files(self._finder.file_of(spec)) if spec else ())]
+            new = [rule for rule in rules if changes.touch(rule)]
+            of_all[id(spec)] = bool(new)
+            for rule in new:
+                say(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
+        touched = [one for one in found if of_all[id(self._spec_of[one.path])] or changes.touch(one.path)]
+        if not touched:
+            say(f"nothing to judge: no audio differs from {options.changed_since}")
+        return touched
+
+    def entries(self, tasks: Sequence["Task"]) -> list[FileReport]:
+        """Return what is said of each file: remembered where nothing changed, judged anew elsewhere."""
+        entries = self._judged(tasks) if self._options.no_cache else self._recalled(tasks)
+        if self._by_bytes:
+            entries = [known_by_its_bytes(entry, task.path) for entry, task in zip(entries, tasks, strict=True)]
+        return [with_waivers(entry, self._waived) for entry in entries]
+
+    def again(
+        self, tasks: list["Task"], entries: list[FileReport], renamed: dict[str, str]
+    ) -> tuple[list["Task"], list[FileReport]]:
+        """Judge the files again that were put right, under their names of now."""
+        for old, new in renamed.items():
+            self._spec_of[new] = self._spec_of[old]
+        new_tasks = [
+            self._task(renamed[task.path], self._spec_of[task.path]) if task.path in renamed else task for task in tasks
+        ]
+        fresh = iter(self.entries([new for old, new in zip(tasks, new_tasks, strict=True) if old.path in renamed]))
+        return new_tasks, [
+            next(fresh) if task.path in renamed else entry for task, entry in zip(tasks, entries, strict=True)
+        ]
+
+    def _recalled(self, tasks: Sequence["Task"]) -> list[FileReport]:
+        from audio_checks.cache import VerdictCache, default_folder
+
+        options = self._options
+        cache = VerdictCache(options.cache_dir or default_folder(), threads=options.jobs or CORES)
+        if options.cache_dir and not cache.usable:
+            say(f"{options.cache_dir}: verdicts cannot be kept there, so every file is judged")
+        known = cache.recall(tasks)
+        unknown = [task for task, entry in zip(tasks, known, strict=True) if entry is None]
+        judged = self._judged(unknown)
+        cache.remember(unknown, judged)
+        cache.close()
+        fresh = iter(judged)
+        return [entry or next(fresh) for entry in known]
+
+    def _judged(self, tasks: Sequence["Task"]) -> list[FileReport]:
+        from audio_checks import runner
+
+        options = self._options
+        jobs = worth([task.path for task in tasks]) if options.jobs is None else options.jobs
+        with Progress(len(tasks), shown=not options.no_progress) as progress:
+            return runner.judge(list(tasks), jobs=jobs, done=lambda entry: progress.step(entry.path))
+
+
+def _planned(judging: _Judging, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> tuple[list["Change"], bool]:
+    """Return what can be put right; say what cannot, and whether there is any."""
+    from audio_checks.in_place import CannotBePutRight, Repairs
+
+    repairs, left = Repairs(judging.sound_list), False
+    changes: list[Change] = []
+    for task, entry in zip(tasks, entries, strict=True):
+        try:
+            change = repairs.planned(task, entry)
+        except CannotBePutRight as error:
+            say(f"{entry.path}: left as it is: {error}")
+            left = True
+        else:
+            changes += [change] if change else []
+    return changes, left
+
+
+def _show(changes: Sequence["Change"]) -> None:
+    """Print what would be put right."""
+    from audio_checks.in_place import shown
+
+    ink = Ink(in_colour(sys.stdout))
+    colours = {"": BOLD, "-": RED, "+": GREEN}
+    for sign, words in shown(changes):
+        print(ink(printable(f"  {sign} {words}" if sign else words), colours[sign]))
+    print(f"{_files(len(changes))} would be put right; nothing was changed" if changes else "nothing to put right")
+
+
+def _put_right(changes: Sequence["Change"]) -> tuple[dict[str, str], bool]:
+    """Make the changes; return the new path of each changed file, and whether one could not be changed."""
+    from audio_checks.in_place import CannotBePutRight, put_right
+    from audio_checks.runner import legible
+
+    done: dict[str, str] = {}
+    for change in changes:
+        try:
+            put_right(change)
+        except CannotBePutRight as error:
+            say(f"{legible(change.path)}: left as it is: {error}")
+        else:
+            done[change.path] = change.new_path
+            new_name = [] if change.new_path == change.path else [f"renamed to {legible(Path(change.new_path).name)}"]
+            say(f"{legible(change.path)}: {'; '.join([*new_name, *change.header])}")
+    return done, len(done) < len(changes)
+
+
+def _let_through(entries: list[FileReport], options: argparse.Namespace) -> list[FileReport]:
+    """Write down what was found, so that it counts no more."""
+    place = options.baseline or DEFAULT_NAME
+    added = add_to_baseline(place, entries)
+    say(f"{place}: {added} findings let through from now on; read it with --baseline {place}")
+    waived = read_baseline(place)
+    return [with_waivers(entry, waived) for entry in entries]
+
+
+def _offer_baseline(report: Report, options: argparse.Namespace) -> None:
+    """Tell who meets a large tree for the first time how to begin with what is new."""
+    failing = sum(_fails(entry, options.fail_level) for entry in report.files)
+    if failing >= MANY_FAILING and not options.baseline:
+        say(
+            f"{_files(failing)} at once is much to mend: with --add-baseline this run lets through what is there"
+            " already, and only what is new fails from then on"
+        )
+
+
+def _fails(entry: FileReport, fail_level: str) -> bool:
+    levels = reporters.Style(fail_level="warning" if fail_level == "warning" else "error").failing
+    return any(entry.count(level, waived=False) for level in levels)
+
+
+def _exit_code(entries: Sequence[FileReport], fail_level: str) -> int:
     """Return 0, 1 for findings at or above the level that nobody waived, or 2 for a check that broke."""
-    if any(entry.verdict == "unjudged" for entry in report.files):
+    if any(entry.verdict == "unjudged" for entry in entries):
         return WRONG
-    levels: tuple[Severity, ...] = ("error", "warning") if fail_level == "warning" else ("error",)
-    failing = any(entry.count(level, waived=False) for entry in report.files for level in levels)
-    return FOUND if failing else OK
+    return FOUND if any(_fails(entry, fail_level) for entry in entries) else OK
+
+
+def _files(count: int) -> str:
+    return "1 file" if count == 1 else f"{count} files"
