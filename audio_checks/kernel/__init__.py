@@ -5,11 +5,11 @@ answers. Blocks are float64 of shape (channels, frames), each channel contiguous
 """
 
 try:
-    from audio_checks.kernel._kernel import decode_float, decode_pcm
+    from audio_checks.kernel._kernel import convert, decode_float, decode_pcm, fourier, hush
 except ImportError as error:
     raise ImportError(
         f"the compiled part of audio-checks cannot be loaded ({error}): it is missing, or older than the rest;"
         " install audio-checks again where there is a C compiler (in a checkout: make setup)"
     ) from error
 
-__all__ = ["decode_float", "decode_pcm"]
+__all__ = ["convert", "decode_float", "decode_pcm", "fourier", "hush"]

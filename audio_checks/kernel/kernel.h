@@ -44,6 +44,10 @@ int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t siz
 
 int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 
+PyObject *convert(PyObject *module, PyObject *const *args, Py_ssize_t count);
+PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count);
+PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count);
+
 PyObject *decode_pcm(PyObject *module, PyObject *const *args, Py_ssize_t count);
 PyObject *decode_float(PyObject *module, PyObject *const *args, Py_ssize_t count);
 

@@ -42,6 +42,9 @@ int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t siz
 static PyMethodDef table[] = {
     FUNCTION(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together."),
     FUNCTION(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0."),
+    FUNCTION(convert, "Filter blocks of a stream and bring them to a lower rate."),
+    FUNCTION(fourier, "Transform rows of complex numbers in place."),
+    FUNCTION(hush, "Set to zero what came of zeros alone."),
     {NULL, NULL, 0, NULL},
 };
 

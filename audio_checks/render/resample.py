@@ -2,10 +2,12 @@
 
 A block of the master is transformed, weighted by the low-pass, cut at the new Nyquist frequency and
 transformed back at the new length: filtering and changing the rate are one step. Blocks overlap by
-the reach of the filter, so their edges never show.
+the reach of the filter, so their edges never show. The transforms are our own (kernel/fourier.c), so
+that a render is the same to the last bit on every machine.
 """
 
 import math
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -14,12 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
+from audio_checks.kernel import convert, fourier, hush
+from audio_checks.render.turns import cos_sin_pi, kaiser_sinc, turns_of
 
 PASSBAND = 0.95  # of the new Nyquist frequency; the stop band begins at the new Nyquist frequency itself
 ATTENUATION_DB = 200.0
-MIN_BLOCK_FRAMES = 16_384
-BLOCK_FILTERS = 12  # a block is this many filters long, so a twelfth of the work is overlap
+BLOCK_FILTERS = 6  # a block is this many filters long, so a sixth of the work is overlap
+WINDOWS = 8  # are transformed at once, of all channels together
 SERIES_END = 1e-17
+GRID_END = 2_000
 
 Blocks = Callable[[], Iterable[NDArray[np.float64]]]
 
@@ -103,18 +108,43 @@ def resample_blocks(
     if to_hz == sample_rate_hz:
         yield from blocks()
         return
-    plan = _plan(sample_rate_hz, to_hz, frames)
-    stretch = _Stretch(plan, frames, frames_after(frames, sample_rate_hz, to_hz, loop=loop), loop=loop)
+    plan = _plan(sample_rate_hz, to_hz, frames * channels)
+    frames_out = frames_after(frames, sample_rate_hz, to_hz, loop=loop)
+    reader = _Reader(iter(blocks()), channels, start=0)
     if loop:
         lead = _frames_before(blocks, frames, plan.edge_in)
         reader = _Reader(_for_ever(lead, blocks), channels, start=-len(lead))
+        yield from _drifting(plan, _Stretch(plan, frames, frames_out), reader, frames_out)
+    elif plan.up * sample_rate_hz == plan.down * to_hz:
+        yield from _on_grid(plan, reader, frames_out, max(1, WINDOWS // channels))
     else:
-        reader = _Reader(iter(blocks()), channels, start=0)
-    for first in range(0, stretch.frames_out, plan.hop_out):
+        yield from _drifting(plan, _Stretch(plan, sample_rate_hz, to_hz), reader, frames_out)
+
+
+def _on_grid(plan: "_Plan", reader: "_Reader", frames_out: int, at_once: int) -> Iterator[NDArray[np.float64]]:
+    """Yield the new frames where blocks of both rates begin together."""
+    turns_in, turns_out = turns_of(plan.block_in), turns_of(plan.block_out)
+    positions = np.arange(at_once * plan.hop_out, dtype=np.int64) * plan.down
+    heard_from = positions // plan.up + (plan.edge_in - plan.reach)
+    heard_until = -(-positions // plan.up) + (plan.edge_in + plan.reach)
+    for first in range(0, frames_out, plan.hop_out * at_once):
+        wanted = min(plan.hop_out * at_once, frames_out - first)
+        blocks = -(-wanted // plan.hop_out)
+        stream = reader.take(first // plan.up * plan.down - plan.edge_in, (blocks - 1) * plan.hop_in + plan.block_in)
+        converted = np.empty((len(stream), blocks * plan.hop_out))
+        convert(stream, converted, plan.response, turns_in, turns_out, plan.hop_in, plan.hop_out, plan.edge_out)
+        frames = converted.shape[1]
+        hush(stream, converted, heard_from[:frames], heard_until[:frames])
+        yield converted[:, :wanted].T
+
+
+def _drifting(plan: "_Plan", stretch: "_Stretch", reader: "_Reader", frames_out: int) -> Iterator[NDArray[np.float64]]:
+    """Yield the new frames where they drift against the grid: of a loop, and of rates with no small ratio."""
+    for first in range(0, frames_out, plan.hop_out):
         start, late = stretch.start_of(first)
         window = reader.take(start - plan.edge_in, plan.block_in)
-        count = min(plan.hop_out, stretch.frames_out - first)
-        yield _convert(plan, window, count, late, stretch.drift)
+        count = min(plan.hop_out, frames_out - first)
+        yield _moved_block(plan, window, count, late, stretch.drift)
 
 
 @dataclass(frozen=True)
@@ -127,6 +157,7 @@ class _Plan:
     block_in: int
     edge_in: int
     edge_out: int
+    hop_in: int
     hop_out: int
     response: NDArray[np.float64]  # of the zero-phase low-pass, at the bins of a new block
 
@@ -143,32 +174,31 @@ def _lowpass(sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
     cutoff = (1 + PASSBAND) / 2 * new_nyquist
     half = math.ceil((ATTENUATION_DB - 7.95) / (14.36 * width) / 2)  # Kaiser's estimate of the order
     beta = 0.1102 * (ATTENUATION_DB - 8.7)
-    steps = np.arange(-half, half + 1)
-    taps: NDArray[np.float64] = 2 * cutoff * np.sinc(2 * cutoff * steps) * np.kaiser(2 * half + 1, beta)
-    taps /= taps.sum()
-    return taps
+    return kaiser_sinc(half, cutoff, beta)
 
 
-def _plan(sample_rate_hz: int, to_hz: int, frames: int) -> _Plan:
-    half = len(_lowpass(sample_rate_hz, to_hz)) // 2
-    wanted = max(MIN_BLOCK_FRAMES, BLOCK_FILTERS * 2 * half)
-    return _laid_plan(sample_rate_hz, to_hz, min(wanted, 1 << (frames - 1).bit_length()))
+def _plan(sample_rate_hz: int, to_hz: int, samples: int) -> _Plan:
+    """Return how to lay blocks; a short sound gets short ones, so that it fills the windows of one transform."""
+    taps = len(_lowpass(sample_rate_hz, to_hz))
+    fitting = 1 << (max(samples // WINDOWS, 2 * taps) - 1).bit_length()
+    return _laid_plan(sample_rate_hz, to_hz, min(BLOCK_FILTERS * taps, fitting))
 
 
 @lru_cache(maxsize=32)
 def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int) -> _Plan:
-    common = math.gcd(sample_rate_hz, to_hz)
-    up, down = to_hz // common, sample_rate_hz // common
+    up, down = _grid(sample_rate_hz, to_hz)
     taps = _lowpass(sample_rate_hz, to_hz)
     half = len(taps) // 2
-    slack = 2 + 2 * math.ceil(down / up)  # a loop's frames lie up to a frame off the grid of their block
+    drift = abs(sample_rate_hz * up - down * to_hz) / (to_hz * up)  # frames of the master, for each new one
+    slack = 2 + 2 * math.ceil(down / up) + math.ceil(2 * drift * hop_wanted)  # a loop drifts by up to one as well
     edge_units = math.ceil((half + slack) / down)
     units = _smooth(math.ceil(hop_wanted / down) + 2 * edge_units)
     block_in, block_out = units * down, units * up
-    centred = np.zeros(block_in)
-    centred[: half + 1] = taps[half:]
-    centred[-half:] = taps[:half]
-    response = np.fft.rfft(centred).real[: block_out // 2 + 1] * (up / down)
+    centred, imaginary = np.zeros((1, block_in)), np.zeros((1, block_in))
+    centred[0, : half + 1] = taps[half:]
+    centred[0, -half:] = taps[:half]
+    fourier(centred, imaginary, turns_of(block_in))
+    response = centred[0, : block_out // 2 + 1] / block_in
     if block_out % 2 == 0:
         response[-1] = 0.0
     return _Plan(
@@ -178,32 +208,47 @@ def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int) -> _Plan:
         block_in=block_in,
         edge_in=edge_units * down,
         edge_out=edge_units * up,
+        hop_in=(units - 2 * edge_units) * down,
         hop_out=(units - 2 * edge_units) * up,
         response=response,
     )
 
 
+def _grid(sample_rate_hz: int, to_hz: int) -> tuple[int, int]:
+    """Return how many new frames fall on how many of the master: the ratio itself where its factors are small.
+
+    Else the nearest such ratio: the rest is made up by moving each frame.
+    """
+    common = math.gcd(sample_rate_hz, to_hz)
+    up, down = to_hz // common, sample_rate_hz // common
+    if _is_small(up) and _is_small(down):
+        return up, down
+    pairs = ((new, round(new * sample_rate_hz / to_hz)) for new in range(1, GRID_END) if _is_small(new))
+    fitting = [(new, old) for new, old in pairs if old >= new and _is_small(old)]
+    return min(fitting, key=lambda pair: abs(pair[0] * sample_rate_hz - pair[1] * to_hz) / pair[0])
+
+
+def _is_small(number: int) -> bool:
+    """Tell whether 2, 3, 5 and 7 are the only prime factors."""
+    for prime in (2, 3, 5, 7):
+        while number % prime == 0:
+            number //= prime
+    return number == 1
+
+
 def _smooth(least: int) -> int:
-    """Return the first number from `least` on whose only prime factors are 2, 3 and 5, for quick transforms."""
-    number = least
-    while True:
-        rest = number
-        for prime in (2, 3, 5):
-            while rest % prime == 0:
-                rest //= prime
-        if rest == 1:
-            return number
-        number += 1
+    """Return the first number from `least` on that is a power of two, or three times one, for quick transforms."""
+    power = 1 << (least - 1).bit_length()
+    return power // 4 * 3 if power // 4 * 3 >= least else power
 
 
 class _Stretch:
-    """Where the new frames lie in the master; a loop is stretched evenly to its whole number of frames."""
+    """Where the new frames lie in the master: `step_out` of them for `step_in` of its own."""
 
-    def __init__(self, plan: _Plan, frames: int, frames_out: int, *, loop: bool) -> None:
-        self.frames_out = frames_out
-        self._step_in, self._step_out = (frames, frames_out) if loop else (plan.down, plan.up)
-        # Frames of the master by which each new frame comes later than on the plain grid of the rates.
-        self.drift = (self._step_in * plan.up - plan.down * self._step_out) / (self._step_out * plan.up)
+    def __init__(self, plan: _Plan, step_in: int, step_out: int) -> None:
+        self._step_in, self._step_out = step_in, step_out
+        # Frames of the master by which each new frame comes later than on the grid of the plan.
+        self.drift = (step_in * plan.up - plan.down * step_out) / (step_out * plan.up)
 
     def start_of(self, frame_out: int) -> tuple[int, float]:
         """Return the frame of the master at or just before a new frame, and by how much it is before."""
@@ -216,26 +261,25 @@ class _Reader:
 
     def __init__(self, source: Iterator[NDArray[np.float64]], channels: int, start: int) -> None:
         self._source = source
-        self._held = np.empty((0, channels))
-        self._start = start
+        self._channels = channels
+        self._held: deque[NDArray[np.float64]] = deque()
+        self._start = start  # of what is held
+        self._end = start
 
     def take(self, start: int, count: int) -> NDArray[np.float64]:
-        """Return `count` frames from `start` on, shape (count, channels)."""
-        before = max(0, self._start - start)
-        skip = max(0, start - self._start)
-        parts, have = [self._held], len(self._held)
-        while have < skip + count - before:
-            block = next(self._source, None)
-            if block is None:
-                break
-            parts.append(block)
-            have += len(block)
-        held = np.concatenate(parts)[skip:]
-        self._held = held
-        self._start += skip
-        window = np.zeros((count, held.shape[1]))
-        found = held[: count - before]
-        window[before : before + len(found)] = found
+        """Return `count` frames from `start` on, shape (channels, count), each channel contiguous."""
+        while self._held and self._start + len(self._held[0]) <= start:
+            self._start += len(self._held.popleft())
+        while self._end < start + count and (block := next(self._source, None)) is not None:
+            self._held.append(block)
+            self._end += len(block)
+        window = np.zeros((self._channels, count))
+        at = self._start
+        for block in self._held:
+            first, last = max(start, at), min(start + count, at + len(block))
+            if first < last:
+                window[:, first - start : last - start] = block[first - at : last - at].T
+            at += len(block)
         return window
 
 
@@ -255,48 +299,58 @@ def _for_ever(lead: NDArray[np.float64], blocks: Blocks) -> Iterator[NDArray[np.
         yield from blocks()
 
 
-def _convert(plan: _Plan, window: NDArray[np.float64], count: int, late: float, drift: float) -> NDArray[np.float64]:
-    planar = np.ascontiguousarray(window.T)
-    spectrum = np.fft.rfft(planar)[:, : len(plan.response)] * plan.response
+def _moved_block(
+    plan: _Plan, window: NDArray[np.float64], count: int, late: float, drift: float
+) -> NDArray[np.float64]:
+    """Return `count` new frames: the block moved as a whole to its middle, each frame by its own rest from there."""
+    bins = len(plan.response)
+    real, imaginary = window.copy(), np.zeros_like(window)
+    fourier(real, imaginary, turns_of(plan.block_in))
+    real, imaginary = real[:, :bins] * plan.response, imaginary[:, :bins] * plan.response
     offsets = (np.arange(count, dtype=np.float64) - (count - 1) / 2) * (drift * plan.up / plan.down)
     middle = late + drift * (count - 1) / 2
     span = slice(plan.edge_out, plan.edge_out + count)
     if middle:
-        spectrum *= np.exp(2j * np.pi / plan.block_in * middle * np.arange(len(plan.response)))
-    converted = np.fft.irfft(spectrum, plan.block_out)[:, span]
+        cosine, sine = cos_sin_pi(np.arange(bins) * (2.0 * middle / plan.block_in))
+        real, imaginary = real * cosine - imaginary * sine, real * sine + imaginary * cosine
+    converted = _backwards(plan, real, imaginary)[:, span]
     if drift:
-        converted += _moved(plan, spectrum, offsets, span)
-    _silence_where_silent(plan, planar, converted, late, drift)
+        converted = converted + _moved(plan, real, imaginary, offsets, span)
+    centre = plan.edge_in + late + np.arange(count) * (plan.down / plan.up + drift)
+    before, after = np.floor(centre).astype(np.int64), np.ceil(centre).astype(np.int64)
+    hush(window, converted, before - plan.reach, after + plan.reach)
     return converted.T
 
 
+def _backwards(plan: _Plan, real: NDArray[np.float64], imaginary: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the real signal of half a spectrum, shape (channels, block_out)."""
+    size, bins = plan.block_out, real.shape[1]
+    # Real and imaginary parts in each other's place make a transform forwards one backwards.
+    whole_real, whole_imaginary = np.zeros((len(real), size)), np.zeros((len(real), size))
+    whole_imaginary[:, :bins], whole_real[:, :bins] = real, imaginary
+    mirror = slice(size - 1, size // 2, -1)
+    count = size - 1 - size // 2
+    whole_imaginary[:, mirror], whole_real[:, mirror] = real[:, 1 : count + 1], -imaginary[:, 1 : count + 1]
+    fourier(whole_real, whole_imaginary, turns_of(size))
+    return whole_imaginary
+
+
 def _moved(
-    plan: _Plan, spectrum: NDArray[np.complex128], offsets: NDArray[np.float64], span: slice
+    plan: _Plan,
+    real: NDArray[np.float64],
+    imaginary: NDArray[np.float64],
+    offsets: NDArray[np.float64],
+    span: slice,
 ) -> NDArray[np.float64]:
-    """Return what a shift of each new frame by its own small offset adds: Taylor's series, derivatives by the FFT."""
-    turn = 2j * np.pi / plan.block_out * np.arange(spectrum.shape[1])  # at most iπ per new frame
+    """Return what a shift of each new frame by its own small offset adds: a Taylor series, its derivatives by transforms."""
+    turn = 2 * math.pi / plan.block_out * np.arange(real.shape[1])  # at most π per new frame
     bound = math.pi * float(np.abs(offsets).max(initial=0.0))
-    added = np.zeros((len(spectrum), len(offsets)))
+    added = np.zeros((len(real), len(offsets)))
     weight, size, order = np.ones_like(offsets), 1.0, 1
     while size > SERIES_END and bound:
-        spectrum = spectrum * turn
+        real, imaginary = -imaginary * turn, real * turn
         weight = weight * offsets / order
         size *= bound / order
-        added += weight * np.fft.irfft(spectrum, plan.block_out)[:, span]
+        added += weight * _backwards(plan, real, imaginary)[:, span]
         order += 1
     return added
-
-
-def _silence_where_silent(
-    plan: _Plan, planar: NDArray[np.float64], converted: NDArray[np.float64], late: float, drift: float
-) -> None:
-    sounding = planar != 0.0
-    if sounding.shape[1] - np.count_nonzero(sounding, axis=1).min() < plan.reach:
-        return
-    index = np.arange(converted.shape[1])
-    centre = plan.edge_in + late + index * (plan.down / plan.up + drift)
-    low = np.floor(centre).astype(np.int64) - plan.reach
-    high = np.ceil(centre).astype(np.int64) + plan.reach + 1
-    for channel, heard in enumerate(sounding):
-        counts = np.concatenate([[0], np.cumsum(heard)])
-        converted[channel, counts[high] == counts[low]] = 0.0

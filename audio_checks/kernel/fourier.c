@@ -1,0 +1,354 @@
+/* Fourier transforms of four complex signals at once, one in each lane, and what resampling makes of them.
+ *
+ * Stockham's self-sorting passes of radix 2, 3, 4, 5 and 7. The lanes never meet, so wider
+ * registers change no bit of the answer. Value i of lane l lies at 8i+l (real) and 8i+4+l (imaginary).
+ * Turns are a table of exp(-2 pi i j / n), j = 0..n-1, made by the caller.
+ */
+#include "kernel.h"
+
+#define LANES 4
+#define VALUE (2 * LANES)
+#define EACH for (int l = 0; l < LANES; l++)
+
+typedef Py_ssize_t length;
+
+CLONES static void pass_2(const double *RESTRICT x, double *RESTRICT y, const double *turns, length m, length s) {
+    for (length k = 0; k < m; k++) {
+        const double *w = turns + 2 * s * k;
+        const double *a = x + VALUE * s * k, *b = a + VALUE * s * m;
+        double *p = y + VALUE * s * 2 * k, *q = p + VALUE * s;
+        for (length t = 0; t < s; t++, a += VALUE, b += VALUE, p += VALUE, q += VALUE) EACH {
+                const double ar = a[l], ai = a[LANES + l], br = b[l], bi = b[LANES + l];
+                const double dr = ar - br, di = ai - bi;
+                p[l] = ar + br;
+                p[LANES + l] = ai + bi;
+                q[l] = dr * w[0] - di * w[1];
+                q[LANES + l] = dr * w[1] + di * w[0];
+            }
+    }
+}
+
+CLONES static void pass_4(const double *RESTRICT x, double *RESTRICT y, const double *turns, length m, length s) {
+    for (length k = 0; k < m; k++) {
+        const double *w1 = turns + 2 * s * k, *w2 = turns + 4 * s * k, *w3 = turns + 6 * s * k;
+        const double *a = x + VALUE * s * k, *b = a + VALUE * s * m, *c = b + VALUE * s * m, *d = c + VALUE * s * m;
+        double *p = y + VALUE * s * 4 * k, *q = p + VALUE * s, *r = q + VALUE * s, *u = r + VALUE * s;
+        for (length t = 0; t < s;
+             t++, a += VALUE, b += VALUE, c += VALUE, d += VALUE, p += VALUE, q += VALUE, r += VALUE, u += VALUE) EACH {
+                const double er = a[l] + c[l], ei = a[LANES + l] + c[LANES + l];
+                const double fr = a[l] - c[l], fi = a[LANES + l] - c[LANES + l];
+                const double gr = b[l] + d[l], gi = b[LANES + l] + d[LANES + l];
+                const double hr = b[LANES + l] - d[LANES + l], hi = d[l] - b[l];
+                const double qr = fr + hr, qi = fi + hi, rr = er - gr, ri = ei - gi, ur = fr - hr, ui = fi - hi;
+                p[l] = er + gr;
+                p[LANES + l] = ei + gi;
+                q[l] = qr * w1[0] - qi * w1[1];
+                q[LANES + l] = qr * w1[1] + qi * w1[0];
+                r[l] = rr * w2[0] - ri * w2[1];
+                r[LANES + l] = rr * w2[1] + ri * w2[0];
+                u[l] = ur * w3[0] - ui * w3[1];
+                u[LANES + l] = ur * w3[1] + ui * w3[0];
+            }
+    }
+}
+
+/* An odd radix by sums and differences of the values that lie opposite; `HALF` pairs of them. */
+#define ODD_PASS(RADIX, HALF)                                                                                          \
+    CLONES static void pass_##RADIX(const double *RESTRICT x, double *RESTRICT y, const double *turns, length n,       \
+                                    length m, length s) {                                                              \
+        double cosine[HALF + 1][HALF + 1], sine[HALF + 1][HALF + 1];                                                   \
+        for (int r = 1; r <= HALF; r++)                                                                                \
+            for (int j = 1; j <= HALF; j++) {                                                                          \
+                const length at = (length)((r * j) % RADIX) * (n / RADIX) * s;                                         \
+                cosine[r][j] = turns[2 * at];                                                                          \
+                sine[r][j] = turns[2 * at + 1];                                                                        \
+            }                                                                                                          \
+        for (length k = 0; k < m; k++)                                                                                 \
+            for (length t = 0; t < s; t++) {                                                                           \
+                const double *a = x + VALUE * (s * k + t);                                                             \
+                double *p = y + VALUE * (s * RADIX * k + t);                                                           \
+                double sr[HALF + 1][LANES], si[HALF + 1][LANES], dr[HALF + 1][LANES], di[HALF + 1][LANES];             \
+                for (int j = 1; j <= HALF; j++) {                                                                      \
+                    const double *b = a + VALUE * s * m * j, *c = a + VALUE * s * m * (RADIX - j);                     \
+                    EACH {                                                                                             \
+                        sr[j][l] = b[l] + c[l];                                                                        \
+                        si[j][l] = b[LANES + l] + c[LANES + l];                                                        \
+                        dr[j][l] = b[l] - c[l];                                                                        \
+                        di[j][l] = b[LANES + l] - c[LANES + l];                                                        \
+                    }                                                                                                  \
+                }                                                                                                      \
+                EACH {                                                                                                 \
+                    double zr = a[l], zi = a[LANES + l];                                                               \
+                    for (int j = 1; j <= HALF; j++) {                                                                  \
+                        zr += sr[j][l];                                                                                \
+                        zi += si[j][l];                                                                                \
+                    }                                                                                                  \
+                    p[l] = zr;                                                                                         \
+                    p[LANES + l] = zi;                                                                                 \
+                }                                                                                                      \
+                for (int r = 1; r <= HALF; r++) {                                                                      \
+                    const double *w = turns + 2 * s * k * r, *v = turns + 2 * s * k * (RADIX - r);                     \
+                    double *q = p + VALUE * s * r, *u = p + VALUE * s * (RADIX - r);                                   \
+                    EACH {                                                                                             \
+                        double er = a[l], ei = a[LANES + l], fr = 0.0, fi = 0.0;                                       \
+                        for (int j = 1; j <= HALF; j++) {                                                              \
+                            er += cosine[r][j] * sr[j][l];                                                             \
+                            ei += cosine[r][j] * si[j][l];                                                             \
+                            fr -= sine[r][j] * di[j][l];                                                               \
+                            fi += sine[r][j] * dr[j][l];                                                               \
+                        }                                                                                              \
+                        const double ar = er + fr, ai = ei + fi, br = er - fr, bi = ei - fi;                           \
+                        q[l] = ar * w[0] - ai * w[1];                                                                  \
+                        q[LANES + l] = ar * w[1] + ai * w[0];                                                          \
+                        u[l] = br * v[0] - bi * v[1];                                                                  \
+                        u[LANES + l] = br * v[1] + bi * v[0];                                                          \
+                    }                                                                                                  \
+                }                                                                                                      \
+            }                                                                                                          \
+    }
+
+ODD_PASS(3, 1)
+ODD_PASS(5, 2)
+ODD_PASS(7, 3)
+
+static const length RADICES[] = {4, 2, 3, 5, 7};
+
+/* The next radix of a length, or 0 where there is none. */
+static length radix_of(length n) {
+    for (size_t i = 0; i < sizeof RADICES / sizeof *RADICES; i++)
+        if (n % RADICES[i] == 0) return RADICES[i];
+    return 0;
+}
+
+static int transforms(length n) {
+    while (n > 1) {
+        const length radix = radix_of(n);
+        if (!radix) return 0;
+        n /= radix;
+    }
+    return n == 1;
+}
+
+/* Transform `n` values in `x`, with `y` as room to work; return which of the two holds the answer. */
+static double *transform(double *x, double *y, const double *turns, length n) {
+    length s = 1;
+    while (n > 1) {
+        const length radix = radix_of(n), m = n / radix;
+        switch (radix) {
+        case 2: pass_2(x, y, turns, m, s); break;
+        case 3: pass_3(x, y, turns, n, m, s); break;
+        case 4: pass_4(x, y, turns, m, s); break;
+        case 5: pass_5(x, y, turns, n, m, s); break;
+        default: pass_7(x, y, turns, n, m, s);
+        }
+        double *swap = x;
+        x = y;
+        y = swap;
+        s *= radix;
+        n = m;
+    }
+    return x;
+}
+
+/* Windows side by side: as many as fit, the rest silent. */
+static void gather(double *RESTRICT x, const double *const *window, length n) {
+    static const double none = 0.0;
+    const double *from[VALUE];
+    length step[VALUE];
+    for (int v = 0; v < VALUE; v++) {
+        from[v] = window[v] ? window[v] : &none;
+        step[v] = window[v] ? 1 : 0;
+    }
+    for (length i = 0; i < n; i++, x += VALUE)
+        for (int v = 0; v < VALUE; v++) x[v] = from[v][i * step[v]];
+}
+
+/* Weight the spectrum and keep the bins below the new Nyquist frequency. Real and imaginary parts change
+ * places, here and in the answer: that makes a transform backwards of one forwards. */
+CLONES static void cut(const double *RESTRICT x, double *RESTRICT y, const double *response, length n, length m) {
+    for (length j = 0; 2 * j < m; j++) {
+        const double weight = response[j];
+        const double *a = x + VALUE * j, *b = x + VALUE * (n - j);
+        double *p = y + VALUE * j, *q = y + VALUE * (m - j);
+        EACH {
+            p[l] = a[LANES + l] * weight;
+            p[LANES + l] = a[l] * weight;
+        }
+        if (j) EACH {
+                q[l] = b[LANES + l] * weight;
+                q[LANES + l] = b[l] * weight;
+            }
+    }
+    if (m % 2 == 0) memset(y + VALUE * (m / 2), 0, VALUE * sizeof(double));
+}
+
+typedef struct {
+    planar stream, out;
+    Py_buffer response, turns_in, turns_out;
+    length hop_in, hop_out, edge_out, n, m;
+} conversion;
+
+static void convert_blocks(const conversion *c, double *x, double *y) {
+    const length blocks = c->out.frames / c->hop_out, windows = blocks * c->stream.channels;
+    for (length first = 0; first < windows; first += VALUE) {
+        const double *window[VALUE] = {0};
+        double *to[VALUE] = {0};
+        for (int v = 0; v < VALUE && first + v < windows; v++) {
+            const length block = (first + v) / c->stream.channels, channel = (first + v) % c->stream.channels;
+            window[v] = c->stream.samples + channel * c->stream.row + block * c->hop_in;
+            to[v] = c->out.samples + channel * c->out.row + block * c->hop_out;
+        }
+        gather(x, window, c->n);
+        double *spectrum = transform(x, y, c->turns_in.buf, c->n), *room = spectrum == x ? y : x;
+        cut(spectrum, room, c->response.buf, c->n, c->m);
+        const double *answer = transform(room, spectrum, c->turns_out.buf, c->m);
+        for (int v = 0; v < VALUE; v++) {
+            if (!to[v]) continue;
+            const double *from = answer + VALUE * c->edge_out + (v + LANES) % VALUE;
+            for (length i = 0; i < c->hop_out; i++) to[v][i] = from[VALUE * i];
+        }
+    }
+}
+
+PyObject *convert(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    conversion c = {0};
+    if (arguments("convert", count, 8) < 0) return NULL;
+    c.hop_in = PyLong_AsSsize_t(args[5]);
+    c.hop_out = PyLong_AsSsize_t(args[6]);
+    c.edge_out = PyLong_AsSsize_t(args[7]);
+    if (PyErr_Occurred()) return NULL;
+    if (planar_open(args[0], &c.stream, 0) < 0) return NULL;
+    PyObject *answer = NULL;
+    double *room = NULL;
+    if (planar_open(args[1], &c.out, 1) < 0) goto close_stream;
+    if (row_open(args[2], &c.response, -1, sizeof(double), 0) < 0) goto close_out;
+    if (row_open(args[3], &c.turns_in, -1, 2 * sizeof(double), 0) < 0) goto close_response;
+    if (row_open(args[4], &c.turns_out, -1, 2 * sizeof(double), 0) < 0) goto close_turns_in;
+    c.n = c.turns_in.len / (2 * (length)sizeof(double));
+    c.m = c.turns_out.len / (2 * (length)sizeof(double));
+    const length blocks = c.hop_out > 0 ? c.out.frames / c.hop_out : 0;
+    if (!transforms(c.n) || !transforms(c.m) || c.hop_out < 1 || c.hop_in < 1 || c.edge_out < 0 || c.m < 1 || c.m > c.n || c.edge_out + c.hop_out > c.m ||
+        c.out.channels != c.stream.channels || blocks * c.hop_out != c.out.frames || blocks < 1 ||
+        (blocks - 1) * c.hop_in + c.n > c.stream.frames || c.response.len < (c.m / 2 + 1) * (length)sizeof(double)) {
+        PyErr_SetString(PyExc_ValueError, "the stream, the room for its blocks and their plan do not fit together");
+        goto close_turns_out;
+    }
+    room = PyMem_Malloc((size_t)c.n * 2 * VALUE * sizeof(double));
+    if (!room) {
+        PyErr_NoMemory();
+        goto close_turns_out;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    convert_blocks(&c, room, room + VALUE * c.n);
+    Py_END_ALLOW_THREADS
+    PyMem_Free(room);
+    answer = Py_None;
+    Py_INCREF(answer);
+close_turns_out:
+    PyBuffer_Release(&c.turns_out);
+close_turns_in:
+    PyBuffer_Release(&c.turns_in);
+close_response:
+    PyBuffer_Release(&c.response);
+close_out:
+    planar_close(&c.out);
+close_stream:
+    planar_close(&c.stream);
+    return answer;
+}
+
+PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    planar re, im;
+    Py_buffer turns;
+    PyObject *answer = NULL;
+    if (arguments("fourier", count, 3) < 0) return NULL;
+    if (planar_open(args[0], &re, 1) < 0) return NULL;
+    if (planar_open(args[1], &im, 1) < 0) goto close_re;
+    if (row_open(args[2], &turns, re.frames, 2 * sizeof(double), 0) < 0) goto close_im;
+    if (im.frames != re.frames || im.channels != re.channels || !transforms(re.frames)) {
+        PyErr_SetString(PyExc_ValueError, "two parts of one shape are wanted, their length a product of 2, 3, 5 and 7");
+        goto close_turns;
+    }
+    double *x = PyMem_Malloc((size_t)re.frames * 2 * VALUE * sizeof(double));
+    if (!x) {
+        PyErr_NoMemory();
+        goto close_turns;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (length first = 0; first < re.channels; first += LANES) {
+        const double *from[VALUE] = {0};
+        const length here = re.channels - first < LANES ? re.channels - first : LANES;
+        for (length l = 0; l < here; l++) {
+            from[l] = re.samples + (first + l) * re.row;
+            from[LANES + l] = im.samples + (first + l) * im.row;
+        }
+        gather(x, from, re.frames);
+        const double *done = transform(x, x + VALUE * re.frames, turns.buf, re.frames);
+        for (length l = 0; l < here; l++)
+            for (length i = 0; i < re.frames; i++) {
+                re.samples[(first + l) * re.row + i] = done[VALUE * i + l];
+                im.samples[(first + l) * im.row + i] = done[VALUE * i + LANES + l];
+            }
+    }
+    Py_END_ALLOW_THREADS
+    PyMem_Free(x);
+    answer = Py_None;
+    Py_INCREF(answer);
+close_turns:
+    PyBuffer_Release(&turns);
+close_im:
+    planar_close(&im);
+close_re:
+    planar_close(&re);
+    return answer;
+}
+
+PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    planar stream, out;
+    Py_buffer first, last;
+    PyObject *answer = NULL;
+    if (arguments("hush", count, 4) < 0) return NULL;
+    if (planar_open(args[0], &stream, 0) < 0) return NULL;
+    if (planar_open(args[1], &out, 1) < 0) goto close_stream;
+    if (row_open(args[2], &first, out.frames, sizeof(int64_t), 0) < 0) goto close_out;
+    if (row_open(args[3], &last, out.frames, sizeof(int64_t), 0) < 0) goto close_first;
+    const int64_t *from = first.buf, *until = last.buf;
+    int64_t least = 0;
+    for (length i = 0; i < out.frames; i++) {
+        if (from[i] < least || until[i] < from[i] || until[i] >= stream.frames) {
+            PyErr_SetString(PyExc_ValueError, "what a frame hears must lie inside the stream, in rising order");
+            goto close_last;
+        }
+        least = from[i];
+    }
+    if (out.channels != stream.channels) {
+        PyErr_SetString(PyExc_ValueError, "the stream and what came of it have different channels");
+        goto close_last;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (length channel = 0; channel < out.channels; channel++) {
+        const double *heard = stream.samples + channel * stream.row;
+        double *to = out.samples + channel * out.row;
+        length sounding = 0; /* the first frame from from[i] on that is not zero */
+        for (length i = 0; i < out.frames; i++) {
+            if (sounding < from[i]) sounding = from[i];
+            while (sounding <= until[i] && heard[sounding] == 0.0) sounding++;
+            if (sounding > until[i]) to[i] = 0.0;
+        }
+    }
+    Py_END_ALLOW_THREADS
+    answer = Py_None;
+    Py_INCREF(answer);
+close_last:
+    PyBuffer_Release(&last);
+close_first:
+    PyBuffer_Release(&first);
+close_out:
+    planar_close(&out);
+close_stream:
+    planar_close(&stream);
+    return answer;
+}
