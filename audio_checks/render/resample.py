@@ -311,7 +311,7 @@ def _moved_block(
     middle = late + drift * (count - 1) / 2
     span = slice(plan.edge_out, plan.edge_out + count)
     if middle:
-        cosine, sine = cos_sin_pi(np.arange(bins) * (2.0 * middle / plan.block_in))
+        cosine, sine = cos_sin_pi(np.arange(bins, dtype=np.float64) * (2.0 * middle / plan.block_in))
         real, imaginary = real * cosine - imaginary * sine, real * sine + imaginary * cosine
     converted = _backwards(plan, real, imaginary)[:, span]
     if drift:
@@ -342,7 +342,7 @@ def _moved(
     offsets: NDArray[np.float64],
     span: slice,
 ) -> NDArray[np.float64]:
-    """Return what a shift of each new frame by its own small offset adds: a Taylor series, its derivatives by transforms."""
+    """Return what a shift of each new frame by its own small offset adds, by Taylor's series."""
     turn = 2 * math.pi / plan.block_out * np.arange(real.shape[1])  # at most π per new frame
     bound = math.pi * float(np.abs(offsets).max(initial=0.0))
     added = np.zeros((len(real), len(offsets)))
