@@ -29,10 +29,11 @@ check: setup  ## Lint, types, import contracts, OpenAPI drift
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
-unit: setup  ## Python tests
+unit: setup .make/postgresql  ## Python tests, those of rooms and journeys on both databases
 	@rm -f .make/closing-lines
 	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS) | tee .make/unit.log
-	@tail -n 1 .make/unit.log > .make/closing-lines
+	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres tests/app tests/journeys $(ARGS) | tee .make/unit-postgres.log
+	@tail -q -n 1 .make/unit.log .make/unit-postgres.log > .make/closing-lines
 
 frontend-test: setup  ## Tests of the frontend's parts
 	@cd frontend && npm run --silent test
@@ -40,7 +41,7 @@ frontend-test: setup  ## Tests of the frontend's parts
 e2e: setup .make/browser  ## Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
 
-kill: setup  ## Kill real processes at every named point, 20 times each
+kill: setup .make/postgresql  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest tests/kill --kill-runs 20
 
 fuzz: setup  ## Feed the reader a million mutants
@@ -85,6 +86,12 @@ clean:  ## Remove what set-up made; data stays
 
 .make/page: .make/node frontend/openapi.json frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f 2>/dev/null)
 	@echo "Building the frontend" && cd frontend && npm run --silent build
+	@touch $@
+
+.make/postgresql:
+	@mkdir -p .make
+	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || command -v postgres >/dev/null || \
+	  { echo "Installing PostgreSQL" && sh .ci/install postgresql; }
 	@touch $@
 
 .make/browser:

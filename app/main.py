@@ -42,7 +42,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     )
     app.state.runtime = runtime
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
-    events.connect(runtime.queue, rooms.SUBSCRIBERS)
+    events.connect(rooms.SUBSCRIBERS)
     http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE))
     for router in rooms.ROUTERS:
         app.include_router(router)

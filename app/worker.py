@@ -33,7 +33,7 @@ def start_worker(runtime: Runtime) -> Worker:
     wanted = {name for names in rooms.SUBSCRIBERS.values() for name in names}
     if missing := wanted - job_names():
         raise RuntimeError(f"nobody does the jobs {', '.join(sorted(missing))}")
-    events.connect(runtime.queue, rooms.SUBSCRIBERS)
+    events.connect(rooms.SUBSCRIBERS)
     worker = Worker(runtime, worker_id=runtime.settings.worker_id, jobs_at_once=runtime.settings.worker_jobs)
     worker.start()
     return worker

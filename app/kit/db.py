@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
 from pathlib import Path
@@ -24,6 +25,9 @@ CONSTRAINT_NAMES = {
 }
 WRITES = "soundlist_writes"  # execution option: this transaction takes SQLite's write lock at its start
 BUSY_TIMEOUT_MS = 15_000
+REQUEST_ROLE = "soundlist_request"  # on PostgreSQL: what a request's transaction runs as; it owns nothing
+PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row policies ask for
+REACH = "reach"  # key in a session's info
 
 
 def new_id() -> UUID:
@@ -63,11 +67,27 @@ class Base(DeclarativeBase):
     }
 
 
+@dataclass(frozen=True)
+class Reach:
+    """For whom a transaction runs: PostgreSQL shows it their rows and no others. Without either it sees nothing."""
+
+    person_id: UUID | None = None
+    project_id: UUID | None = None  # the one project of a build's token, or of a link that somebody holds
+
+
+NOBODY = Reach()
+
+
+class _Session(Session):
+    """A session whose transactions begin within its reach, where it has one."""
+
+
 class Database:
     """One engine and the two kinds of transaction on it."""
 
     def __init__(self, url: str) -> None:
         self.url = url
+        self.session_info: dict[str, Any] = {}  # what every session of this database carries
         parsed = make_url(url)
         if parsed.drivername in ("postgresql", "postgres"):
             parsed = parsed.set(drivername="postgresql+psycopg")
@@ -81,22 +101,82 @@ class Database:
         else:
             self.engine = sa.create_engine(parsed, pool_size=10, max_overflow=20, pool_pre_ping=True)
         self._writer = self.engine.execution_options(**{WRITES: True})
+        self._reader = (
+            self.engine
+            if self.is_sqlite
+            else self.engine.execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
+        )
 
     @contextmanager
-    def reading(self) -> Iterator[Session]:
-        """Give a session that sees one moment and changes nothing: closing it rolls back."""
-        with Session(self.engine, expire_on_commit=False) as session:
+    def reading(self, reach: Reach | None = None) -> Iterator[Session]:
+        """Give a session that sees one moment and changes nothing: closing it rolls back.
+
+        Without a reach it is the server's own: jobs, and what happens before it is known who comes.
+        """
+        with self._session(self._reader, reach) as session:
             yield session
 
     @contextmanager
-    def writing(self) -> Iterator[Session]:
+    def writing(self, reach: Reach | None = None) -> Iterator[Session]:
         """Give a session whose work is committed when the block ends, and undone when it raises."""
-        with Session(self._writer, expire_on_commit=False) as session, session.begin():
+        with self._session(self._writer, reach) as session, session.begin():
             yield session
+
+    def _session(self, engine: sa.Engine, reach: Reach | None) -> Session:
+        session = _Session(engine, expire_on_commit=False, info=self.session_info)
+        if reach is not None:
+            session.info[REACH] = reach
+        return session
 
     def dispose(self) -> None:
         """Close every connection."""
         self.engine.dispose()
+
+
+def reach_further(session: Session, reach: Reach) -> None:
+    """Let a request's transaction go on for somebody else: whoever it has just become known to be for."""
+    if REACH not in session.info:
+        return
+    session.info[REACH] = reach
+    if _is_guarded(session):
+        session.flush()
+        _say_reach(session.connection(), reach)
+
+
+@contextmanager
+def beyond_reach(session: Session) -> Iterator[None]:
+    """Let a block of a request touch any row: each use says why the caller's own reach cannot do."""
+    if not _is_guarded(session):
+        yield
+        return
+    session.flush()  # what came before is held to the caller's reach
+    _set_locally(session.connection(), role="none")
+    try:
+        yield
+        session.flush()
+    except BaseException:
+        session.rollback()  # nobody goes on from here with every row in sight
+        raise
+    _set_locally(session.connection(), role=REQUEST_ROLE)
+
+
+def _is_guarded(session: Session) -> bool:
+    return REACH in session.info and session.get_bind().dialect.name == "postgresql"
+
+
+@event.listens_for(_Session, "after_begin")
+def _begin_within_reach(session: Session, _transaction: Any, connection: sa.Connection) -> None:
+    if _is_guarded(session):
+        _say_reach(connection, session.info[REACH])
+
+
+def _say_reach(connection: sa.Connection, reach: Reach) -> None:
+    known = {PERSON: reach.person_id, PROJECT: reach.project_id}
+    _set_locally(connection, role=REQUEST_ROLE, **{name: str(value or "") for name, value in known.items()})
+
+
+def _set_locally(connection: sa.Connection, **values: str) -> None:
+    connection.execute(sa.select(*(sa.func.set_config(name, value, True) for name, value in values.items())))
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:

@@ -7,9 +7,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.kit.db import new_id
-from app.kit.queue import NORMAL, JobQueue
+from app.kit.queue import NORMAL, queue_of
 
-_queue: JobQueue | None = None
 _subscribers: Mapping[str, tuple[str, ...]] = {}
 
 
@@ -17,10 +16,10 @@ class UnknownEvent(Exception):
     """Nobody has said in app/rooms.py who listens to this event."""
 
 
-def connect(queue: JobQueue, subscribers: Mapping[str, tuple[str, ...]]) -> None:
-    """Say where events go: the queue they become jobs in, and the jobs that each event starts."""
-    global _queue, _subscribers
-    _queue, _subscribers = queue, subscribers
+def connect(subscribers: Mapping[str, tuple[str, ...]]) -> None:
+    """Say which jobs each event starts."""
+    global _subscribers  # noqa: PLW0603
+    _subscribers = subscribers
 
 
 def publish(
@@ -36,14 +35,14 @@ def publish(
 
     `studio_id` is whose work it is; None for what concerns one person's account alone.
     """
-    if _queue is None or event not in _subscribers:
+    if event not in _subscribers:
         raise UnknownEvent(event)
     event_id = new_id()
     payload: dict[str, Any] = {"event": event, "event_id": str(event_id)}
     payload["studio_id"] = str(studio_id) if studio_id else None
     payload |= {name: str(value) if isinstance(value, UUID) else value for name, value in facts.items()}
     for subscriber in _subscribers[event]:
-        _queue.enqueue(
+        queue_of(session).enqueue(
             session,
             subscriber,
             payload,

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from app.kit.runtime import Runtime
 
 JOB_QUEUE = "jobs"
+QUEUE = "queue"  # key in a session's info: the queue of the database that it is on
 # Changes only when a job's steps change incompatibly: DBOS resumes only jobs of the version it runs.
 STEPS_VERSION = "1"
 APPLICATION = "soundlist"
@@ -107,6 +108,7 @@ class JobQueue:
 
     def __init__(self, database: Database) -> None:
         self._database = database
+        database.session_info[QUEUE] = self
         self._workflows = _workflows(database)
         self._client = DBOSClient(
             system_database_url=_system_url(database),
@@ -185,6 +187,12 @@ class JobQueue:
     def close(self) -> None:
         """Close the client's own connections."""
         self._client.destroy()
+
+
+def queue_of(session: Session) -> JobQueue:
+    """Return the queue beside the database that a session is on."""
+    queue: JobQueue = session.info[QUEUE]
+    return queue
 
 
 def _workflows(database: Database) -> sa.TableClause:

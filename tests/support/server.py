@@ -49,7 +49,9 @@ class RunningServer:
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
         deadline = time.monotonic() + seconds
-        unfinished = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING')")
+        status = sa.column("status", sa.Text)
+        jobs = sa.table("workflow_status", status, schema=None if self.runtime.database.is_sqlite else "dbos")
+        unfinished = sa.select(sa.func.count()).select_from(jobs).where(status.in_(("ENQUEUED", "PENDING")))
         while time.monotonic() < deadline:
             with self.runtime.database.reading() as session:
                 if session.scalar(unfinished) == 0:

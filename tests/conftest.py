@@ -1,0 +1,39 @@
+"""Which database the tests of rooms and journeys run on; the others need none or bring their own."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.support.postgres import Postgres, running_postgres
+
+SQLITE, POSTGRES = "sqlite", "postgres"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--database", choices=(SQLITE, POSTGRES), default=SQLITE, help="what the rooms and journeys run on"
+    )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """On PostgreSQL leave out what would only run again as it ran on SQLite."""
+    if config.getoption("--database") == POSTGRES:
+        there = [item for item in items if "database_url" in getattr(item, "fixturenames", ())]
+        config.hook.pytest_deselected(items=[item for item in items if item not in there])
+        items[:] = there
+
+
+@pytest.fixture(scope="session")
+def postgres() -> Iterator[Postgres]:
+    """A PostgreSQL server, started by the first test of this process that asks for it."""
+    with running_postgres() as server:
+        yield server
+
+
+@pytest.fixture(scope="session")
+def database_url(request: pytest.FixtureRequest) -> str:
+    """The value of SOUNDLIST_DATABASE_URL for the server under test; empty for the embedded default."""
+    if request.config.getoption("--database") == SQLITE:
+        return ""
+    server: Postgres = request.getfixturevalue("postgres")
+    return server.new_database("soundlist")
