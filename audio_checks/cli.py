@@ -26,6 +26,7 @@ COMMANDS = {
     "list": ("audio_checks.commands.list", "all checks"),
     "new-spec": ("audio_checks.commands.new_spec", "print a commented spec to start from"),
     "schema": ("audio_checks.commands.schema", "print the JSON Schema of the spec or of the report"),
+    "completion": ("audio_checks.commands.completion", "print a script that completes commands in a shell"),
 }
 """Every command: the module that has it, and what it does."""
 

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from audio_checks.in_place import Change
     from audio_checks.runner import Task
 
+FORMATS = reporters.formats()
 MANY_FAILING = 50  # from here on, to begin with a baseline is less work than to mend everything first
 
 
@@ -55,8 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     mended.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
 
     shown = parser.add_argument_group("how it runs, and what is shown")
-    formats = ", ".join(reporters.formats())
-    shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(formats))
+    shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
     shown.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
     shown.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
     shown.add_argument("--no-cache", action="store_true", help="judge every file, and remember no verdict")
@@ -67,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
     """Judge the files, put right what may be, and report on the rest."""
     from audio_checks import runner
 
-    outputs = Outputs(options.format, reporters.formats())
+    outputs = Outputs(options.format, FORMATS)
     if options.diff and options.format:
         raise UsageError("--diff shows what would change in place of a report; leave --format out")
     judging = _Judging(options)

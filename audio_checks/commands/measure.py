@@ -9,21 +9,21 @@ from audio_checks.findings import FileReport
 from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.terminal import say
 
+FORMATS = reporters.measured_formats()
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Take paths and formats."""
     add_paths(parser)
     parser.add_argument("--category", metavar="NAME", help="name of the category, for the record")
-    parser.add_argument(
-        "--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(reporters.measured_formats()))
-    )
+    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
 
 
 def run(options: argparse.Namespace) -> int:
     """Measure the files, and say of each that cannot be read why."""
     from audio_checks import runner
 
-    outputs = Outputs(options.format, reporters.measured_formats())
+    outputs = Outputs(options.format, FORMATS)
     entries, code = [], OK
     for one in found_files(options):
         shown = runner.legible(one.path)
