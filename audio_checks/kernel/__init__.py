@@ -4,12 +4,46 @@ Every function has a plain numpy reference in `tests/audio_checks/kernel`, which
 answers. Blocks are float64 of shape (channels, frames), each channel contiguous, full scale ±1.0.
 """
 
+import numpy as np
+from numpy.typing import NDArray
+
 try:
-    from audio_checks.kernel._kernel import convert, decode_float, decode_pcm, fourier, hush
+    from audio_checks.kernel._kernel import (
+        convert,
+        decode_float,
+        decode_pcm,
+        fourier,
+        highest,
+        hop_energies,
+        hush,
+        levels,
+        products,
+        records,
+        true_peak,
+    )
 except ImportError as error:
     raise ImportError(
         f"the compiled part of audio-checks cannot be loaded ({error}): it is missing, or older than the rest;"
         " install audio-checks again where there is a C compiler (in a checkout: make setup)"
     ) from error
 
-__all__ = ["convert", "decode_float", "decode_pcm", "fourier", "hush"]
+__all__ = [
+    "by_channel",
+    "convert",
+    "decode_float",
+    "decode_pcm",
+    "fourier",
+    "highest",
+    "hop_energies",
+    "hush",
+    "levels",
+    "products",
+    "records",
+    "true_peak",
+]
+
+
+def by_channel(block: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return samples of shape (frames, channels) as the kernel takes them; a scattered channel is copied."""
+    rows = block.T
+    return rows if rows.strides[1] == rows.itemsize else np.ascontiguousarray(rows)

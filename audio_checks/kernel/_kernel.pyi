@@ -3,20 +3,56 @@
 import numpy as np
 from numpy.typing import NDArray
 
-_Block = NDArray[np.float64]
+_Floats = NDArray[np.float64]
 
-def decode_pcm(raw: bytes, container_bits: int, block: _Block, /) -> int: ...
-def decode_float(raw: bytes, container_bits: int, block: _Block, /) -> int: ...
 def convert(
-    stream: _Block,
-    out: _Block,
-    response: NDArray[np.float64],
-    turns_in: NDArray[np.float64],
-    turns_out: NDArray[np.float64],
+    stream: _Floats,
+    out: _Floats,
+    response: _Floats,
+    turns_in: _Floats,
+    turns_out: _Floats,
     hop_in: int,
     hop_out: int,
     edge_out: int,
     /,
 ) -> None: ...
-def fourier(real: _Block, imaginary: _Block, turns: NDArray[np.float64], /) -> None: ...
-def hush(stream: _Block, out: _Block, first: NDArray[np.int64], last: NDArray[np.int64], /) -> None: ...
+def decode_pcm(raw: bytes, container_bits: int, block: _Floats, /) -> int: ...
+def decode_float(raw: bytes, container_bits: int, block: _Floats, /) -> int: ...
+def fourier(real: _Floats, imaginary: _Floats, turns: _Floats, /) -> None: ...
+def highest(block: _Floats, /) -> float: ...
+def hop_energies(
+    block: _Floats,
+    coefficients: _Floats,
+    weights: _Floats,
+    memory: _Floats,
+    open_energies: _Floats,
+    hops: _Floats,
+    rate: int,
+    seen: int,
+    hop: int,
+    /,
+) -> int: ...
+def hush(stream: _Floats, out: _Floats, first: NDArray[np.int64], last: NDArray[np.int64], /) -> None: ...
+def levels(block: _Floats, figures: _Floats, /) -> int: ...
+def products(block: _Floats, sums: _Floats, /) -> None: ...
+def records(
+    block: _Floats,
+    loudest: float,
+    ceiling: float,
+    grain: float,
+    backward: bool,
+    levels: _Floats,
+    places: NDArray[np.int64],
+    /,
+) -> int: ...
+def true_peak(
+    block: _Floats,
+    history: _Floats,
+    near_taps: _Floats,
+    fine_taps: _Floats,
+    missed: float,
+    best: float,
+    place: int,
+    seen: int,
+    /,
+) -> tuple[float, int]: ...

@@ -10,6 +10,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -28,6 +29,41 @@
 #define CLONES
 #endif
 
+/* Numbers that are worked on together: two neighbours, or the same place of two channels. Where the compiler has no
+ * such type they come one at a time; what is written is the same, and so is every result. */
+#if defined(__GNUC__)
+typedef double together __attribute__((vector_size(16)));
+enum { TOGETHER = 2 };
+#define BOTH(first, second) ((together){first, second})
+#else
+typedef double together;
+enum { TOGETHER = 1 };
+#define BOTH(first, second) (first)
+#endif
+
+static inline together neighbours(const double *samples) {
+    together loaded;
+    memcpy(&loaded, samples, sizeof loaded);
+    return loaded;
+}
+
+/* The larger of each two; of these the compiler makes no single instruction by itself. */
+#if defined(__GNUC__) && defined(__SSE2__)
+#include <emmintrin.h>
+static inline together larger(together one, together other) { return (together)_mm_max_pd((__m128d)one, (__m128d)other); }
+static inline together sizes(together samples) { return (together)_mm_andnot_pd(_mm_set1_pd(-0.0), (__m128d)samples); }
+#elif defined(__GNUC__)
+typedef int64_t masks __attribute__((vector_size(16)));
+static inline together larger(together one, together other) {
+    const masks first = one > other;
+    return (together)((first & (masks)one) | (~first & (masks)other));
+}
+static inline together sizes(together samples) { return (together)((masks)samples & INT64_MAX); }
+#else
+static inline together larger(together one, together other) { return one > other ? one : other; }
+static inline together sizes(together samples) { return fabs(samples); }
+#endif
+
 /* Samples by channel: each row contiguous, rows `row` apart. */
 typedef struct {
     Py_buffer view;
@@ -42,13 +78,44 @@ void planar_close(planar *block);
 /* Open `object` as `count` numbers of `size` bytes in a row; a count of -1 takes any. */
 int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t size, int writable);
 
+/* The buffers that a call holds, let go of together. */
+enum { MAX_HELD = 8 };
+typedef struct {
+    Py_buffer views[MAX_HELD];
+    int count;
+} holding;
+
+void let_go(holding *held);
+
+/* Take `object` as a planar block of float64, shape (channels, frames); 0, or -1 with an error set. */
+int take_planar(holding *held, PyObject *object, planar *block, int writable);
+
+/* Take `object` as `count` items of `size` bytes in a row (-1: any count); NULL with an error set. */
+void *take_row(holding *held, PyObject *object, Py_ssize_t count, Py_ssize_t size, int writable);
+
+#define TAKE_DOUBLES(held, object, count, writable) take_row(held, object, count, sizeof(double), writable)
+
 int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 
-PyObject *convert(PyObject *module, PyObject *const *args, Py_ssize_t count);
-PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count);
-PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count);
+/* levels.c */
+double highest_magnitude(const double *samples, Py_ssize_t count);
+Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
 
-PyObject *decode_pcm(PyObject *module, PyObject *const *args, Py_ssize_t count);
-PyObject *decode_float(PyObject *module, PyObject *const *args, Py_ssize_t count);
+/* What Python may call: each name stands here once. */
+#define FUNCTIONS(EACH) \
+    EACH(convert, "Filter blocks of a stream and bring them to a lower rate.") \
+    EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0.") \
+    EACH(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together.") \
+    EACH(fourier, "Transform rows of complex numbers in place.") \
+    EACH(highest, "Return the highest magnitude of all samples.") \
+    EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
+    EACH(hush, "Set to zero what came of zeros alone.") \
+    EACH(levels, "Add to each channel's peak, sum and sum of squares; return the frame of a new highest peak, or -1.") \
+    EACH(products, "Add to the products of every two channels.") \
+    EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
+    EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.")
+
+#define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);
+FUNCTIONS(DECLARED)
 
 #endif

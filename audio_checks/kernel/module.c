@@ -8,13 +8,36 @@ int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted) {
 }
 
 int planar_open(PyObject *object, planar *block, int writable) {
-    int flags = PyBUF_STRIDES | PyBUF_FORMAT | (writable ? PyBUF_WRITABLE : 0);
-    if (PyObject_GetBuffer(object, &block->view, flags) < 0) return -1;
-    const Py_buffer *view = &block->view;
+    holding held = {.count = 0};
+    const int result = take_planar(&held, object, block, writable);
+    if (result < 0) let_go(&held);
+    else block->view = held.views[0];
+    return result;
+}
+
+void planar_close(planar *block) { PyBuffer_Release(&block->view); }
+
+int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t size, int writable) {
+    holding held = {.count = 0};
+    if (!take_row(&held, object, count, size, writable)) {
+        let_go(&held);
+        return -1;
+    }
+    *view = held.views[0];
+    return 0;
+}
+
+void let_go(holding *held) {
+    while (held->count > 0) PyBuffer_Release(&held->views[--held->count]);
+}
+
+int take_planar(holding *held, PyObject *object, planar *block, int writable) {
+    Py_buffer *view = &held->views[held->count];
     const Py_ssize_t size = (Py_ssize_t)sizeof(double);
+    if (PyObject_GetBuffer(object, view, PyBUF_STRIDES | PyBUF_FORMAT | (writable ? PyBUF_WRITABLE : 0)) < 0) return -1;
+    held->count++;
     if (view->ndim != 2 || view->itemsize != size || strcmp(view->format, "d") != 0 ||
         (view->strides[1] != size && view->shape[1] > 1) || view->strides[0] % size != 0 || view->strides[0] < 0) {
-        PyBuffer_Release(&block->view);
         PyErr_SetString(PyExc_ValueError, "float64 of shape (channels, frames) is wanted, each channel contiguous");
         return -1;
     }
@@ -25,28 +48,18 @@ int planar_open(PyObject *object, planar *block, int writable) {
     return 0;
 }
 
-void planar_close(planar *block) { PyBuffer_Release(&block->view); }
-
-int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t size, int writable) {
-    if (PyObject_GetBuffer(object, view, writable ? PyBUF_CONTIG : PyBUF_CONTIG_RO) < 0) return -1;
-    if (view->len % size != 0 || (count >= 0 && view->len != count * size)) {
-        PyErr_Format(PyExc_ValueError, "%zd bytes were given, %zd items of %zd bytes are wanted", view->len, count, size);
-        PyBuffer_Release(view);
-        return -1;
-    }
-    return 0;
+void *take_row(holding *held, PyObject *object, Py_ssize_t count, Py_ssize_t size, int writable) {
+    Py_buffer *view = &held->views[held->count];
+    if (PyObject_GetBuffer(object, view, writable ? PyBUF_CONTIG : PyBUF_CONTIG_RO) < 0) return NULL;
+    held->count++;
+    if (view->len % size == 0 && (count < 0 || view->len == count * size)) return view->buf;
+    PyErr_Format(PyExc_ValueError, "%zd bytes were given; %zd items of %zd bytes are wanted", view->len, count, size);
+    return NULL;
 }
 
-#define FUNCTION(name, text) {#name, (PyCFunction)(void (*)(void))name, METH_FASTCALL, PyDoc_STR(text)}
+#define ROW(name, text) {#name, (PyCFunction)(void (*)(void))name, METH_FASTCALL, PyDoc_STR(text)},
 
-static PyMethodDef table[] = {
-    FUNCTION(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together."),
-    FUNCTION(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0."),
-    FUNCTION(convert, "Filter blocks of a stream and bring them to a lower rate."),
-    FUNCTION(fourier, "Transform rows of complex numbers in place."),
-    FUNCTION(hush, "Set to zero what came of zeros alone."),
-    {NULL, NULL, 0, NULL},
-};
+static PyMethodDef table[] = {FUNCTIONS(ROW){NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.decibels import decibels, power_decibels
 
 Samples = NDArray[np.float64]
@@ -83,37 +84,29 @@ class Levels:
     def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
         self._rate = sample_rate_hz
         self._seen = 0
-        self._peak = 0.0
         self._peak_frame = 0
-        self._peaks = np.zeros(channels)
-        self._sums = np.zeros(channels)
-        self._squares = np.zeros(channels)
+        self._sums = np.zeros((channels, 3))  # of each channel: highest magnitude, sum, sum of squares
 
     def add(self, block: Samples) -> None:
         """Take the next samples, shape (n, channels)."""
-        if not len(block):
-            return
-        peaks = np.maximum(block.max(axis=0), -block.min(axis=0))
-        if peaks.max() > self._peak:
-            self._peak = float(peaks.max())
-            at_peak = (np.abs(block[:, channel]) >= self._peak for channel in np.flatnonzero(peaks == self._peak))
-            self._peak_frame = self._seen + min(int(np.argmax(hit)) for hit in at_peak)
-        np.maximum(self._peaks, peaks, out=self._peaks)
-        self._sums += block.sum(axis=0)
-        self._squares += np.einsum("ij,ij->j", block, block)
+        place = kernel.levels(kernel.by_channel(block), self._sums)
+        if place >= 0:
+            self._peak_frame = self._seen + place
         self._seen += len(block)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
+        peaks, sums, squares = self._sums.T.tolist()
         seen = max(self._seen, 1)
-        peak = decibels(self._peak)
-        rms = power_decibels(float(self._squares.mean()) / seen)
+        highest = max(peaks)
+        peak = decibels(highest)
+        rms = power_decibels(math.fsum(squares) / (seen * len(squares)))
         return {
-            "is_silence": self._peak == 0,
+            "is_silence": highest == 0,
             "sample_peak_dbfs": peak,
             "sample_peak_s": self._peak_frame / self._rate,
             "rms_dbfs": rms,
-            "crest_db": peak - rms if self._peak else 0.0,
-            "dc_offset_percent": float(100 * np.abs(self._sums).max() / seen),
-            "silent_channels": tuple(int(channel) + 1 for channel in np.flatnonzero(self._peaks == 0)),
+            "crest_db": peak - rms if highest else 0.0,
+            "dc_offset_percent": 100 * max(abs(one) for one in sums) / seen,
+            "silent_channels": tuple(channel for channel, one in enumerate(peaks, 1) if one == 0),
         }

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.decibels import power_decibels
 
 OFFSET_LUFS = -0.691  # of K-weighted power, so that a 997 Hz sine reads its RMS level
@@ -21,7 +22,6 @@ HOPS_PER_S = 100
 MOMENTARY_HOPS, SHORT_TERM_HOPS = 40, 300
 GATE_HOPS = 10  # gating blocks and the values of the loudness range start every 100 ms
 ABSOLUTE_GATE_LUFS, RELATIVE_GATE_LU, RANGE_GATE_LU = -70.0, -10.0, -20.0
-SETTLED_S = 0.1  # after this the K-weighting's response to a click has fallen by more than 170 dB
 REAR_WEIGHT = 10**0.15  # +1.5 dB
 
 
@@ -67,58 +67,11 @@ def k_weighting(sample_rate_hz: int) -> tuple[NDArray[np.float64], NDArray[np.fl
     return np.array([shelf[0], highpass[0]]), np.array([shelf[1], highpass[1]])
 
 
-class KWeighting:
-    """Filters blocks by the K-weighting, as one long signal with silence before it.
-
-    The response dies out within a tenth of a second, so each block is filtered by FFT together with
-    that much of what came before.
-
-    Parameters
-    ----------
-    sample_rate_hz, channels : int
-        Of the signal.
-    """
-
-    def __init__(self, sample_rate_hz: int, channels: int) -> None:
-        self._rate = sample_rate_hz
-        self._before = np.zeros((channels, math.ceil(SETTLED_S * sample_rate_hz)))
-
-    def filter(self, planar: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the next samples filtered, shape (channels, n) as they came."""
-        reach = self._before.shape[1]
-        both = np.concatenate((self._before, planar), axis=1)
-        self._before = both[:, both.shape[1] - reach :].copy()
-        length = _fast_length(both.shape[1])
-        bins = np.fft.rfft(both, length, axis=1)
-        bins *= _response(self._rate, length)
-        filtered: NDArray[np.float64] = np.fft.irfft(bins, length, axis=1)[:, reach : both.shape[1]]
-        return filtered
-
-
-@lru_cache(maxsize=4)
-def _response(sample_rate_hz: int, length: int) -> NDArray[np.complex128]:
-    """Return the K-weighting's response at the bins of an FFT."""
+@lru_cache(maxsize=16)
+def _recursion(sample_rate_hz: int) -> NDArray[np.float64]:
+    """Return what the kernel filters by: b0, b1, b2, a1, a2 of the shelf, a1, a2 of the highpass."""
     numerators, denominators = k_weighting(sample_rate_hz)
-    delay = np.exp(-2j * np.pi * np.arange(length // 2 + 1) / length)
-    response: NDArray[np.complex128] = np.ones_like(delay)
-    for b, a in zip(numerators, denominators, strict=True):
-        response *= (b[0] + delay * (b[1] + delay * b[2])) / (a[0] + delay * (a[1] + delay * a[2]))
-    return response
-
-
-def _fast_length(least: int) -> int:
-    """Return the smallest length from `least` on whose only factors are 2, 3 and 5, and which is even."""
-    best = 1 << max(1, (least - 1).bit_length())
-    five = 1
-    while five < best:
-        three = five
-        while three < best:
-            rest = -(-least // three)
-            length = three * (1 << max(1, (rest - 1).bit_length()))
-            best = min(best, length) if length >= least else best
-            three *= 3
-        five *= 5
-    return best
+    return np.concatenate((numerators[0], denominators[0, 1:], denominators[1, 1:]))
 
 
 class Loudness:
@@ -149,35 +102,35 @@ class Loudness:
         weights: NDArray[np.float64] | None = None,
     ) -> None:
         self._rate = sample_rate_hz
-        self._weights = channel_weights(channels) if weights is None else weights
-        self._filter = KWeighting(sample_rate_hz, channels)
+        even = channels + channels % 2  # the kernel filters two channels at once
+        self._weights = np.zeros(even)
+        self._weights[:channels] = channel_weights(channels) if weights is None else weights
+        self._memory, self._open = np.zeros(6 * even), np.zeros(even)
         self._seen = 0
         self._hops: list[NDArray[np.float64]] = []  # energy of whole hops
         self._whole = 0  # hops that are whole
-        self._open = 0.0  # energy of the hop that has begun
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
-        if not len(block):
-            return
-        filtered = self._filter.filter(block.T)
-        power = np.einsum("ij,ij,i->j", filtered, filtered, self._weights)
-        end = self._seen + len(block)
-        last = _hop_at(end, self._rate)
-        starts = _hop_start(np.arange(self._whole, last + 1), self._rate) - self._seen
-        starts[0] = max(starts[0], 0)
-        inside = starts[starts < len(block)]
-        energies = np.add.reduceat(power, inside)
-        if len(inside) < len(starts):
-            energies = np.append(energies, 0.0)
-        energies[0] += self._open
-        self._hops.append(energies[:-1])
-        self._open = float(energies[-1])
-        self._whole, self._seen = last, end
+        energies = np.empty(len(block) * HOPS_PER_S // self._rate + 2)
+        whole = kernel.hop_energies(
+            kernel.by_channel(block),
+            _recursion(self._rate),
+            self._weights,
+            self._memory,
+            self._open,
+            energies,
+            self._rate,
+            self._seen,
+            self._whole,
+        )
+        self._hops.append(energies[:whole])
+        self._whole += whole
+        self._seen += len(block)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name; -inf for silence."""
-        hops = np.concatenate([*self._hops, [self._open]])
+        hops = np.concatenate([*self._hops, [self._open @ self._weights]])
         momentary = self._levels(hops, MOMENTARY_HOPS)
         short_term = self._levels(hops, SHORT_TERM_HOPS)
         gating = self._powers(hops[:-1], MOMENTARY_HOPS)[::GATE_HOPS]
@@ -209,14 +162,6 @@ class Loudness:
 def _hop_start(number: NDArray[np.int64], rate: int) -> NDArray[np.int64]:
     """Return the frame that a hop begins with, to the nearest."""
     return (2 * number * rate + HOPS_PER_S) // (2 * HOPS_PER_S)
-
-
-def _hop_at(frame: int, rate: int) -> int:
-    """Return how many hops end at `frame` or before."""
-    number = (frame * HOPS_PER_S) // rate + 1
-    while (2 * number * rate + HOPS_PER_S) // (2 * HOPS_PER_S) > frame:
-        number -= 1
-    return number
 
 
 def _lufs(power: float) -> float:

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
+
 
 class Phase:
     """Measures the correlation of every two channels, as a correlation meter does.
@@ -26,7 +28,7 @@ class Phase:
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
         if len(self._products) > 1:
-            self._products += block.T @ block
+            kernel.products(kernel.by_channel(block), self._products)
 
     def result(self) -> dict[str, Any]:
         """Return the least correlation of two channels, -1..1; None where no two channels sound."""

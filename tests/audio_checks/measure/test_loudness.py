@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from audio_checks.measure.loudness import KWeighting, Loudness, channel_weights, k_weighting
+from audio_checks.measure.loudness import Loudness, channel_weights, k_weighting
 from tests.support.waves import join, noise, silence, sine
 
 # ITU-R BS.1770-5, tables 1 and 2, for 48 kHz
@@ -149,23 +149,6 @@ def test_blocks_of_any_size_give_the_same(rate, block_frames):
     parts = loudness(samples, rate, block_frames)
     whole = loudness(samples, rate, len(samples))
     assert parts == pytest.approx(whole, abs=1e-6)
-
-
-def test_the_filter_is_the_recursion():
-    rng = np.random.default_rng(5)
-    samples = rng.standard_normal(30_000)
-    expected = samples
-    for b, a in zip(*k_weighting(48_000), strict=True):
-        out = np.zeros(len(expected))
-        x1 = x2 = y1 = y2 = 0.0
-        for frame, x in enumerate(expected):
-            y = b[0] * x + b[1] * x1 + b[2] * x2 - a[1] * y1 - a[2] * y2
-            x2, x1, y2, y1 = x1, x, y1, y
-            out[frame] = y
-        expected = out
-    weighting = KWeighting(48_000, 1)
-    blocks = [weighting.filter(samples[np.newaxis, start : start + 7_000])[0] for start in range(0, 30_000, 7_000)]
-    assert np.concatenate(blocks) == pytest.approx(expected, abs=1e-7)
 
 
 @pytest.mark.parametrize(

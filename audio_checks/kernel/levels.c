@@ -1,0 +1,144 @@
+/* Peaks, sums and products of blocks: one pass each, summed in lanes. */
+#include "kernel.h"
+
+enum { LANES = 8, REGISTERS = LANES / TOGETHER, FIGURES = 3 }; /* of a channel: highest magnitude, sum, sum of squares */
+
+double highest_magnitude(const double *samples, Py_ssize_t count) {
+    together top[REGISTERS] = {BOTH(0, 0)};
+    double lanes[LANES], highest = 0;
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            top[which] = larger(sizes(neighbours(samples + at + which * TOGETHER)), top[which]);
+        }
+    }
+    for (; at < count; at++) highest = fabs(samples[at]) > highest ? fabs(samples[at]) : highest;
+    memcpy(lanes, top, sizeof lanes);
+    for (int lane = 0; lane < LANES; lane++) highest = lanes[lane] > highest ? lanes[lane] : highest;
+    return highest;
+}
+
+static double sum_of(const together *registers) {
+    double lanes[LANES], sum = 0;
+    memcpy(lanes, registers, sizeof lanes);
+    for (int lane = 0; lane < LANES; lane++) sum += lanes[lane];
+    return sum;
+}
+
+static void add_levels(const double *RESTRICT samples, Py_ssize_t count, double *RESTRICT figures) {
+    together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            const together both = neighbours(samples + at + which * TOGETHER);
+            sums[which] += both;
+            squares[which] += both * both;
+        }
+    }
+    const double highest = highest_magnitude(samples, count);
+    figures[0] = highest > figures[0] ? highest : figures[0];
+    figures[1] += sum_of(sums);
+    figures[2] += sum_of(squares);
+    for (; at < count; at++) {
+        figures[1] += samples[at];
+        figures[2] += samples[at] * samples[at];
+    }
+}
+
+static double highest_of(const double *figures, Py_ssize_t channels) {
+    double highest = 0;
+    for (Py_ssize_t channel = 0; channel < channels; channel++) {
+        highest = figures[channel * FIGURES] > highest ? figures[channel * FIGURES] : highest;
+    }
+    return highest;
+}
+
+Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size) {
+    Py_ssize_t at = 0;
+    while (at < count && fabs(samples[at]) < size) at++;
+    return at;
+}
+
+PyObject *levels(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    double *figures;
+    if (arguments("levels", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
+        !(figures = TAKE_DOUBLES(&held, args[1], block.channels * FIGURES, 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    Py_ssize_t place = -1;
+    Py_BEGIN_ALLOW_THREADS
+    const double before = highest_of(figures, block.channels);
+    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+        add_levels(block.samples + channel * block.row, block.frames, figures + channel * FIGURES);
+    }
+    const double after = highest_of(figures, block.channels);
+    if (after > before) {
+        place = block.frames;
+        for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+            place = first_reaching(block.samples + channel * block.row, place, after);
+        }
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    return PyLong_FromSsize_t(place);
+}
+
+PyObject *highest(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    if (arguments("highest", count, 1) < 0 || take_planar(&held, args[0], &block, 0) < 0) {
+        let_go(&held);
+        return NULL;
+    }
+    double top = 0;
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+        const double size = highest_magnitude(block.samples + channel * block.row, block.frames);
+        top = size > top ? size : top;
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    return PyFloat_FromDouble(top);
+}
+
+static double product(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
+    together sums[REGISTERS] = {BOTH(0, 0)};
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            const Py_ssize_t here = at + which * TOGETHER;
+            sums[which] += neighbours(one + here) * neighbours(other + here);
+        }
+    }
+    double sum = sum_of(sums);
+    for (; at < count; at++) sum += one[at] * other[at];
+    return sum;
+}
+
+PyObject *products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    double *sums;
+    if (arguments("products", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
+        !(sums = TAKE_DOUBLES(&held, args[1], block.channels * block.channels, 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t one = 0; one < block.channels; one++) {
+        for (Py_ssize_t other = 0; other <= one; other++) {
+            const double sum = product(block.samples + one * block.row, block.samples + other * block.row, block.frames);
+            sums[one * block.channels + other] += sum;
+            if (other < one) sums[other * block.channels + one] += sum;
+        }
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
+}
