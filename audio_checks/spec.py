@@ -18,6 +18,7 @@ from typing import Any, Literal
 from audio_checks import check_names, spec_keys
 from audio_checks.check_names import Level
 from audio_checks.errors import SpecError
+from audio_checks.name_tokens import Token
 from audio_checks.spec_presets import new_spec
 from audio_checks.spec_toml import to_toml
 
@@ -60,6 +61,7 @@ class Accept:
     sample_rates_hz: tuple[int, ...] | None = None
     bit_depths: tuple[int, ...] | None = None
     channels: tuple[int, ...] | None = None
+    layouts: tuple[str, ...] | None = None
     duration_s: Range = Range()
 
 
@@ -77,14 +79,30 @@ class Limits:
     tolerance_db: float = 0.05
     loudness_lufs: Range = Range()
     noise_floor_dbfs: float | None = None
+    mono_loss_db: float | None = None
 
 
 @dataclass(frozen=True)
 class Naming:
-    """How files are named."""
+    """How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System.
+
+    Attributes
+    ----------
+    tokens : tuple of Token
+        What stands between separators; empty where a name is not made of tokens.
+    ucs_ids : tuple of str
+        The category ids that there are, for the grammar "ucs"; empty accepts any of the right form.
+    portable : bool
+        Whether a name must be one that every system can hold; so wherever anything else is said of names.
+    """
 
     pattern: str | None = None
     extension: str | None = None
+    tokens: tuple[Token, ...] = ()
+    separator: str = "_"
+    grammar: Literal["ucs"] | None = None
+    ucs_ids: tuple[str, ...] = ()
+    portable: bool = False
 
 
 @dataclass(frozen=True)
@@ -159,6 +177,7 @@ class DeliverySpec:
     accept: Accept = Accept()
     limits: Limits = Limits()
     naming: Naming = Naming()
+    required_metadata: tuple[str, ...] = ()
     engine: Engine = Engine()
     targets: dict[str, Target] = field(default_factory=dict)
     checks: dict[str, Level] = field(default_factory=dict)
@@ -205,6 +224,7 @@ class DeliverySpec:
             sample_rates_hz=(target.sample_rate_hz,),
             bit_depths=(target.bit_depth,),
             channels=view.accept.channels if target.channels == "master" else (target.channels,),
+            layouts=view.accept.layouts if target.channels == "master" else None,
             duration_s=view.accept.duration_s,
         )
         return _view(view.tables, self.folder, category=view.category, target=target, accept=accept)
@@ -235,6 +255,12 @@ def parse_spec(text: str, *, where: str = "spec.toml") -> DeliverySpec:
     tables = _read(text, where)
     if "extend" in tables:
         raise SpecError("a spec that extends another must be read from its file", where=f"{where}: extend")
+    for place, naming in _namings(tables):
+        if "ucs_list" in naming:
+            raise SpecError(
+                "a spec that names a file must be read from its own; here, write the ids as ucs_ids",
+                where=f"{where}: {place}.ucs_list",
+            )
     return _spec(tables, None, where)
 
 
@@ -295,8 +321,29 @@ def _load(path: Path, seen: tuple[Path, ...]) -> Tables:
     if real in seen:
         raise SpecError("extends itself in a circle", where=str(path))
     tables = _read(_text(path), str(path), pyproject=path.name == "pyproject.toml")
+    for place, naming in _namings(tables):
+        if "ucs_list" in naming:
+            naming["ucs_ids"] = _cat_ids(path, naming.pop("ucs_list"), place)
     base = tables.pop("extend", None)
     return tables if base is None else merged(_load(path.parent / base, (*seen, real)), tables)
+
+
+def _namings(tables: Tables) -> list[tuple[str, Tables]]:
+    """Return the tables that say how files are named, each with its place."""
+    places = [
+        ("naming", tables),
+        *((f"categories.{name}.naming", one) for name, one in tables.get("categories", {}).items()),
+    ]
+    return [(place, one["naming"]) for place, one in places if "naming" in one]
+
+
+def _cat_ids(spec: Path, named: str, place: str) -> list[str]:
+    from audio_checks.ucs import read_cat_ids
+
+    try:
+        return read_cat_ids(spec.parent / named)
+    except SpecError as error:
+        raise SpecError(f"{error.where}: {error.args[0]}", where=f"{spec}: {place}.ucs_list") from None
 
 
 def merged(base: Tables, over: Tables) -> Tables:
@@ -362,7 +409,8 @@ def _view(
         kind=tables.get("kind"),
         accept=accept or _accept(tables.get("accept", {})),
         limits=_limits(tables.get("limits", {})),
-        naming=Naming(**_stated(tables.get("naming", {}))),
+        naming=_naming(tables.get("naming", {})),
+        required_metadata=tuple(_stated(tables.get("metadata", {})).get("required", ())),
         engine=Engine(adds=tuple(tables.get("engine", {}).get("adds", ()))),
         targets={name: _target(name, keys) for name, keys in tables.get("targets", {}).items()},
         checks=checks,
@@ -391,6 +439,29 @@ def _accept(table: Tables) -> Accept:
 def _limits(table: Tables) -> Limits:
     plain = {key: value for key, value in _stated(table).items() if key != "loudness_lufs"}
     return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"))
+
+
+def _naming(table: Tables) -> Naming:
+    said = _stated(table)
+    rules = [key for key in ("pattern", "tokens", "grammar") if key in said]
+    if len(rules) > 1:
+        raise SpecError(
+            f'a name has one rule, and here are {" and ".join(rules)}; lift the others, as in {rules[0]} = "any"',
+            where="naming",
+        )
+    tokens = tuple(_token(keys, f"naming.tokens[{place}]") for place, keys in enumerate(said.pop("tokens", ())))
+    ids = tuple(said.pop("ucs_ids", ()))
+    portable = said.pop("portable", bool(rules) or "extension" in said)
+    return Naming(**said, tokens=tokens, ucs_ids=ids, portable=portable)
+
+
+def _token(keys: Tables, where: str) -> Token:
+    if "name" not in keys:
+        raise SpecError("a token must say it", where=f"{where}.name")
+    rules = [key for key in ("one_of", "pattern", "digits", "case") if key in keys]
+    if len(rules) > 1:
+        raise SpecError(f"a token has one rule, and here are {' and '.join(rules)}", where=where)
+    return Token(**{**keys, "one_of": tuple(keys.get("one_of", ()))})
 
 
 def _target(name: str, keys: Tables) -> Target:

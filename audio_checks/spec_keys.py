@@ -7,13 +7,17 @@ that say the same have the same tables, and so the same hash.
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 from audio_checks.check_names import DEFAULT_SEVERITY
 from audio_checks.errors import SpecError
+from audio_checks.layouts import LAYOUTS
+from audio_checks.metadata.bext import FIELDS as BEXT_FIELDS
+from audio_checks.metadata.ixml import ASWG_FIELDS
 
 ANY = "any"  # lifts a limit
+METADATA_FIELD = r"(bext|iXML|INFO|Vorbis)(\.[A-Za-z0-9_:-]+)+"
 SLUG = r"[a-z0-9]+([_-][a-z0-9]+)*"
 
 
@@ -197,36 +201,59 @@ class Named:
 
 
 @dataclass(frozen=True)
-class Later:
-    """A key of the format that this version cannot follow yet."""
+class Rows:
+    """A list of tables, one or more; or "any"."""
 
-    instead: str
+    kind: Table
 
-    def read(self, value: object, where: str) -> Any:
-        """Refuse it in words."""
-        raise SpecError(f"this version cannot follow {_shown(value)} yet: {self.instead}", where=where)
+    def read(self, value: object, where: str) -> list[Any] | str:
+        """Return the list with each table read, or "any"."""
+        if value == ANY:
+            return ANY
+        if not isinstance(value, list) or not value:
+            raise SpecError(f'wanted a list of tables or "any", found {_shown(value)}', where=where)
+        return [self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)]
 
     def schema(self) -> dict[str, Any]:
-        """Return nothing that validates."""
-        return {"not": {}}
+        """Return an array of tables, or "any"."""
+        return {"anyOf": [{"type": "array", "items": self.kind.schema(), "minItems": 1}, {"const": ANY}]}
 
 
 @dataclass(frozen=True)
-class Containers:
-    """The containers a delivered file may have."""
+class Flag:
+    """Yes or no."""
 
-    inner: Listed = field(default_factory=lambda: Listed(Word(("wav", "rf64", "flac"))))
-
-    def read(self, value: object, where: str) -> list[Any] | str:
-        """Return the list; FLAC is known to the format, but not yet read."""
-        containers = self.inner.read(value, where)
-        if "flac" in containers:
-            raise SpecError("this version of audio-checks cannot read FLAC yet; accept wav", where=where)
-        return containers
+    def read(self, value: object, where: str) -> bool:
+        """Return the boolean."""
+        if not isinstance(value, bool):
+            raise SpecError(f"wanted true or false, found {_shown(value)}", where=where)
+        return value
 
     def schema(self) -> dict[str, Any]:
-        """Return the list of what this version reads."""
-        return Listed(Word(("wav", "rf64"))).schema()
+        """Return a boolean."""
+        return {"type": "boolean"}
+
+
+@dataclass(frozen=True)
+class MetadataField:
+    """The name of a field that a file can say something in, such as `bext.Originator`."""
+
+    def read(self, value: object, where: str) -> str:
+        """Return the name; one of a group whose fields are known must be among them."""
+        if not isinstance(value, str) or not re.fullmatch(METADATA_FIELD, value):
+            raise SpecError(
+                f"wanted a field such as bext.Originator, iXML.PROJECT, iXML.ASWG.catId or INFO.ICMT,"
+                f" found {_shown(value)}",
+                where=where,
+            )
+        for group, names in (("bext.", BEXT_FIELDS), ("iXML.ASWG.", tuple(sorted(ASWG_FIELDS)))):
+            if value.startswith(group) and value.removeprefix(group) not in names:
+                raise SpecError(f"no such field{_nearest(value.removeprefix(group), names, group)}", where=where)
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return a string of the form."""
+        return {"type": "string", "pattern": f"^{METADATA_FIELD}$"}
 
 
 LEVEL_DB = Number(-200.0, 60.0)
@@ -239,11 +266,12 @@ LOUDNESS = Table({"min": LEVEL_DB, "max": LEVEL_DB}, may_be_any=True)
 
 ACCEPT = Table(
     {
-        "containers": Containers(),
+        "containers": Listed(Word(("wav", "rf64", "flac"))),
         "encodings": Listed(Word(("pcm", "float"))),
         "sample_rates_hz": Listed(RATES),
         "bit_depths": Listed(Whole(8, 64)),
         "channels": Listed(Whole(1, 64)),
+        "layouts": Listed(Word(tuple(LAYOUTS))),
         "duration_s": DURATION,
     }
 )
@@ -259,16 +287,34 @@ LIMITS = Table(
         "tolerance_db": Number(0.0, 12.0),
         "loudness_lufs": LOUDNESS,
         "noise_floor_dbfs": LEVEL_DB,
+        "mono_loss_db": Number(0.0, 120.0),
     }
+)
+TOKEN = Table(
+    {
+        "name": Text(),
+        "one_of": Listed(Text(), may_be_any=False),
+        "pattern": Text(regex=True),
+        "digits": Whole(1, 9),
+        "case": Word(("lower", "upper", "capital", "any")),
+        "optional": Flag(),
+        "repeats": Flag(),
+    },
+    needed=("name",),
 )
 NAMING = Table(
     {
         "pattern": Text(regex=True),
         "extension": Text(),
-        "tokens": Later("write the rule as a pattern"),
-        "grammar": Later("write the rule as a pattern"),
+        "tokens": Rows(TOKEN),
+        "separator": Text(),
+        "grammar": Word(("ucs", ANY)),
+        "ucs_list": Text(),
+        "ucs_ids": Listed(Text()),
+        "portable": Flag(),
     }
 )
+METADATA = Table({"required": Listed(MetadataField())})
 ENGINE = Table({"adds": Listed(Word(("reverb", "occlusion", "pitch", "doppler")), may_be_any=False)})
 TARGET = Table(
     {
@@ -287,6 +333,7 @@ TABLES: dict[str, Kind] = {
     "accept": ACCEPT,
     "limits": LIMITS,
     "naming": NAMING,
+    "metadata": METADATA,
     "engine": ENGINE,
     "targets": Named(TARGET),
     "checks": CHECKS,
@@ -321,7 +368,7 @@ def _shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def _nearest(key: str, known: Mapping[str, object] | tuple[str, ...]) -> str:
+def _nearest(key: str, known: Mapping[str, object] | tuple[str, ...], before: str = "") -> str:
     from difflib import get_close_matches  # only where a mistake is reported
 
-    return f'; the nearest known is "{get_close_matches(key, list(known), n=1, cutoff=0.0)[0]}"'
+    return f'; the nearest known is "{before}{get_close_matches(key, list(known), n=1, cutoff=0.0)[0]}"'

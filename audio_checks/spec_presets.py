@@ -46,9 +46,9 @@ format = 1
 name = {name}
 
 [accept]                            # what a delivered file may be
-containers = ["wav"]                # "wav", "rf64"
+containers = ["wav"]                # "wav", "rf64", "flac"
 encodings = ["pcm"]                 # "pcm", "float"
-{accept}channels = [1, 2]                         # or "any"
+{accept}channels = [1, 2]                         # or "any"; and layouts = ["stereo", "quad", "5.1", "ambisonic-1"]
 duration_s = {{ min = 0.01, max = 30.0 }}
 
 [limits]                            # what is absent is not limited
@@ -60,11 +60,15 @@ head_silence_ms = 5
 tail_silence_ms = 100
 edge_silence_below_dbfs = -60.0     # what counts as silence at head and tail, or 60 dB under the file's peak
 tolerance_db = 0.05                 # a level fails when it is more than this beyond its limit
+mono_loss_db = 6.0                  # what a stereo sound may lose in mono; channels that have nothing in common lose 3
 # loudness_lufs = {{ min = -40.0, max = -10.0 }}
 
 [naming]
 pattern = '[a-z0-9]+(_[a-z0-9]+)*'  # ASCII; the whole name before the ending must match
 extension = ".wav"
+
+# [metadata]
+# required = ["bext.Originator", "iXML.ASWG.catId", "INFO.ICOP"]
 
 [engine]
 adds = []                           # what the game adds ("reverb", "occlusion", "pitch", "doppler"): files come without

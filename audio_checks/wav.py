@@ -30,6 +30,7 @@ MAX_LOOPS = 1_024
 ZEROS = bytes(1 << 16)
 STREAM_SIZE = 0xFFFFFFFF  # what a program writes that cannot go back to fill in the size
 GUID_TAIL = bytes.fromhex("00001000800000aa00389b71")  # of every GUID that stands for a codec tag
+AMBISONIC_TAIL = bytes.fromhex("2107d3118644c8c1ca000000")  # the same of B-format, for PCM and float
 PCM, FLOAT, EXTENSIBLE = 1, 3, 0xFFFE
 
 CODECS = {
@@ -134,6 +135,8 @@ class WavLayout:
         Speaker positions of an extensible header; None without one.
     frames : int
         Per channel.
+    ambisonic : bool
+        Whether the header says that the channels are ambisonic B-format.
     """
 
     container: Literal["wav", "rf64"]
@@ -152,6 +155,7 @@ class WavLayout:
     warnings: tuple[StructureWarning, ...]
     loops: tuple[SampleLoop, ...]
     file_size: int
+    ambisonic: bool = False
 
     @property
     def frame_bytes(self) -> int:
@@ -246,7 +250,7 @@ class _Reading:
             raise _stream()
         chunks = self.chunks(8 + riff_size, sizes64[1] if sizes64 else None)
         header, data = self.pair(chunks)
-        tag, extensible, channels, rate, container_bits, bits, mask = self.format(header)
+        tag, extensible, channels, rate, container_bits, bits, mask, ambisonic = self.format(header)
         frame_bytes = channels * container_bits // 8
         frames, rest = divmod(data.size, frame_bytes)
         if rest:
@@ -286,6 +290,7 @@ class _Reading:
             warnings=tuple(self.warnings),
             loops=loops,
             file_size=self.size,
+            ambisonic=ambisonic,
         )
 
     def read(self, offset: int, count: int) -> bytes:
@@ -526,7 +531,7 @@ class _Reading:
             )
         return formats[0], datas[0]
 
-    def format(self, chunk: Chunk) -> tuple[int, bool, int, int, int, int, int | None]:
+    def format(self, chunk: Chunk) -> tuple[int, bool, int, int, int, int, int | None, bool]:
         """Read the `fmt ` chunk (R4, R5)."""
         if chunk.size < 16:
             raise _inconsistent(f'the "fmt " chunk has {chunk.size} bytes; 16 or more are wanted', "fmt-size")
@@ -534,14 +539,19 @@ class _Reading:
         if len(content) < min(chunk.size, 40):
             raise _shrunk()
         tag, channels, rate, byte_rate, block_align, container_bits = struct.unpack("<HHIIHH", content[:16])
-        bits, mask, extensible = container_bits, None, tag == EXTENSIBLE
+        bits, mask, extensible, ambisonic = container_bits, None, tag == EXTENSIBLE, False
         if extensible:
             if len(content) < 40 or struct.unpack("<H", content[16:18])[0] < 22:
                 raise _inconsistent(
                     f'the "fmt " chunk of an extensible header has {chunk.size} bytes; 40 are wanted', "fmt-size"
                 )
             bits, mask = struct.unpack("<HI", content[18:24])
-            tag = self.tag_of(content[24:40])
+            tag, ambisonic = self.tag_of(content[24:40])
+            if mask.bit_count() > channels:
+                self.warn(
+                    "channel-mask",
+                    f"the channel mask names {mask.bit_count()} speakers, but there are {channels} channels",
+                )
         if tag not in (PCM, FLOAT):
             name = CODECS.get(tag, f"of an unknown kind (tag {tag:#06x})")
             raise Unreadable(
@@ -573,11 +583,12 @@ class _Reading:
                 f" {rate * block_align}",
                 "byte-rate",
             )
-        return tag, extensible, channels, rate, container_bits, bits, mask
+        return tag, extensible, channels, rate, container_bits, bits, mask, ambisonic
 
-    def tag_of(self, guid: bytes) -> int:
-        if guid[4:] == GUID_TAIL:
-            return int(struct.unpack("<I", guid[:4])[0])
+    def tag_of(self, guid: bytes) -> tuple[int, bool]:
+        """Return the codec tag that a GUID stands for, and whether it says ambisonics."""
+        if guid[4:] in (GUID_TAIL, AMBISONIC_TAIL):
+            return int(struct.unpack("<I", guid[:4])[0]), guid[4:] == AMBISONIC_TAIL
         raise Unreadable(
             f"the sound in this WAV file is of an unknown kind (GUID {guid.hex()}); PCM or IEEE float is wanted",
             "R5",

@@ -1,40 +1,49 @@
-"""`channels`: the file has as many channels as the project accepts.
+"""`channels`: the file has as many channels as the project accepts, in a layout it accepts.
 
 Why: a sound placed in the 3D world must be mono, made so by its designer; interface sounds,
 first-person sounds and beds are stereo. An engine that folds channels down changes the mix.
-How to fix: export with the accepted number of channels; mix to mono yourself and listen to it,
-since what is out of phase between left and right disappears.
-Source: the delivery spec, `[accept] channels`, or the target's channels.
+Beds of more channels say by a channel mask where each one stands; without it, quad plays as
+whatever the next tool guesses.
+How to fix: export with the accepted number of channels, beds with the layout chosen in the export
+window; mix to mono yourself and listen to it, since what is out of phase disappears.
+Source: the delivery spec, `[accept] channels` and `layouts`, or the target's channels; speaker
+positions of WAVEFORMATEXTENSIBLE; ambisonic files have (order + 1)² channels and no positions.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.layouts import LAYOUTS, layouts_of
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
 
 FIGURES = ()
-LAYOUTS = {1: "mono", 2: "stereo"}
+COUNTS = {1: "mono", 2: "stereo"}
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
-    """Only where the spec lists numbers of channels."""
-    return spec.accept.channels is not None
+    """Only where the spec lists numbers of channels, or layouts."""
+    return spec.accept.channels is not None or spec.accept.layouts is not None
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield `channels:not-accepted` for a number of channels that the spec does not list."""
-    wanted = sorted(spec.accept.channels or ())
+    """Yield `channels:not-accepted` for a number that the spec does not list, else `channels:layout` for a layout."""
+    counts, layouts = spec.accept.channels, spec.accept.layouts
     channels = file.facts.channels
-    if channels in wanted:
-        return
+    if counts is not None and channels not in counts:
+        yield _other_count(channels, sorted(counts), of_render=spec.target is not None)
+    elif layouts is not None and not set(layouts) & set(_layouts_of(file)):
+        yield _other_layout(file, layouts)
+
+
+def _other_count(channels: int, wanted: list[int], *, of_render: bool) -> Finding:
     nearest = min(wanted, key=lambda one: abs(one - channels))
     accepted = " or ".join(_words(one) for one in wanted)
-    again = "render it again from its master" if spec.target is not None else "export it from the session"
-    yield Finding(
+    again = "render it again from its master" if of_render else "export it from the session"
+    return Finding(
         code="channels:not-accepted",
         message=f"{_words(channels)}, accepted {accepted}",
         fix=f"{again} as {_words(nearest)}",
@@ -44,5 +53,28 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     )
 
 
+def _other_layout(file: "AudioFile", layouts: tuple[str, ...]) -> Finding:
+    channels, mask = file.facts.channels, file.layout.channel_mask
+    found = _words(channels)
+    if channels > max(COUNTS):
+        means = _layouts_of(file)
+        found += f" as {' or '.join(means)}" if means else f" with the channel mask {mask:#x}" if mask else ""
+        found += "" if mask or file.layout.ambisonic else " without a channel mask"
+    elif mask:
+        found += f" with the channel mask {mask:#x}"
+    same = [name for name in layouts if LAYOUTS[name].channels == channels]
+    words = " or ".join(LAYOUTS[name].words for name in same or layouts)
+    return Finding(
+        code="channels:layout",
+        message=f"{found}, accepted {' or '.join(layouts)}",
+        fix=f"export it as {words}, with the layout written to the header",
+    )
+
+
+def _layouts_of(file: "AudioFile") -> tuple[str, ...]:
+    layout = file.layout
+    return layouts_of(layout.channels, layout.channel_mask, ambisonic=layout.ambisonic)
+
+
 def _words(channels: int) -> str:
-    return LAYOUTS.get(channels, f"{channels} channels")
+    return COUNTS.get(channels, f"{channels} channels")

@@ -1,14 +1,19 @@
-"""`naming`: the file is named as the project's code will look for it.
+"""`naming`: the file is named as the project's code will look for it, and as every system can hold it.
 
 Why: names are written into the game's code before the sounds exist. A capital, a space or an
-accent that one disk forgives is a missing sound on another.
+accent that one disk forgives is a missing sound on another; `con.wav` cannot be made on Windows at
+all, and of `Laser.wav` and `laser.wav` in one folder only one survives a copy to it.
 How to fix: rename the file as proposed, or as the sound list names the cue. `__alt2` or `_altB`
 marks an alternate of a delivery; what ships carries neither.
-Source: the delivery spec, `[naming]`.
+Source: the delivery spec, `[naming]`: a pattern, tokens, or the grammar of the Universal Category
+System; names reserved on Windows and characters no system forbids (`portable`).
 """
 
+import os
 import re
-from collections.abc import Iterator
+import unicodedata
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
@@ -17,34 +22,43 @@ from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
+    from audio_checks.sets import Judged
 
 FIGURES = ()
 LONGEST_SHOWN = 80
+RESERVED = frozenset(
+    {"con", "prn", "aux", "nul", "conin$", "conout$"}
+    | {f"{port}{number}" for port in ("com", "lpt") for number in "0123456789¹²³"}
+)
+FORBIDDEN = '<>:"/\\|?*'  # on Windows, as are control characters
+MOST_BYTES = 255  # of a name, in UTF-8
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
     """Where the spec says how names are made; a render is never named as an alternate."""
-    return spec.naming.pattern is not None or spec.naming.extension is not None or spec.target is not None
+    naming = spec.naming
+    rule = naming.pattern is not None or naming.tokens or naming.grammar is not None or naming.extension is not None
+    return bool(rule) or naming.portable or spec.target is not None
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield `naming:pattern`, `naming:extension` and, for renders, `naming:alternate`."""
+    """Yield what is wrong with one name.
+
+    `naming:pattern`, `naming:tokens` or `naming:ucs` for the rule it breaks, `naming:extension`, `naming:reserved`
+    and `naming:not-portable`, and for renders `naming:alternate`.
+    """
     stem, alternate, _, extension = parse_file_name(file.name)
-    pattern, ending = spec.naming.pattern, spec.naming.extension
-    if pattern is not None and not re.fullmatch(pattern, stem, re.ASCII):
-        proposed = slug(stem)
-        renamed = proposed and re.fullmatch(pattern, proposed, re.ASCII)
-        yield Finding(
-            code="naming:pattern",
-            message=f'name "{_short(stem)}", pattern {pattern}',
-            fix=f"rename it to {_short(proposed)}{ending or extension}" if renamed else "rename it after the pattern",
-        )
+    broken = list(_against_rule(stem, extension, spec))
+    yield from broken
+    ending = spec.naming.extension
     if ending is not None and extension != ending:
         yield Finding(
             code="naming:extension",
             message=f'ending "{_short(extension)}", wanted "{ending}"',
             fix=f"rename it to end in {ending}" if extension.lower() == ending.lower() else f"export it as {ending}",
         )
+    if spec.naming.portable and not broken:
+        yield from _portable(file.name)
     if spec.target is not None and alternate is not None:
         yield Finding(
             code="naming:alternate",
@@ -53,5 +67,97 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         )
 
 
-def _short(name: str) -> str:
-    return name if len(name) <= LONGEST_SHOWN else name[: LONGEST_SHOWN - 3] + "..."
+def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+    """Yield `naming:twins` for names in one folder that differ only in case or in how Unicode writes them."""
+    by_name: dict[str, list[int]] = defaultdict(list)
+    for place, one in enumerate(files):
+        if one.spec.naming.portable:
+            by_name[_folded(one.path)].append(place)
+    for places in by_name.values():
+        names = {files[place].path for place in places}
+        if len(names) < 2:
+            continue
+        for place in places:
+            twin = os.path.basename(min(names - {files[place].path}))
+            yield (
+                place,
+                Finding(
+                    code="naming:twins",
+                    message=f"{_short(twin)} in the same folder has the same name on Windows and macOS",
+                    fix="rename one of the two: they differ only in case, or in how accents are written",
+                ),
+            )
+
+
+def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Finding]:
+    naming = spec.naming
+    if naming.pattern is not None and not re.fullmatch(naming.pattern, stem, re.ASCII):
+        proposed = slug(stem)
+        renamed = proposed and re.fullmatch(naming.pattern, proposed, re.ASCII)
+        ending = naming.extension or extension
+        yield Finding(
+            code="naming:pattern",
+            message=f'name "{_short(stem)}", pattern {naming.pattern}',
+            fix=f"rename it to {_short(proposed)}{ending}" if renamed else "rename it after the pattern",
+        )
+    if naming.tokens:
+        from audio_checks import name_tokens  # only where a spec asks for it
+
+        why = name_tokens.misfit(stem, naming.tokens, naming.separator)
+        if why is not None:
+            form = naming.separator.join(f"[{one.name}]" if one.optional else one.name for one in naming.tokens)
+            yield Finding(
+                code="naming:tokens",
+                message=f'name "{_short(stem)}": {_short(why, 2)}',
+                fix=f"rename it after the form {form}",
+            )
+    if naming.grammar == "ucs":
+        from audio_checks import ucs
+
+        why = ucs.misfit(stem, naming.ucs_ids)
+        if why is not None:
+            yield Finding(
+                code="naming:ucs",
+                message=f'name "{_short(stem)}": {_short(why, 2)}',
+                fix="rename it after CatID-UserCategory_VendorCategory-FXName_CreatorID_SourceID",
+            )
+
+
+def _portable(name: str) -> Iterator[Finding]:
+    if name.partition(".")[0].rstrip(" ").lower() in RESERVED:
+        yield Finding(
+            code="naming:reserved",
+            message=f'name "{_short(name)}": Windows keeps it for a device, and no file can be called so there',
+            fix="rename it; with anything before or after the word it is lawful",
+        )
+    why = _not_portable(name)
+    if why is not None:
+        yield Finding(
+            code="naming:not-portable",
+            message=f'name "{_short(name)}" {why}',
+            fix="rename it with letters, digits, _ and -",
+        )
+
+
+def _not_portable(name: str) -> str | None:
+    forbidden = next((one for one in name if one in FORBIDDEN or unicodedata.category(one) in ("Cc", "Cs")), None)
+    if forbidden is not None:
+        shown = f'"{forbidden}"' if forbidden.isprintable() else "a control character"
+        return f"holds {shown}, which Windows allows in no name"
+    if name != name.strip(" ") or name.endswith("."):
+        return "begins or ends with a space or a dot, which Windows drops"
+    stem = parse_file_name(name).stem
+    if stem != stem.strip(" ") or stem.endswith("."):
+        return "has a space or a dot before its ending"
+    length = len(name.encode("utf-8", "surrogatepass"))
+    return f"has {length} bytes, at most {MOST_BYTES} can be held" if length > MOST_BYTES else None
+
+
+def _folded(path: str) -> str:
+    """Return a path as a disk sees it that ignores case and how Unicode is written."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", os.path.normpath(path)).casefold())
+
+
+def _short(name: str, times: int = 1) -> str:
+    longest = LONGEST_SHOWN * times
+    return name if len(name) <= longest else name[: longest - 3] + "..."

@@ -8,6 +8,7 @@ import pytest
 
 from audio_checks import spec_keys
 from audio_checks.errors import SpecError
+from audio_checks.name_tokens import Token
 from audio_checks.spec import Range, Target, load_spec, new_spec, parse_spec, schema
 
 GAME = """
@@ -160,6 +161,79 @@ class TestFiles:
         assert caught.value.where == str(path)
 
 
+NAMED_BY_TOKENS = """
+format = 1
+[naming]
+tokens = [
+  { name = "kind", one_of = ["sfx", "amb"] },
+  { name = "what", case = "lower", repeats = true },
+  { name = "variation", digits = 2, optional = true },
+]
+portable = false
+[categories.library.naming]
+tokens = "any"
+grammar = "ucs"
+ucs_ids = ["GUNAuto", "DOORWood"]
+"""
+
+
+class TestNaming:
+    def test_tokens(self):
+        naming = parse_spec(NAMED_BY_TOKENS).naming
+        assert naming.tokens[0] == Token("kind", one_of=("sfx", "amb"))
+        assert naming.tokens[2] == Token("variation", digits=2, optional=True)
+        assert (naming.separator, naming.portable) == ("_", False)
+
+    def test_a_category_may_name_by_another_rule(self):
+        naming = parse_spec(NAMED_BY_TOKENS).for_category("library").naming
+        assert (naming.tokens, naming.grammar, naming.ucs_ids) == ((), "ucs", ("GUNAuto", "DOORWood"))
+
+    @pytest.mark.parametrize(
+        ("tables", "portable"),
+        [
+            ("", False),
+            ("naming.pattern = 'x'", True),
+            ("naming.extension = '.wav'", True),
+            ("naming.portable = true", True),
+            ("naming = { grammar = 'ucs', portable = false }", False),
+            ("naming.pattern = 'any'", False),
+        ],
+    )
+    def test_names_are_portable_wherever_anything_is_said_of_them(self, tables, portable):
+        assert parse_spec(f"format = 1\n{tables}").naming.portable is portable
+
+    def test_the_list_of_ids_is_a_file_beside_the_spec(self, tmp_path):
+        (tmp_path / "lists").mkdir()
+        (tmp_path / "lists" / "ucs.csv").write_text("Category,CatID\nGUNS,GUNAuto\nDOORS,DOORWood\n")
+        (tmp_path / "base.toml").write_text("format = 1\nnaming = { grammar = 'ucs', ucs_list = 'lists/ucs.csv' }\n")
+        (tmp_path / "game").mkdir()
+        own = tmp_path / "game" / "audio-checks.toml"
+        own.write_text("extend = '../base.toml'\n")
+        spec = load_spec(own)
+        assert spec.naming.ucs_ids == ("GUNAuto", "DOORWood")
+        inline = parse_spec("format = 1\nnaming = { grammar = 'ucs', ucs_ids = ['GUNAuto', 'DOORWood'] }")
+        assert spec.sha256 == inline.sha256  # so the server and the command line have one spec
+
+    def test_a_list_that_is_not_there(self, tmp_path):
+        path = tmp_path / "spec.toml"
+        path.write_text("format = 1\n[categories.x.naming]\ngrammar = 'ucs'\nucs_list = 'no.csv'\n")
+        with pytest.raises(SpecError, match=r"no\.csv") as caught:
+            load_spec(path)
+        assert caught.value.where == f"{path}: categories.x.naming.ucs_list"
+
+
+class TestMetadata:
+    def test_fields_by_their_standards(self):
+        spec = parse_spec("format = 1\nmetadata.required = ['bext.Originator', 'iXML.ASWG.catId', 'iXML.PROJECT']")
+        assert spec.required_metadata == ("bext.Originator", "iXML.ASWG.catId", "iXML.PROJECT")
+        assert parse_spec("format = 1").required_metadata == ()
+
+    def test_a_misspelt_one_names_the_nearest(self):
+        assert '"bext.Originator"' in refused(
+            "format = 1\nmetadata.required = ['bext.Orginator']", where="metadata.required[0]"
+        )
+
+
 class TestRefusals:
     @pytest.mark.parametrize(
         ("line", "where", "nearest"),
@@ -184,9 +258,21 @@ class TestRefusals:
             ("accept.channels = [1.5]", "accept.channels[0]"),
             ("accept.sample_rates_hz = [48000, 10]", "accept.sample_rates_hz[1]"),
             ("accept.duration_s = { min = 3, max = 2 }", "accept.duration_s"),
-            ("accept.containers = ['flac']", "accept.containers"),
+            ("accept.containers = ['mp3']", "accept.containers[0]"),
+            ("accept.layouts = ['surround']", "accept.layouts[0]"),
             ("naming.pattern = '['", "naming.pattern"),
-            ("naming.grammar = 'ucs'", "naming.grammar"),
+            ("naming.grammar = 'latin'", "naming.grammar"),
+            ("naming.pattern = 'x'\nnaming.grammar = 'ucs'", "naming"),
+            ("naming.tokens = []", "naming.tokens"),
+            ("naming.tokens = ['kind']", "naming.tokens[0]"),
+            ("naming.tokens = [{ digits = 2 }]", "naming.tokens[0].name"),
+            ("naming.tokens = [{ name = 'x' }, { name = 'n', digits = 2, case = 'lower' }]", "naming.tokens[1]"),
+            ("naming.tokens = [{ name = 'n', size = 2 }]", "naming.tokens[0].size"),
+            ("naming.ucs_list = 'ucs.csv'", "naming.ucs_list"),
+            ("naming.portable = 'yes'", "naming.portable"),
+            ("metadata.required = ['Originator']", "metadata.required[0]"),
+            ("metadata.required = ['bext.Orginator']", "metadata.required[0]"),
+            ("metadata.required = ['INFO.ICOP', 'iXML.ASWG.catID']", "metadata.required[1]"),
             ("engine.adds = ['echo']", "engine.adds[0]"),
             ("checks.true-peak = 'fatal'", "checks.true-peak"),
             ("targets.PC.bit_depth = 16", "targets.PC"),
@@ -243,6 +329,11 @@ class TestIdentity:
         again = parse_spec(spec.to_toml())
         assert again == spec
         assert again.sha256 == spec.sha256
+
+    def test_tokens_and_flags_survive_the_way_back(self):
+        spec = parse_spec(NAMED_BY_TOKENS)
+        again = parse_spec(spec.to_toml())
+        assert (again.naming, again.sha256) == (spec.naming, spec.sha256)
 
     def test_globs_and_patterns_survive_the_way_back(self):
         text = "format = 1\nnaming.pattern = '''a'\\d+'''\n[files]\n'a \"b\"/**' = 'vo'\n[categories.x]"
@@ -303,7 +394,9 @@ class TestSchema:
             {"format": 1, "limits": {"true_peak": -1}},
             {"format": 1, "accept": {"channels": []}},
             {"format": 1, "targets": {"PC": {"sample_rate_hz": 48000, "bit_depth": 16}}},
-            {"format": 1, "naming": {"grammar": "ucs"}},
+            {"format": 1, "naming": {"grammar": "latin"}},
+            {"format": 1, "naming": {"tokens": [{"digits": 2}]}},
+            {"format": 1, "metadata": {"required": ["Originator"]}},
             {"format": 1, "targets": {"pc": {"sample_rate_hz": 48000}}},
         ],
     )

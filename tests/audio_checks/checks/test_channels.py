@@ -1,8 +1,11 @@
-"""`channels`: as many as the project accepts."""
+"""`channels`: as many as the project accepts, in a layout it accepts."""
 
 import pytest
 
-from tests.support.waves import silence
+from audio_checks.audio import AudioFile
+from audio_checks.checks import channels as channels_check
+from audio_checks.spec import parse_spec
+from tests.support.waves import PCM_GUID, chunk, extensible, riff, silence
 
 
 @pytest.mark.parametrize(
@@ -31,3 +34,66 @@ def test_a_render_has_the_channels_of_its_target(codes_of, wanted, codes):
     target = f"targets.game = {{ sample_rate_hz = 48000, bit_depth = 24, channels = {wanted} }}"
     tables = f"accept.channels = [1, 2]\n{target}"
     assert codes_of("channels", silence(channels=2), tables, target="game") == codes
+
+
+QUAD, QUAD_SIDES, FIVE_ONE = 0x33, 0x603, 0x60F
+B_FORMAT = bytes.fromhex("010000002107d3118644c8c1ca000000")
+
+
+@pytest.fixture
+def layout_codes(tmp_path):
+    """Return what is found in silence under an extensible header."""
+
+    def layout_codes(channels, mask, accepted, *, guid=PCM_GUID):
+        header = extensible(channels=channels, container_bits=16, valid_bits=16, mask=mask, guid=guid)
+        path = tmp_path / "bed.wav"
+        path.write_bytes(riff(chunk(b"fmt ", header), chunk(b"data", bytes(20 * channels))))
+        spec = parse_spec(f"format = 1\naccept.layouts = {accepted}")
+        with AudioFile(path) as file:
+            return [finding.code for finding in channels_check.check(file, spec)]
+
+    return layout_codes
+
+
+@pytest.mark.parametrize(
+    ("channels", "mask", "accepted", "codes"),
+    [
+        (4, QUAD, '["quad"]', []),
+        (4, QUAD_SIDES, '["quad"]', []),
+        (4, 0, '["quad"]', ["channels:layout"]),
+        (4, 0x107, '["quad"]', ["channels:layout"]),
+        (4, 0, '["quad", "ambisonic-1"]', []),
+        (4, QUAD, '["ambisonic-1"]', ["channels:layout"]),
+        (6, FIVE_ONE, '["5.1", "7.1"]', []),
+        (6, 0x3F, '["5.1"]', []),
+        (8, 0x63F, '["5.1"]', ["channels:layout"]),
+        (9, 0, '["ambisonic-2"]', []),
+        (12, 0x2D63F, '["7.1.4"]', []),
+        (2, 0x3, '["stereo"]', []),
+        (2, 0, '["stereo"]', []),
+        (2, 0x30, '["stereo"]', ["channels:layout"]),
+        (1, 0x4, '["mono"]', []),
+        (1, 0, '["stereo"]', ["channels:layout"]),
+        (5, 0x37, '"any"', []),
+    ],
+)
+def test_layouts(layout_codes, channels, mask, accepted, codes):
+    assert layout_codes(channels, mask, accepted) == codes
+
+
+def test_a_header_can_say_ambisonics_itself(layout_codes):
+    assert layout_codes(4, 0, '["ambisonic-1"]', guid=B_FORMAT) == []
+    assert layout_codes(4, 0, '["quad"]', guid=B_FORMAT) == ["channels:layout"]
+
+
+def test_a_plain_header_is_mono_or_stereo(codes_of, found_by):
+    assert codes_of("channels", silence(channels=2), 'accept.layouts = ["stereo"]') == []
+    (finding,) = found_by("channels", silence(channels=4), 'accept.layouts = ["quad"]')
+    assert finding.message == "4 channels as ambisonic-1 without a channel mask, accepted quad"
+    assert "two in front, two behind" in finding.fix
+
+
+def test_a_wrong_number_is_said_once(codes_of):
+    assert codes_of("channels", silence(channels=2), "accept.channels = [1]\naccept.layouts = ['mono']") == [
+        "channels:not-accepted"
+    ]
