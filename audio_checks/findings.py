@@ -59,8 +59,8 @@ class Finding:
         if self.start_s is None:
             return self.message
         if self.end_s is None or self.end_s - self.start_s < 0.0005:
-            return f"{self.message} at {self.start_s:.3f} s"
-        return f"{self.message} at {self.start_s:.3f} to {self.end_s:.3f} s"
+            return f"{self.message}, at {self.start_s:.3f} s"
+        return f"{self.message}, at {self.start_s:.3f} to {self.end_s:.3f} s"
 
     def to_dict(self) -> dict[str, Any]:
         """Return the finding as the report has it."""
@@ -206,7 +206,7 @@ class Report:
 
 def with_waivers(entry: FileReport, waived: Mapping[str, frozenset[str]]) -> FileReport:
     """Return the entry with the findings marked whose codes are waived for its sound; its verdict stays."""
-    codes = waived.get(entry.pcm_sha256 or "", frozenset())
+    codes = waived.get(entry.pcm_sha256 or entry.sha256 or "", frozenset())
     if not codes:
         return entry
     return replace(

@@ -3,11 +3,13 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from audio_checks.check_names import Severity
 from audio_checks.findings import FileReport, Finding, Report, printable
 from audio_checks.reporters import Style
 from audio_checks.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
 
 VERDICT_COLOURS = {"unjudged": MAGENTA, "unreadable": RED, "rejected": RED, "conforming": GREEN}
+SEVERITIES: tuple[Severity, ...] = ("error", "warning")
 SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
 WORST_FIRST = tuple(VERDICT_COLOURS)
 LAYOUTS = {1: "mono", 2: "stereo"}
@@ -84,7 +86,7 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         for verdict in reversed(WORST_FIRST)
         if counts[verdict]
     ]
-    found = [_count(counts["errors"], "error"), _count(counts["warnings"], "warning")]
+    found = [_count(sum(entry.count(level, waived=False) for entry in report.files), level) for level in SEVERITIES]
     if counts["waived"]:
         found.append(f"{counts['waived']} waived")
     total = ink(_count(counts["files"], "file"), BOLD)
@@ -94,13 +96,25 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         yield ""
         yield from _table(most[:MOST_FOUND], ink)
         if len(most) > MOST_FOUND:
-            yield ink(f"  and {len(most) - MOST_FOUND} more kinds", DIM)
+            yield ink(f"  and {_count(len(most) - MOST_FOUND, 'other kind')}", DIM)
         yield ""
-    pointers = sum(finding.code == LFS_POINTER for entry in report.files for finding in entry.findings)
-    if pointers:
-        yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
+    yield from _next_steps(report.files, ink)
     if most:
         yield ink(f"why: audio-checks explain {most[0][0].partition(':')[0]}", DIM)
+
+
+def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
+    """Yield what would put several files right at once."""
+    codes = [{finding.code for finding in _counting(entry)} for entry in files]
+    pointers = sum(LFS_POINTER in one for one in codes)
+    if pointers:
+        yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
+    if any(one for one in codes if any(code.startswith(("naming:", "structure:")) for code in one)):
+        from audio_checks.in_place import NAMES, SIZES
+
+        fixable = sum(bool(one & (NAMES | SIZES)) for one in codes)
+        if fixable:
+            yield ink(f"to put names and headers of {_count(fixable, 'file')} right: audio-checks check --diff, then --fix", DIM)
 
 
 def _most_found(files: Iterable[FileReport]) -> list[tuple[str, str, int]]:
