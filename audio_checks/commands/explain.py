@@ -43,4 +43,5 @@ def _unknown(name: str, known: list[str]) -> str:
 
 
 def _wrapped(text: str, indent: str) -> str:
-    return textwrap.fill(text, width(), initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)
+    sentence = f"{text[:1].upper()}{text[1:]}"
+    return textwrap.fill(sentence, width(), initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)

@@ -13,6 +13,18 @@ SEVERITIES: tuple[Severity, ...] = ("error", "warning")
 SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
 WORST_FIRST = tuple(VERDICT_COLOURS)
 LAYOUTS = {1: "mono", 2: "stereo"}
+UNITS = {
+    "dbfs": "dBFS",
+    "dbtp": "dBTP",
+    "lufs": "LUFS",
+    "lu": "LU",
+    "db": "dB",
+    "percent": "%",
+    "hz": "Hz",
+    "ms": "ms",
+    "s": "s",
+}
+DECIMALS = {"s": 3, "ms": 1, "Hz": 0}
 FIX_INDENT = " " * 11
 MANY_FILES = 5  # from here on, what was found most is summed up too
 MOST_FOUND = 5
@@ -114,7 +126,8 @@ def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
 
         fixable = sum(bool(one & (NAMES | SIZES)) for one in codes)
         if fixable:
-            yield ink(f"to put names and headers of {_count(fixable, 'file')} right: audio-checks check --diff, then --fix", DIM)
+            files = _count(fixable, "file")
+            yield ink(f"to put names and headers of {files} right: audio-checks check --diff, then --fix", DIM)
 
 
 def _most_found(files: Iterable[FileReport]) -> list[tuple[str, str, int]]:
@@ -147,16 +160,27 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         yield ink("  cannot be read", RED)
         return
     figures = {"effective_bits": entry.facts["effective_bits"], **entry.to_measured()["measurements"]}
-    columns = max(map(len, figures)) + 2
-    for name, value in figures.items():
-        yield f"  {ink(f'{name:<{columns}}', DIM)}{_value(value)}"
+    rows = [(*_words(name), value) for name, value in figures.items()]
+    columns = max(len(words) for words, _, _ in rows) + 2
+    for words, unit, value in rows:
+        shown = _value(value, unit)
+        yield f"  {ink(f'{words:<{columns}}', DIM)}{shown}{f' {unit}' if unit and value is not None else ''}"
 
 
-def _value(value: object) -> str:
+def _words(name: str) -> tuple[str, str]:
+    """Return a figure's name in words, and its unit; every unit ends the name of its figure."""
+    stem, _, ending = name.rpartition("_")
+    unit = UNITS.get(ending, "")
+    return (stem if unit else name).replace("_", " "), unit
+
+
+def _value(value: object, unit: str) -> str:
     if value is None:
         return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     if isinstance(value, float):
-        return f"{value:.2f}"
+        return f"{round(value, DECIMALS.get(unit, 2)) + 0.0:.{DECIMALS.get(unit, 2)}f}"  # no -0.00
     if isinstance(value, list | tuple):
         return ", ".join(map(str, value)) or "none"
     return printable(str(value))

@@ -368,7 +368,7 @@ class TestMeasure:
         write_wav(folder / "laser.wav", silence(seconds=0.1))
         code, out, _ = run("measure", "laser.wav")
         assert code == 0
-        assert re.search(r"true_peak_dbtp +-\n", out)
+        assert re.search(r"true peak +-\n", out)
 
 
 class TestRender:
