@@ -160,9 +160,10 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         yield ink("  cannot be read", RED)
         return
     figures = {"effective_bits": entry.facts["effective_bits"], **entry.to_measured()["measurements"]}
-    rows = [(*_words(name), value) for name, value in figures.items()]
-    columns = max(len(words) for words, _, _ in rows) + 2
-    for words, unit, value in rows:
+    named = {name: _words(name) for name in figures}
+    columns = max(len(words) for words, _ in named.values()) + 2
+    for name, value in figures.items():
+        words, unit = named[name]
         shown = _value(value, unit)
         yield f"  {ink(f'{words:<{columns}}', DIM)}{shown}{f' {unit}' if unit and value is not None else ''}"
 
@@ -171,7 +172,10 @@ def _words(name: str) -> tuple[str, str]:
     """Return a figure's name in words, and its unit; every unit ends the name of its figure."""
     stem, _, ending = name.rpartition("_")
     unit = UNITS.get(ending, "")
-    return (stem if unit else name).replace("_", " "), unit
+    words = (stem if unit else name).replace("_", " ")
+    if unit == "LUFS" and "loudness" not in words:
+        words += " loudness"
+    return (f"{words} at" if unit == "s" else words), unit
 
 
 def _value(value: object, unit: str) -> str:
