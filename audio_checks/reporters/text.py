@@ -121,13 +121,13 @@ def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
     pointers = sum(LFS_POINTER in one for one in codes)
     if pointers:
         yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
-    if any(one for one in codes if any(code.startswith(("naming:", "structure:")) for code in one)):
+    if any(code.startswith(("naming:", "structure:")) for one in codes for code in one):
         from audio_checks.in_place import NAMES, SIZES
 
         fixable = sum(bool(one & (NAMES | SIZES)) for one in codes)
         if fixable:
-            files = _count(fixable, "file")
-            yield ink(f"to put names and headers of {files} right: audio-checks check --diff, then --fix", DIM)
+            these = _count(fixable, "file")
+            yield ink(f"to put names and headers of {these} right: audio-checks check --diff, then --fix", DIM)
 
 
 def _most_found(files: Iterable[FileReport]) -> list[tuple[str, str, int]]:
