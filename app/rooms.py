@@ -30,6 +30,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("conformance.check_take", "renders.draw_take"),
     "take.checked": ("renders.make_renders", "notifications.tell_check"),
+    "mend.asked": ("conformance.make_mend",),
+    "mend.made": ("renders.draw_mend",),
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),

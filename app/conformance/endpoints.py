@@ -1,14 +1,15 @@
 """The endpoints of this room."""
 
+from typing import Any
 from uuid import UUID
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
-from app.conformance import service
-from app.conformance.errors import CheckNotFound, NothingToWaive
-from app.conformance.schemas import CheckRead, WaiverAdd
+from app.conformance import mends, service
+from app.conformance.errors import CheckNotFound, MakerNeeded, MendNotMade, NothingToMend, NothingToWaive
+from app.conformance.schemas import CheckRead, MendRead, WaiverAdd
 from app.deliveries.errors import TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
@@ -16,6 +17,9 @@ from app.kit.http import DbSession, Route, problems
 from app.projects.errors import DeciderNeeded
 
 router = APIRouter(prefix="/v1", tags=["conformance"], route_class=Route)
+SAME_TAKE: dict[int | str, dict[str, Any]] = {
+    200: {"model": TakeRead, "description": "The mend was used before; this is its take."}
+}
 
 
 @router.get("/takes/{take_id}/check", response_model=CheckRead, responses=problems(TakeNotFound, CheckNotFound))
@@ -48,3 +52,33 @@ def recheck_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.
     take = service.recheck(session, actor, take_id)
     _, standing = take_for(session, actor, take_id)
     return read_take(session, standing.project, take)
+
+
+@router.get("/takes/{take_id}/mend", response_model=MendRead, responses=problems(TakeNotFound))
+def see_mend(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> MendRead:
+    """Show what a mend can do, or did, about a take."""
+    return mends.mend_for(session, actor, take_id)
+
+
+@router.post(
+    "/takes/{take_id}/mend",
+    status_code=202,
+    response_model=MendRead,
+    responses=problems(TakeNotFound, MakerNeeded, NothingToMend),
+)
+def ask_for_mend(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> MendRead:
+    """Have a mended copy made, to see and to hear before it is used."""
+    return mends.ask_for_mend(session, actor, take_id)
+
+
+@router.post(
+    "/takes/{take_id}/mend/use",
+    status_code=201,
+    response_model=TakeRead,
+    responses=SAME_TAKE | problems(TakeNotFound, MakerNeeded, NothingToMend, MendNotMade),
+)
+def use_mend(take_id: UUID, response: Response, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> TakeRead:
+    """Make the mended copy a new version, with the consent of its designer; no round counts."""
+    made, already_here, standing = mends.use_mend(session, actor, take_id)
+    response.status_code = 200 if already_here else 201
+    return read_take(session, standing.project, made).model_copy(update={"already_here": already_here})

@@ -1,13 +1,17 @@
 """The jobs of this room: checks in a throw-away child that may crash, hang or eat memory."""
 
 import math
+import tempfile
 from functools import cache
+from pathlib import Path
+from typing import Any
 from uuid import UUID
 
+import structlog
 from prometheus_client import Counter
 
 import audio_checks
-from app.conformance import queries, service
+from app.conformance import mending, mends, queries, service
 from app.conformance.rules import TRIES, Report, unjudged
 from app.conformance.service import CheckOrder
 from app.kit import kill
@@ -15,9 +19,11 @@ from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobMissing
 
+log = structlog.get_logger(__name__)
 BASE_TIME_S = 60
 BYTES_A_SECOND = 8 << 20  # far slower than any machine that this runs on
 MEMORY_BYTES = 1 << 30
+MEND_PASSES = 4  # a mend checks the master, writes the copy and checks that; now and then twice
 TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by verdict.", ["verdict"])
 
 
@@ -34,10 +40,33 @@ def check_take(runtime: Runtime, payload: Payload) -> None:
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
         is_news = service.record_check(session, order, report)
+        if is_news:
+            mends.make_ready(session, order.take_id)
         kill.point("conformance.before_commit")
     if is_news:
         TAKES_CHECKED.labels(report["verdict"]).inc()
     kill.point("conformance.after_commit")
+
+
+@job("conformance.make_mend")
+def make_mend(runtime: Runtime, payload: Payload) -> None:
+    """Make the mended copy of a master, and say so once."""
+    mend_id = UUID(payload["mend_id"])
+    with runtime.database.reading() as session:
+        order = mends.order_mend(session, mend_id)
+    if order is None:
+        return
+    kill.point("conformance.before_mend")
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+        made = _mended(runtime, order, folder)
+        if made is None:
+            with runtime.database.writing() as session:
+                mends.give_up(session, mend_id)
+            return
+        stored = runtime.store.put_file(order.studio_id, Path(made["file"])) if made["file"] else None
+    kill.point("conformance.after_mend")
+    with runtime.database.writing() as session:
+        mends.record_mend(session, mend_id, made, (stored.sha256, stored.size_bytes) if stored else None)
 
 
 @job("conformance.recheck_takes")
@@ -66,6 +95,25 @@ def _checked(runtime: Runtime, order: CheckOrder) -> Report:
             continue
         return report.to_dict() | {"path": order.name}
     return unjudged(order.name, order.spec.category, why)
+
+
+def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, Any] | None:
+    """Return what a child made of a master; None after three failures."""
+    sandbox = _sandbox(MEND_PASSES * _time_for(order.master_bytes))
+    for _ in range(TRIES):
+        try:
+            with runtime.store.local_copy(order.studio_id, order.master_sha256) as path:
+                return sandbox.call(mending.mend, str(path), folder, order.spec, cue=order.cue, name=order.name)
+        except audio_checks.MendRefused as refusal:
+            return _refused(order, refusal)
+        except (audio_checks.SandboxFailed, BlobMissing) as error:
+            log.warning("a mend failed", mend_id=str(order.mend_id), error=str(error))
+    return None
+
+
+def _refused(order: mends.MendOrder, refusal: audio_checks.MendRefused) -> dict[str, Any]:
+    left = {"code": refusal.code, "severity": "error", "message": str(refusal), "why": f"{refusal}; {refusal.fix}."}
+    return {"file": None, "name": order.name, "conforms": False, "repairs": [], "left": [left]}
 
 
 def _time_for(master_bytes: int) -> float:

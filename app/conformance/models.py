@@ -4,10 +4,11 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ForeignKey, Index, text
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.conformance.rules import MendState
 from app.kit import clock
 from app.kit.db import Base, new_id
 
@@ -56,3 +57,31 @@ class Waiver(Base):
     waived_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     decider: Mapped[Person] = relationship(lazy="raise")
+
+
+class Mend(Base):
+    """A mended copy of a take's master, to see and to hear; its designer's consent makes it a take."""
+
+    __tablename__ = "conformance_mends"
+    __table_args__ = (
+        UniqueConstraint("take_id", "key"),
+        CheckConstraint("(state = 'made') = (sha256 is not null)", name="made_has_file"),
+        CheckConstraint("(used_by is null) = (new_take_id is null)", name="used_is_a_take"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
+    key: Mapped[str]  # of the check that it answers: master, resolved spec, cue facts and tool version
+    state: Mapped[MendState] = mapped_column(default=MendState.MAKING)
+    asked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: made ready by the check
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    made_at: Mapped[datetime | None]
+    refusal: Mapped[str | None]  # in words, with what the designer can do
+    sha256: Mapped[str | None] = mapped_column(index=True)
+    mended_bytes: Mapped[int | None] = mapped_column(BigInteger)
+    made: Mapped[dict[str, Any]] = mapped_column(default=dict)  # repairs, what is left, figures and spots
+    used_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    used_at: Mapped[datetime | None]
+    new_take_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)

@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy import select, update
 from sqlalchemy.orm import Session, joinedload
 
-from app.conformance.models import CheckRun, Waiver
+from app.conformance.models import CheckRun, Mend, Waiver
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE
 from app.projects.models import Spec
@@ -67,3 +67,26 @@ def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, Che
         .order_by(Waiver.id)
     )
     return [(waiver, run, take) for waiver, run, take in rows]
+
+
+def mend_with_key(session: Session, take_id: UUID, key: str) -> Mend | None:
+    """Return the mend of a take that answers one check."""
+    return session.scalar(select(Mend).where(Mend.take_id == take_id, Mend.key == key))
+
+
+def mend_by_id(session: Session, mend_id: UUID, *, locked: bool = False) -> Mend | None:
+    """Return a mend; locked where it is going to change."""
+    query = select(Mend).where(Mend.id == mend_id)
+    return session.scalar(query.with_for_update() if locked else query)
+
+
+def mend_that_made(session: Session, take_id: UUID) -> Mend | None:
+    """Return the mend that a take came from."""
+    return session.scalar(select(Mend).where(Mend.new_take_id == take_id).order_by(Mend.id.desc()).limit(1))
+
+
+def made_mend_of(session: Session, take_id: UUID) -> Mend | None:
+    """Return the newest mended copy of a take."""
+    return session.scalar(
+        select(Mend).where(Mend.take_id == take_id, Mend.sha256.is_not(None)).order_by(Mend.id.desc()).limit(1)
+    )

@@ -3,7 +3,9 @@
 import dataclasses
 import hashlib
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
+from enum import StrEnum
+from functools import lru_cache
 from typing import Any
 
 import audio_checks
@@ -11,6 +13,23 @@ from app.deliveries.rules import TakeState
 
 TRIES = 3
 Report = dict[str, Any]  # the file object of the report
+
+
+MENDABLE_STATES = frozenset({TakeState.RETURNED, TakeState.CONFORMING})  # not yet decided upon, and judged
+
+
+class MendState(StrEnum):
+    """Where a mended copy stands."""
+
+    MAKING = "making"
+    MADE = "made"
+    REFUSED = "refused"
+
+
+@lru_cache(maxsize=64)
+def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
+    """Return what a stored spec says."""
+    return audio_checks.parse_spec(toml)
 
 
 def asked_of(spec: audio_checks.DeliverySpec) -> str:
@@ -43,6 +62,26 @@ def state_after(report: Mapping[str, Any], waived: Collection[str]) -> TakeState
 def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str]) -> list[dict[str, Any]]:
     """Return findings with those marked that the decider let through."""
     return [{**finding, "waived": finding["code"] in codes} for finding in findings]
+
+
+def mend_offers(report: Mapping[str, Any], spec: audio_checks.DeliverySpec) -> list[audio_checks.Offer]:
+    """Return what a mend does about each finding of a report, or why none can, in the report's order."""
+    entry = audio_checks.FileReport.from_dict(report)
+    return [audio_checks.mendable(finding, entry, spec) for finding in entry.findings]
+
+
+def with_offers(findings: Sequence[Mapping[str, Any]], offers: Sequence[audio_checks.Offer]) -> list[dict[str, Any]]:
+    """Return findings with what a mend does about each, or why none can."""
+    return [
+        {**finding, "mend": offer.words if offer else None, "no_mend": None if offer else offer.words}
+        for finding, offer in zip(findings, offers, strict=True)
+    ]
+
+
+def is_enough(report: Mapping[str, Any], offers: Sequence[audio_checks.Offer]) -> bool:
+    """Whether a mend does anything, and answers every finding for which the take would come back again."""
+    errors = [offer for one, offer in zip(report["findings"], offers, strict=True) if one["severity"] == "error"]
+    return report["verdict"] != "unjudged" and any(offers) and all(errors)
 
 
 def unjudged(name: str, category: str | None, why: str) -> Report:

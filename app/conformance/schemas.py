@@ -27,6 +27,8 @@ class FindingRead(Schema):
     start_s: float | None
     end_s: float | None
     waived: bool
+    mend: str | None = Field(None, description="What a mend does about it; null where none can.")
+    no_mend: str | None = Field(None, description="Why no mend can, and who can put it right.")
 
 
 class WaiverAdd(Schema):
@@ -60,3 +62,75 @@ class CheckRead(Schema):
     judgements: dict[str, Any]
     findings: list[FindingRead]
     waiver: WaiverRead | None
+
+
+class RepairRead(Schema):
+    """One thing that a mend put right."""
+
+    kind: Literal["gain", "head", "tail", "name", "header", "depth"]
+    codes: list[str] = Field(description="The findings that it answers.")
+    words: str = Field(examples=["level lowered by 1.70 dB"])
+    start_s: float | None = Field(description="Where in the take: what was cut, or the spot of the level.")
+    end_s: float | None
+
+
+class ShapeRead(Schema):
+    """The shape of a stretch of sound: ±1.0 is full scale."""
+
+    frames: int
+    sample_rate_hz: int
+    min: list[float]
+    max: list[float]
+    rms: list[float]
+
+
+class SpotRead(Schema):
+    """The sound around a repair, before and after, by the time of the take."""
+
+    kind: Literal["gain", "head", "tail"]
+    start_s: float
+    end_s: float
+    after_start_s: float
+    after_end_s: float
+    before: ShapeRead
+    after: ShapeRead
+
+
+class LeftRead(Schema):
+    """What is still found in a mended copy, and why no mend answers it."""
+
+    code: str
+    severity: Literal["error", "warning"]
+    message: str
+    why: str
+
+
+class MendedFrom(Schema):
+    """The take that this one is a mend of."""
+
+    take_id: UUID
+    number: int | None
+    repairs: list[RepairRead]
+    used_by: PersonBrief
+    used_at: datetime
+
+
+class MendRead(Schema):
+    """What a mend can do, or did, about a take."""
+
+    take_id: UUID
+    state: Literal["none", "offered", "making", "made", "refused", "used"]
+    says: str = Field(description="What the mend does, or did; else why there is none.")
+    repairs: list[RepairRead]
+    left: list[LeftRead]
+    before: dict[str, Any] = Field(description="Figures of the take, by name.")
+    after: dict[str, Any] = Field(description="The same figures of the mended copy.")
+    cut_s: tuple[float, float] = Field(description="Taken from start and end.")
+    duration_s: float | None = Field(description="Of the mended copy.")
+    file_name: str | None
+    spots: list[SpotRead]
+    becomes: int | None = Field(description="The version that it would be now, or is.")
+    new_take_id: UUID | None
+    used_by: PersonBrief | None
+    used_at: datetime | None
+    mended_from: MendedFrom | None

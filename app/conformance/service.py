@@ -1,5 +1,6 @@
 """The verdict: what a check needs to know, and what its report makes of a take."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from uuid import UUID
 
@@ -11,7 +12,17 @@ from app.accounts.schemas import PersonBrief
 from app.conformance import queries
 from app.conformance.errors import CheckNotFound, NothingToWaive
 from app.conformance.models import CheckRun, Waiver
-from app.conformance.rules import Report, asked_of, error_codes, run_key, state_after, with_waived
+from app.conformance.rules import (
+    Report,
+    asked_of,
+    error_codes,
+    mend_offers,
+    parsed_spec,
+    run_key,
+    state_after,
+    with_offers,
+    with_waived,
+)
 from app.conformance.schemas import CheckRead, FindingRead, WaiverRead
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
@@ -51,7 +62,7 @@ def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
 def _order(session: Session, take: Take) -> CheckOrder:
     spec = current_spec(session, take.project_id)
     cue = cue_facts(take.cue) if take.cue else None
-    resolved = _resolved(spec, take)
+    resolved = resolved_spec(spec, take)
     name = check_name(session, take)
     return CheckOrder(
         take_id=take.id,
@@ -67,9 +78,9 @@ def _order(session: Session, take: Take) -> CheckOrder:
     )
 
 
-def _resolved(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
+def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
     """Return what a version of the spec asks of one take."""
-    whole = audio_checks.parse_spec(spec.toml)
+    whole = parsed_spec(spec.toml)
     resolved = whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
     if take.cue is None:  # it will be named for its cue once somebody says which that is
         return replace(resolved, checks=resolved.checks | {"naming": "off"})
@@ -174,21 +185,28 @@ def read_check(session: Session, take: Take) -> CheckRead:
     if waiver is not None and waiver.master_sha256 != take.master_sha256:
         waiver = None
     spec, newest = queries.spec_of(session, run), current_spec(session, take.project_id)
-    findings = with_waived(run.report["findings"], waiver.codes if waiver else [])
+    resolved = resolved_spec(spec, take)
     return CheckRead(
         take_id=take.id,
         state=take.state,
         verdict=run.report["verdict"],
         spec_version=spec.version,
-        is_newest_spec=spec.id == newest.id or asked_of(_resolved(spec, take)) == asked_of(_resolved(newest, take)),
+        is_newest_spec=spec.id == newest.id
+        or asked_of(resolved_spec(spec, take)) == asked_of(resolved_spec(newest, take)),
         tool_version=run.tool_version,
         created_at=run.created_at,
         facts=run.report["facts"],
         measurements=run.report["measurements"],
         judgements=run.report["judgements"],
-        findings=[FindingRead.model_validate(finding) for finding in findings],
+        findings=told_findings(run.report, resolved, waiver.codes if waiver else []),
         waiver=waiver and _waiver_read(waiver),
     )
+
+
+def told_findings(report: Report, spec: audio_checks.DeliverySpec, codes_waived: Collection[str]) -> list[FindingRead]:
+    """Return a report's findings as they are shown: whether they were let through, and what a mend does about each."""
+    findings = with_waived(report["findings"], codes_waived)
+    return [FindingRead.model_validate(one) for one in with_offers(findings, mend_offers(report, spec))]
 
 
 def _waiver_read(waiver: Waiver) -> WaiverRead:

@@ -52,6 +52,7 @@ class Take(Base):
     upload_id: Mapped[UUID | None] = mapped_column(ForeignKey(Upload.id), unique=True)  # an upload is one take
     archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
     archive_entry: Mapped[int | None]  # its place in there
+    mend_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # made from it by us
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)  # None: unmatched
     variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
     number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on

@@ -59,8 +59,13 @@ def in_house_designers(session: Session, project_id: UUID) -> Sequence[UUID]:
 def next_number(session: Session, cue_id: UUID, variation: int) -> int:
     """Return the number of a cue's next take; nobody else gets one until the transaction ends."""
     session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update())
+    return last_number(session, cue_id, variation) + 1
+
+
+def last_number(session: Session, cue_id: UUID, variation: int) -> int:
+    """Return the number of a cue's newest take; 0 where none has come."""
     last = session.scalar(select(func.max(Take.number)).where(Take.cue_id == cue_id, Take.variation == variation))
-    return (last or 0) + 1
+    return last or 0
 
 
 def filled_variations(session: Session, cue_id: UUID) -> set[int]:

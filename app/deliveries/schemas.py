@@ -91,6 +91,7 @@ class TakeRead(Schema):
     late: bool = Field(description="It came after its delivery was closed.")
     file_name: ShownName
     note: str
+    mend_of_id: UUID | None = Field(description="The version that this one is a mend of.")
     master_sha256: str
     master_bytes: int
     received_at: datetime

@@ -43,11 +43,12 @@ class Slot:
 
 @dataclass(frozen=True)
 class Origin:
-    """Where the bytes of a take came from: an upload of its own, or a place in a ZIP."""
+    """Where the bytes of a take came from: an upload of its own, a place in a ZIP, or a mend of another take."""
 
     upload_id: UUID | None = None
     archive_id: UUID | None = None
     archive_entry: int | None = None
+    mend_of_id: UUID | None = None
 
 
 def delivery_for(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing]:
@@ -149,13 +150,15 @@ def add_take(
     *,
     slot: Slot | None = None,
     note: str = "",
+    late: bool | None = None,
 ) -> tuple[Take, bool]:
     """Add stored bytes to a delivery and ask for their check; see `receive_take`."""
     name = kept_name(file_name)
     slot = slot or _slot_named(session, delivery.project_id, name)
     cue_id, variation = (slot.cue.id, slot.variation) if slot else (None, 1)
     number = queries.next_number(session, cue_id, variation) if cue_id else None
-    if (same := queries.same_take(session, delivery, sha256, cue_id, variation)) is not None:
+    same = queries.same_take(session, delivery, sha256, cue_id, variation)
+    if same is not None and same.id != origin.mend_of_id:  # a mend of the name alone has its master's bytes
         return same, True
     take = Take(
         studio_id=delivery.studio_id,
@@ -169,7 +172,8 @@ def add_take(
         variation=variation,
         number=number,
         alternate=slot.alternate if slot else alternate_of(name),
-        late=delivery.closed_at is not None,
+        mend_of_id=origin.mend_of_id,
+        late=delivery.closed_at is not None if late is None else late,
         file_name=name,
         note=note,
         master_sha256=sha256,
@@ -180,6 +184,15 @@ def add_take(
     session.refresh(take, ["cue", "designer"])
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
+
+
+def add_mended_take(session: Session, of: Take, sha256: str, size_bytes: int, file_name: str) -> tuple[Take, bool]:
+    """Add the mended copy of a matched take (its cue loaded) beside it, as late as that is; see `receive_take`."""
+    delivery = queries.delivery_by_id(session, of.delivery_id)
+    if delivery is None or of.cue is None:
+        raise LookupError(f"take {of.id} has no delivery or no cue")
+    origin, slot = Origin(mend_of_id=of.id), Slot(of.cue, of.variation, of.alternate)
+    return add_take(session, delivery, sha256, size_bytes, file_name, origin, slot=slot, note=of.note, late=of.late)
 
 
 def receive_archive(

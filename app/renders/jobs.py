@@ -10,6 +10,7 @@ from uuid import UUID
 import structlog
 from prometheus_client import Counter
 
+from app.conformance.queries import mend_by_id
 from app.deliveries.queries import take_by_id
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
@@ -40,6 +41,26 @@ def draw_take(runtime: Runtime, payload: Payload) -> None:
             return
         studio_id, sha256 = take.studio_id, take.master_sha256
         loop = take.cue is not None and take.cue.loop
+    _draw(runtime, studio_id, sha256, loop=loop)
+
+
+@job("renders.draw_mend")
+def draw_mend(runtime: Runtime, payload: Payload) -> None:
+    """Draw a mended copy and make its preview, so that its designer sees and hears it before it is used."""
+    with runtime.database.reading() as session:
+        mend = mend_by_id(session, UUID(payload["mend_id"]))
+        if mend is None or mend.sha256 is None:
+            return
+        if queries.picture_of(session, mend.studio_id, mend.sha256) is not None:
+            return
+        studio_id, sha256 = mend.studio_id, mend.sha256
+        take = take_by_id(session, mend.take_id)
+        loop = take is not None and take.cue is not None and take.cue.loop
+    _draw(runtime, studio_id, sha256, loop=loop)
+
+
+def _draw(runtime: Runtime, studio_id: UUID, sha256: str, *, loop: bool) -> None:
+    """Put the picture of one stored sound on record."""
     with (
         runtime.store.local_copy(studio_id, sha256) as master,
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
@@ -47,7 +68,7 @@ def draw_take(runtime: Runtime, payload: Payload) -> None:
         try:
             drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), folder, loop=loop))
         except (Unreadable, RenderRefused, SandboxFailed) as error:
-            log.info("a master could not be drawn", take_id=payload["take_id"], error=str(error))
+            log.info("a sound could not be drawn", sha256=sha256, error=str(error))
             picture = Picture(studio_id=studio_id, sound_sha256=sha256)
         else:
             picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn)

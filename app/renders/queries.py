@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session, joinedload
 
 import audio_checks
 from app.accounts.rules import Actor
+from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
 from app.renders.models import Picture, Render
@@ -61,7 +62,7 @@ def _in_reach(actor: Actor) -> ColumnElement[bool]:
 
 
 def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture | None:
-    """Return a picture when it shows the master or a render of a take that the caller sees."""
+    """Return a picture when it shows the master, a render or a mend of a take that the caller sees."""
     of_master = exists().where(
         Take.studio_id == Picture.studio_id, Take.master_sha256 == Picture.sound_sha256, _in_reach(actor)
     )
@@ -71,7 +72,13 @@ def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture
         Render.take_id == Take.id,
         _in_reach(actor),
     )
-    return session.scalar(select(Picture).where(Picture.id == picture_id, or_(of_master, of_render)))
+    of_mend = exists().where(
+        Mend.studio_id == Picture.studio_id,
+        Mend.sha256 == Picture.sound_sha256,
+        Mend.take_id == Take.id,
+        _in_reach(actor),
+    )
+    return session.scalar(select(Picture).where(Picture.id == picture_id, or_(of_master, of_render, of_mend)))
 
 
 def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Render, Take] | None:

@@ -3,6 +3,8 @@
 from typing import Any, Literal
 from uuid import UUID
 
+from pydantic import Field
+
 from app.kit.http import Schema
 from app.renders.rules import RenderState
 
@@ -66,4 +68,5 @@ class TakeSoundsRead(Schema):
 
     take_id: UUID
     master: MasterSoundRead
+    mend: SoundBrief | None = Field(description="Its newest mended copy, once it is drawn.")
     renders: list[RenderSoundRead]

@@ -7,6 +7,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.conformance.models import Mend
+from app.conformance.queries import made_mend_of
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_by_id
 from app.deliveries.service import take_for
@@ -23,13 +25,22 @@ def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead
     take, _ = take_for(session, actor, take_id)
     specs = {take.project_id: current_spec(session, take.project_id)}
     renders = queries.current_renders(session, specs, [take])[take.id]
+    mend = made_mend_of(session, take.id)
     hashes = [take.master_sha256, *(one.sha256 for one in renders.values() if one and one.sha256)]
+    if mend is not None and mend.sha256 is not None:
+        hashes.append(mend.sha256)
     pictures = queries.pictures_of_sounds(session, [take.studio_id], hashes)
     return TakeSoundsRead(
         take_id=take.id,
         master=master_sound(take, pictures.get(take.master_sha256)),
+        mend=_mend_sound(mend, pictures),
         renders=[render_sound(target, one, picture_of_render(one, pictures)) for target, one in renders.items()],
     )
+
+
+def _mend_sound(mend: Mend | None, pictures: dict[str, Picture]) -> SoundBrief | None:
+    picture = pictures.get(mend.sha256) if mend and mend.sha256 else None
+    return SoundBrief(**sound_places(picture)) if picture else None
 
 
 def sound_places(picture: Picture | None) -> dict[str, Any]:

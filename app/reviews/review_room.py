@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
+from app.conformance.queries import mend_that_made
 from app.conformance.rules import with_waived
 from app.conformance.schemas import FindingRead
 from app.deliveries.models import Delivery, Take
@@ -259,6 +260,11 @@ def _receipt(session: Session, take: Take) -> HistoryEntry:
     designer = PersonBrief.model_validate(people_by_id(session, {take.designer_id})[take.designer_id])
     delivery = session.get_one(Delivery, take.delivery_id)
     text = f"{take.file_name}, delivery {delivery.number}"
+    mend = mend_that_made(session, take.id)
+    if mend is not None:
+        master = session.get_one(Take, mend.take_id)
+        words = ", ".join(repair["words"] for repair in mend.made.get("repairs", []))
+        text = f"{text}: a mend of version {master.number}, with its designer's consent; {words}"
     return HistoryEntry(at=take.received_at, kind="received", by=designer, text=text)
 
 

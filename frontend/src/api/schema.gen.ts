@@ -1285,6 +1285,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/mend": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Mend
+         * @description Show what a mend can do, or did, about a take.
+         */
+        get: operations["see_mend"];
+        put?: never;
+        /**
+         * Ask For Mend
+         * @description Have a mended copy made, to see and to hear before it is used.
+         */
+        post: operations["ask_for_mend"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/mend/use": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Use Mend
+         * @description Make the mended copy a new version, with the consent of its designer; no round counts.
+         */
+        post: operations["use_mend"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/takes/{take_id}/sounds": {
         parameters: {
             query?: never;
@@ -3093,6 +3137,16 @@ export interface components {
             end_s: number | null;
             /** Waived */
             waived: boolean;
+            /**
+             * Mend
+             * @description What a mend does about it; null where none can.
+             */
+            mend?: string | null;
+            /**
+             * No Mend
+             * @description Why no mend can, and who can put it right.
+             */
+            no_mend?: string | null;
         };
         /**
          * Found
@@ -3419,6 +3473,23 @@ export interface components {
             studio: components["schemas"]["StudioBrief"];
         };
         /**
+         * LeftRead
+         * @description What is still found in a mended copy, and why no mend answers it.
+         */
+        LeftRead: {
+            /** Code */
+            code: string;
+            /**
+             * Severity
+             * @enum {string}
+             */
+            severity: "error" | "warning";
+            /** Message */
+            message: string;
+            /** Why */
+            why: string;
+        };
+        /**
          * LimitsRead
          * @description The levels and edges a file keeps to; null does not limit.
          */
@@ -3557,6 +3628,94 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * MendRead
+         * @description What a mend can do, or did, about a take.
+         */
+        MendRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "none" | "offered" | "making" | "made" | "refused" | "used";
+            /**
+             * Says
+             * @description What the mend does, or did; else why there is none.
+             */
+            says: string;
+            /** Repairs */
+            repairs: components["schemas"]["RepairRead"][];
+            /** Left */
+            left: components["schemas"]["LeftRead"][];
+            /**
+             * Before
+             * @description Figures of the take, by name.
+             */
+            before: {
+                [key: string]: unknown;
+            };
+            /**
+             * After
+             * @description The same figures of the mended copy.
+             */
+            after: {
+                [key: string]: unknown;
+            };
+            /**
+             * Cut S
+             * @description Taken from start and end.
+             */
+            cut_s: [
+                number,
+                number
+            ];
+            /**
+             * Duration S
+             * @description Of the mended copy.
+             */
+            duration_s: number | null;
+            /** File Name */
+            file_name: string | null;
+            /** Spots */
+            spots: components["schemas"]["SpotRead"][];
+            /**
+             * Becomes
+             * @description The version that it would be now, or is.
+             */
+            becomes: number | null;
+            /** New Take Id */
+            new_take_id: string | null;
+            used_by: components["schemas"]["PersonBrief"] | null;
+            /** Used At */
+            used_at: string | null;
+            mended_from: components["schemas"]["MendedFrom"] | null;
+        };
+        /**
+         * MendedFrom
+         * @description The take that this one is a mend of.
+         */
+        MendedFrom: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Number */
+            number: number | null;
+            /** Repairs */
+            repairs: components["schemas"]["RepairRead"][];
+            used_by: components["schemas"]["PersonBrief"];
+            /**
+             * Used At
+             * Format: date-time
+             */
+            used_at: string;
         };
         /**
          * Mine
@@ -4182,6 +4341,34 @@ export interface components {
          */
         RenderState: "made" | "refused";
         /**
+         * RepairRead
+         * @description One thing that a mend put right.
+         */
+        RepairRead: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "gain" | "head" | "tail" | "name" | "header" | "depth";
+            /**
+             * Codes
+             * @description The findings that it answers.
+             */
+            codes: string[];
+            /**
+             * Words
+             * @example level lowered by 1.70 dB
+             */
+            words: string;
+            /**
+             * Start S
+             * @description Where in the take: what was cut, or the spot of the level.
+             */
+            start_s: number | null;
+            /** End S */
+            end_s: number | null;
+        };
+        /**
          * ReportFile
          * @description What is said of one file.
          */
@@ -4570,6 +4757,22 @@ export interface components {
             undo_until: string;
         };
         /**
+         * ShapeRead
+         * @description The shape of a stretch of sound: ±1.0 is full scale.
+         */
+        ShapeRead: {
+            /** Frames */
+            frames: number;
+            /** Sample Rate Hz */
+            sample_rate_hz: number;
+            /** Min */
+            min: number[];
+            /** Max */
+            max: number[];
+            /** Rms */
+            rms: number[];
+        };
+        /**
          * SignInAdd
          * @description Address and password.
          */
@@ -4592,6 +4795,23 @@ export interface components {
             password: string;
             /** Studio Name */
             studio_name: string;
+        };
+        /**
+         * SoundBrief
+         * @description Where the preview, peaks and spectrum of one stored sound are; null where drawing it failed.
+         */
+        SoundBrief: {
+            /** Picture Id */
+            picture_id: string | null;
+            /** Duration S */
+            duration_s: number | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Preview Url */
+            preview_url: string | null;
+            /** Peaks Url */
+            peaks_url: string | null;
+            /** Spectrum Url */
+            spectrum_url: string | null;
         };
         /**
          * SoundListRead
@@ -4711,6 +4931,27 @@ export interface components {
             tables?: {
                 [key: string]: unknown;
             } | null;
+        };
+        /**
+         * SpotRead
+         * @description The sound around a repair, before and after, by the time of the take.
+         */
+        SpotRead: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "gain" | "head" | "tail";
+            /** Start S */
+            start_s: number;
+            /** End S */
+            end_s: number;
+            /** After Start S */
+            after_start_s: number;
+            /** After End S */
+            after_end_s: number;
+            before: components["schemas"]["ShapeRead"];
+            after: components["schemas"]["ShapeRead"];
         };
         /**
          * Standing
@@ -4920,6 +5161,11 @@ export interface components {
             file_name: string;
             /** Note */
             note: string;
+            /**
+             * Mend Of Id
+             * @description The version that this one is a mend of.
+             */
+            mend_of_id: string | null;
             /** Master Sha256 */
             master_sha256: string;
             /** Master Bytes */
@@ -4957,6 +5203,8 @@ export interface components {
              */
             take_id: string;
             master: components["schemas"]["MasterSoundRead"];
+            /** @description Its newest mended copy, once it is drawn. */
+            mend: components["schemas"]["SoundBrief"] | null;
             /** Renders */
             renders: components["schemas"]["RenderSoundRead"][];
         };
@@ -9284,6 +9532,171 @@ export interface operations {
                 };
             };
             /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    see_mend: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MendRead"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    ask_for_mend: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MendRead"];
+                };
+            };
+            /** @description `maker-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-mend` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    use_mend: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mend was used before; this is its take. */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeRead"];
+                };
+            };
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeRead"];
+                };
+            };
+            /** @description `maker-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-mend`, `mend-not-made` */
             409: {
                 headers: {
                     [name: string]: unknown;
