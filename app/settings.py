@@ -2,12 +2,14 @@
 
 import difflib
 import os
+import re
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Literal
-from urllib.parse import urlsplit
+from typing import Annotated, Literal, Self
+from urllib.parse import parse_qsl, urlsplit
 
-from pydantic import Field, SecretStr, ValidationError, field_validator
+from pydantic import Field, SecretStr, ValidationError, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 PREFIX = "SOUNDLIST_"
@@ -24,14 +26,39 @@ class SettingsWrong(Exception):
         self.lines = lines
 
 
+@dataclass(frozen=True)
+class BucketAddress:
+    """A part of a bucket, and where its server is: as this process reaches it, and as browsers do."""
+
+    bucket: str
+    prefix: str
+    region: str
+    endpoint: str
+    public_endpoint: str
+
+
 class Settings(BaseSettings):
     """Every knob of the server, with the embedded default in place of each."""
 
-    model_config = SettingsConfigDict(env_prefix="SOUNDLIST_", extra="ignore")
+    model_config = SettingsConfigDict(env_prefix="SOUNDLIST_", extra="ignore", validate_by_name=True)
 
     data_dir: Path = Field(Path("data"), description="Folder of the embedded database, masters, renders and uploads.")
     database_url: str = Field("", description="SQLAlchemy URL; empty means SQLite inside data_dir.")
-    store_url: str = Field("", description="Where masters and renders live; empty means a folder inside data_dir.")
+    store_url: str = Field(
+        "",
+        description="Where masters and renders live: file:///folder or s3://bucket/prefix?endpoint=…&region=…; "
+        "empty means a folder inside data_dir.",
+    )
+    store_direct: bool = Field(
+        False, description="Let browsers send to and fetch from the bucket by signed links; its CORS rules must agree."
+    )
+    aws_access_key_id: str = Field("", validation_alias="AWS_ACCESS_KEY_ID", description="For a store on S3.")
+    aws_secret_access_key: SecretStr = Field(
+        SecretStr(""), validation_alias="AWS_SECRET_ACCESS_KEY", description="For a store on S3."
+    )
+    aws_session_token: SecretStr = Field(
+        SecretStr(""), validation_alias="AWS_SESSION_TOKEN", description="For a store on S3 by temporary keys."
+    )
     smtp_url: str = Field("", description="smtp://user:password@host:port; empty keeps mails in the outbox.")
     mail_from: str = "Soundlist <soundlist@localhost>"
     digest_delay_s: float = Field(60.0, ge=0, description="How long a mail waits for more news of its kind.")
@@ -97,11 +124,29 @@ class Settings(BaseSettings):
     @field_validator("store_url")
     @classmethod
     def _is_a_store_we_have(cls, value: str) -> str:
-        if value and not value.startswith("file:///"):
+        if value.startswith("s3://"):
+            bucket_address(value)
+        elif value and not value.startswith("file:///"):
+            kind = value.partition("://")[0]
             raise ValueError(
-                f"SOUNDLIST_STORE_URL is {value!r}; this version stores in a folder: file:///absolute/path"
+                f"SOUNDLIST_STORE_URL begins with {kind}://; write file:///absolute/folder or "
+                "s3://bucket/prefix?endpoint=https://s3.example&region=eu-central-1"
             )
         return value
+
+    @model_validator(mode="after")
+    def _has_keys_for_its_bucket(self) -> Self:
+        if self.bucket and not (self.aws_access_key_id and self.aws_secret_access_key.get_secret_value()):
+            raise ValueError(
+                "SOUNDLIST_STORE_URL names a bucket, and AWS_ACCESS_KEY_ID or AWS_SECRET_ACCESS_KEY is not set; "
+                "set both to a key that may read, write, list and delete there"
+            )
+        return self
+
+    @cached_property
+    def bucket(self) -> BucketAddress | None:
+        """The bucket that is the store, if one is."""
+        return bucket_address(self.store_url) if self.store_url.startswith("s3://") else None
 
     @cached_property
     def resolved_database_url(self) -> str:
@@ -117,6 +162,27 @@ class Settings(BaseSettings):
     def is_https(self) -> bool:
         """Whether people reach us over TLS, so cookies can demand it."""
         return self.base_url.startswith("https://")
+
+
+def bucket_address(url: str) -> BucketAddress:
+    """Read s3://bucket/prefix?endpoint=…&region=…&public_endpoint=…; raise ValueError in words."""
+    parts = urlsplit(url)
+    given = dict(parse_qsl(parts.query, keep_blank_values=True))
+    if parts.username or parts.password:
+        raise ValueError("SOUNDLIST_STORE_URL holds a key; take it out, and set AWS_ACCESS_KEY_ID and its secret")
+    if not re.fullmatch(r"[a-z0-9][a-z0-9.-]{1,61}[a-z0-9]", parts.netloc):
+        raise ValueError(f"SOUNDLIST_STORE_URL names the bucket {parts.netloc!r}; write s3://bucket/prefix")
+    if not re.fullmatch(r"[A-Za-z0-9._/-]*", parts.path):
+        raise ValueError(f"SOUNDLIST_STORE_URL has the prefix {parts.path!r}; use letters, digits, dots, - and / only")
+    if unknown := sorted(given.keys() - {"endpoint", "region", "public_endpoint"}):
+        raise ValueError(f"SOUNDLIST_STORE_URL has {unknown[0]}=; it may have endpoint=, region= and public_endpoint=")
+    region = given.get("region") or os.environ.get("AWS_REGION") or "us-east-1"
+    endpoint = given.get("endpoint") or os.environ.get("AWS_ENDPOINT_URL") or f"https://s3.{region}.amazonaws.com"
+    public_endpoint = given.get("public_endpoint") or endpoint
+    for name, address in (("endpoint", endpoint), ("public_endpoint", public_endpoint)):
+        if not re.fullmatch(r"https?://[^/?#@]+/?", address):
+            raise ValueError(f"SOUNDLIST_STORE_URL has {name}={address}; write {name}=https://s3.example")
+    return BucketAddress(parts.netloc, parts.path.strip("/"), region, endpoint.rstrip("/"), public_endpoint.rstrip("/"))
 
 
 def read_settings(*, serving: bool = False) -> Settings:

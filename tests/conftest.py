@@ -1,18 +1,22 @@
-"""Which database the tests of rooms and journeys run on; the others need none or bring their own."""
+"""Which database and store the tests of rooms and journeys run on; the others need none or bring their own."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
 from tests.support.postgres import Postgres, running_postgres
+from tests.support.s3 import S3Server, run_s3
 
 SQLITE, POSTGRES = "sqlite", "postgres"
+FOLDER, S3 = "folder", "s3"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--database", choices=(SQLITE, POSTGRES), default=SQLITE, help="what the rooms and journeys run on"
     )
+    parser.addoption("--store", choices=(FOLDER, S3), default=FOLDER, help="where the rooms and journeys keep sounds")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -37,3 +41,19 @@ def database_url(request: pytest.FixtureRequest) -> str:
         return ""
     server: Postgres = request.getfixturevalue("postgres")
     return server.new_database("soundlist")
+
+
+@pytest.fixture(scope="session")
+def s3(tmp_path_factory: pytest.TempPathFactory) -> Iterator[S3Server]:
+    """A real S3 server, started by the first test of this process that asks for it."""
+    with run_s3(tmp_path_factory.mktemp("s3")) as server:
+        yield server
+
+
+@pytest.fixture(scope="session")
+def store_settings(request: pytest.FixtureRequest) -> dict[str, Any]:
+    """The settings that name the store of the server under test; none for the embedded default."""
+    if request.config.getoption("--store") == FOLDER:
+        return {}
+    server: S3Server = request.getfixturevalue("s3")
+    return server.settings()

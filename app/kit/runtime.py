@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from app.kit.db import Database
 from app.kit.queue import JobQueue
-from app.kit.storage import FolderStore, Store
+from app.kit.storage import Store, open_store
 from app.settings import Settings
 
 
@@ -21,7 +21,7 @@ class Runtime:
     def of(cls, settings: Settings) -> "Runtime":
         """Open what the settings name."""
         database = Database(settings.resolved_database_url)
-        return cls(settings, database, FolderStore(settings.blob_dir), JobQueue(database))
+        return cls(settings, database, open_store(settings), JobQueue(database))
 
     def close(self) -> None:
         """Close connections."""

@@ -1,6 +1,10 @@
 """Blobs by content: in a folder or in a bucket, behind one interface."""
 
+from app.kit.storage.bucket import BucketStore
+from app.kit.storage.direct import DirectUploads, Incoming, PartLink
 from app.kit.storage.folder import FolderStore, make_folder, sync
+from app.kit.storage.multipart import MultipartGone
+from app.kit.storage.signing import Key
 from app.kit.storage.store import (
     COPY_PREFIX,
     PUT_PREFIX,
@@ -12,6 +16,20 @@ from app.kit.storage.store import (
     StoreUnavailable,
     StoreUnready,
 )
+from app.settings import Settings
+
+
+def open_store(settings: Settings) -> Store:
+    """Open the store that the settings name."""
+    if settings.bucket is None:
+        return FolderStore(settings.blob_dir)
+    key = Key(
+        settings.aws_access_key_id,
+        settings.aws_secret_access_key.get_secret_value(),
+        settings.aws_session_token.get_secret_value(),
+    )
+    return BucketStore(settings.bucket, key, settings.data_dir / "incoming", direct=settings.store_direct)
+
 
 __all__ = [
     "COPY_PREFIX",
@@ -19,11 +37,17 @@ __all__ = [
     "READ_BYTES",
     "BlobAltered",
     "BlobMissing",
+    "BucketStore",
+    "DirectUploads",
     "FolderStore",
+    "Incoming",
+    "MultipartGone",
+    "PartLink",
     "Store",
     "StoreUnavailable",
     "StoreUnready",
     "StoredBlob",
     "make_folder",
+    "open_store",
     "sync",
 ]

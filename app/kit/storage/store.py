@@ -8,11 +8,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Generator, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
-from typing import BinaryIO, ClassVar
+from typing import TYPE_CHECKING, BinaryIO
 from uuid import UUID
 
 from app.kit.errors import Refused
+
+if TYPE_CHECKING:
+    from app.kit.storage.direct import DirectUploads
 
 READ_BYTES = 1 << 20
 Pieces = Generator[bytes, None, None]
@@ -53,7 +57,8 @@ class Store(ABC):
     """Where masters, game files and pictures are kept."""
 
     staging_root: Path  # on this machine's disk; bytes on their way in or out wait here
-    public_origin: ClassVar[str | None] = None
+    direct: "DirectUploads | None" = None  # uploads that come to the store without passing through this process
+    public_origin: str | None = None  # where browsers go for those, and for what links are signed to, if they may
 
     @abstractmethod
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
@@ -85,6 +90,10 @@ class Store(ABC):
     @abstractmethod
     def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> str | None:
         """Return a link to a blob that works for a while without credentials; None where none is offered."""
+
+    def sweep(self, before: datetime) -> int:  # noqa: ARG002
+        """Delete what dead processes left half-stored before an instant; return how much went."""
+        return 0
 
     def put(self, studio_id: UUID, chunks: Iterable[bytes]) -> StoredBlob:
         """Store what the chunks add up to; storing the same bytes twice is storing them once."""
@@ -140,6 +149,13 @@ class Store(ABC):
             raise StoreUnavailable(
                 f"the server could not write to its disk ({error.strerror})", fix="tell whoever runs this server"
             ) from error
+
+
+def key_refused() -> StoreUnavailable:
+    """Return the error that says that our key does not open the store."""
+    return StoreUnavailable(
+        "the store refuses our key", fix="tell whoever runs this server to look at AWS_ACCESS_KEY_ID"
+    )
 
 
 def altered(sha256: str, found: str) -> BlobAltered:

@@ -1,0 +1,179 @@
+"""Blobs in a bucket of an S3 server, or in a part of one. ETags are no checksums: what counts is hashed again."""
+
+import hashlib
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from uuid import UUID
+
+from app.kit.db import new_id
+from app.kit.storage.direct import DirectUploads
+from app.kit.storage.multipart import AlreadyStored, Multipart, MultipartGone, parts_of
+from app.kit.storage.objects import Objects
+from app.kit.storage.patience import Patience
+from app.kit.storage.signing import Key, Signer
+from app.kit.storage.store import (
+    COPY_PREFIX,
+    Pieces,
+    Store,
+    StoredBlob,
+    StoreUnavailable,
+    StoreUnready,
+    altered,
+    missing,
+)
+from app.settings import BucketAddress
+
+HEADS_AT_ONCE = 16
+LINK_WORKS_FOR_S = 900
+INCOMING, PROBES = ".incoming/", ".probes/"
+PATIENT = Patience()
+PROBING = Patience(tries=1, connect_s=3.0, silence_s=5.0)  # whoever asks whether we are ready asks again
+
+
+class BucketStore(Store):
+    """A bucket; what is under a hash is put there only while nothing is."""
+
+    def __init__(
+        self,
+        address: BucketAddress,
+        key: Key,
+        staging_root: Path,
+        *,
+        direct: bool = False,
+        patience: Patience = PATIENT,
+    ) -> None:
+        self.staging_root = staging_root.resolve()
+        self._address = address
+        self._root = f"{address.prefix}/" if address.prefix else ""
+        self._objects = Objects(address, key, patience)
+        self._probed = Objects(address, key, PROBING)
+        self.multipart = Multipart(Signer(address.endpoint, address.region, key), address.bucket, patience)
+        self._public = Signer(address.public_endpoint, address.region, key)
+        self.direct = DirectUploads(
+            self._objects, self.multipart, self._public, address.bucket, f"{self._root}{INCOMING}", self._key
+        )
+        if direct:
+            self.public_origin = address.public_endpoint
+
+    def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
+        """Store a finished file under its hash, unless something is there."""
+        key, stored = self._key(studio_id, sha256), StoredBlob(sha256, source.stat().st_size)
+        if parts_of(stored.size_bytes) == 1:
+            is_new = self._objects.put_new(key, source.read_bytes())
+        else:
+            is_new = self._objects.size_bytes(key) is None and self._sent(key, source)
+        if not is_new:
+            self._ensure_there(studio_id, stored)
+        return stored
+
+    def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
+        """Store a copy of a file, without copying it on this machine first."""
+        with source.open("rb") as file:
+            sha256 = hashlib.file_digest(file, "sha256").hexdigest()
+        return self.keep(studio_id, source, sha256)
+
+    def size_bytes(self, studio_id: UUID, sha256: str) -> int:
+        """Return how long a blob is; raise BlobMissing where there is none."""
+        size_bytes = self._objects.size_bytes(self._key(studio_id, sha256))
+        if size_bytes is None:
+            raise missing(studio_id, sha256)
+        return size_bytes
+
+    def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
+        """Return how long each of many blobs is, many asked at once; those that are missing are left out."""
+        asked = list(sha256s)
+        with ThreadPoolExecutor(HEADS_AT_ONCE) as pool:
+            found = pool.map(lambda sha256: self._objects.size_bytes(self._key(studio_id, sha256)), asked)
+            return {sha256: size for sha256, size in zip(asked, found, strict=True) if size is not None}
+
+    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
+        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
+        try:
+            yield from self._objects.stream(self._key(studio_id, sha256), start, end)
+        except FileNotFoundError:
+            raise missing(studio_id, sha256) from None
+
+    @contextmanager
+    def local_copy(self, studio_id: UUID, sha256: str) -> Iterator[Path]:
+        """Give a copy that is gone afterwards; raise BlobAltered where its hash is not its name."""
+        with self._staged(COPY_PREFIX) as (path, file):
+            digest = hashlib.sha256()
+            for piece in self.stream(studio_id, sha256):
+                digest.update(piece)
+                file.write(piece)
+            file.flush()
+            if digest.hexdigest() != sha256:
+                raise altered(sha256, f"{file.tell()} bytes with the SHA-256 {digest.hexdigest()}")
+            yield path
+
+    def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
+        """Yield every blob with its studio."""
+        for key, size_bytes, _ in self._objects.listed(self._root):
+            studio, _, rest = key.removeprefix(self._root).partition("/")
+            if not studio.startswith("."):
+                yield UUID(studio), StoredBlob(rest.rpartition("/")[2], size_bytes)
+
+    def sweep(self, before: datetime) -> int:
+        """Drop the parts of large blobs that dead processes left half-sent before an instant, and their probes."""
+        gone = 0
+        for unfinished in self.multipart.unfinished(self._root):
+            if unfinished.begun_at < before and not unfinished.key.startswith(f"{self._root}{INCOMING}"):
+                self.multipart.abort(unfinished.key, unfinished.multipart_id)
+                gone += 1
+        for key, _, changed_at in self._objects.listed(f"{self._root}{PROBES}"):
+            if changed_at < before:
+                self._objects.delete(key)
+                gone += 1
+        return gone
+
+    def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> str | None:
+        """Return a link to a blob; None where the settings keep browsers away from the bucket."""
+        if self.public_origin is None:
+            return None
+        query = {"response-content-type": media_type, "response-cache-control": "private, immutable"}
+        if disposition is not None:
+            query["response-content-disposition"] = disposition
+        path = f"/{self._address.bucket}/{self._key(studio_id, sha256)}"
+        return self._public.url("GET", path, query, expires_in_s=LINK_WORKS_FOR_S)
+
+    def ensure_ready(self) -> None:
+        """Raise StoreUnready unless the bucket takes an object, gives it back and lets go of it."""
+        key, probe = f"{self._root}{PROBES}{new_id()}", b"ready?"
+        try:
+            self._probed.put_new(key, probe)
+            given = b"".join(self._probed.stream(key))
+            self._probed.delete(key)
+        except (StoreUnavailable, FileNotFoundError) as error:
+            raise StoreUnready(self._in_words_of(error)) from error
+        if given != probe:
+            raise StoreUnready("the bucket gives back other bytes than it was given")
+
+    def _in_words_of(self, error: Exception) -> str:
+        """Say why the bucket cannot be used, without its address: anybody may ask."""
+        cause = str(error.__cause__ or error)
+        if "NoSuchBucket" in cause:
+            return "the store's bucket is not there; create it, or mend SOUNDLIST_STORE_URL"
+        if "403 Forbidden" in cause or "401 Unauthorized" in cause:
+            return (
+                "the store refuses our key; see that AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY are right, and that "
+                "the key may get, put, list and delete in the bucket"
+            )
+        return "the store does not answer as an S3 server does; see that the endpoint in SOUNDLIST_STORE_URL is right"
+
+    def _sent(self, key: str, source: Path) -> bool:
+        try:
+            self.multipart.send_file(key, source)
+        except (AlreadyStored, MultipartGone):  # another was faster, or the answer to our own completion was lost
+            return False
+        return True
+
+    def _ensure_there(self, studio_id: UUID, stored: StoredBlob) -> None:
+        found = self.size_bytes(studio_id, stored.sha256)
+        if found != stored.size_bytes:
+            raise altered(stored.sha256, f"{found} bytes long, not {stored.size_bytes},")
+
+    def _key(self, studio_id: UUID, sha256: str) -> str:
+        return f"{self._root}{studio_id}/{sha256[:2]}/{sha256}"

@@ -1,0 +1,140 @@
+"""The objects of one bucket, by obstore: every request is safe to send twice, and is, where the server falters."""
+
+from collections.abc import Callable, Iterator
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING, TypeVar
+
+import obstore
+from obstore.exceptions import AlreadyExistsError, BaseError, PermissionDeniedError, UnauthenticatedError
+from obstore.store import S3Store
+
+from app.kit import metrics
+from app.kit.storage.patience import Patience
+from app.kit.storage.signing import Key
+from app.kit.storage.store import READ_BYTES, Pieces, StoreUnavailable, key_refused
+from app.settings import BucketAddress
+
+if TYPE_CHECKING:
+    from obstore import GetOptions
+    from obstore.store import ClientConfig, S3Config
+
+Answer = TypeVar("Answer")
+
+
+class Objects:
+    """The objects of one bucket."""
+
+    def __init__(self, address: BucketAddress, key: Key, patience: Patience) -> None:
+        self._patience = patience
+        config: S3Config = {
+            "endpoint": address.endpoint,
+            "region": address.region,
+            "access_key_id": key.id,
+            "secret_access_key": key.secret,
+            "virtual_hosted_style_request": False,
+        }
+        if key.token:
+            config["session_token"] = key.token
+        self._bucket = S3Store(
+            address.bucket,
+            config=config,
+            client_options=_client_options(address.endpoint, patience),
+            retry_config={"max_retries": 0},  # asking again is ours: obstore does not for what it may not send twice
+        )
+
+    def size_bytes(self, key: str) -> int | None:
+        """Return how long an object is; None where there is none."""
+        try:
+            return self._asked("head", lambda: obstore.head(self._bucket, key)["size"])
+        except FileNotFoundError:
+            return None
+
+    def put_new(self, key: str, content: bytes) -> bool:
+        """Store an object unless there is one; return whether it was stored."""
+        try:
+            self._asked("put", lambda: obstore.put(self._bucket, key, content, mode="create", use_multipart=False))
+        except AlreadyExistsError:
+            return False
+        return True
+
+    def stream(self, key: str, start: int = 0, end: int | None = None) -> Pieces:
+        """Yield an object's bytes, going on where an answer broke off; raise FileNotFoundError."""
+        failures = 0
+        while end is None or start < end:
+            try:
+                answer = obstore.get(self._bucket, key, options=_span(start, end))
+                end = answer.range[1]
+                for piece in answer.stream(min_chunk_size=READ_BYTES):
+                    start, failures = start + len(piece), 0
+                    yield piece
+                if start < end:
+                    raise _BrokenOff(f"{end - start} bytes are missing")
+                return
+            except FileNotFoundError:
+                raise
+            except (BaseError, _BrokenOff) as error:
+                failures += 1
+                if not self._patience.pause(failures, error):
+                    raise _unavailable("get", failures) from error
+
+    def copy(self, source: str, target: str) -> None:
+        """Let the server copy an object; raise FileNotFoundError."""
+        self._asked("copy", lambda: obstore.copy(self._bucket, source, target))
+
+    def delete(self, key: str) -> None:
+        """Delete an object; one that is not there is deleted."""
+        self._asked("delete", lambda: obstore.delete(self._bucket, key))
+
+    def listed(self, prefix: str) -> Iterator[tuple[str, int, datetime]]:
+        """Yield key, size and last change of each object whose key begins so."""
+        failures, after = 0, None
+        while True:
+            try:
+                for page in obstore.list(self._bucket, prefix=prefix, offset=after):
+                    for found in page:
+                        after, failures = found["path"], 0
+                        yield found["path"], found["size"], found["last_modified"]
+                return
+            except BaseError as error:
+                failures += 1
+                if not self._patience.pause(failures, error):
+                    raise _unavailable("list", failures) from error
+
+    def _asked(self, operation: str, ask: Callable[[], Answer]) -> Answer:
+        failures = 0
+        while True:
+            try:
+                return ask()
+            except (FileNotFoundError, AlreadyExistsError):
+                raise
+            except (PermissionDeniedError, UnauthenticatedError) as error:
+                metrics.STORE_ERRORS.labels(operation).inc()
+                raise key_refused() from error
+            except BaseError as error:
+                failures += 1
+                if not self._patience.pause(failures, error):
+                    raise _unavailable(operation, failures) from error
+
+
+class _BrokenOff(Exception):
+    """An answer was shorter than it said."""
+
+
+def _unavailable(operation: str, failures: int) -> StoreUnavailable:
+    metrics.STORE_ERRORS.labels(operation).inc()
+    return StoreUnavailable(f"the store did not answer a {operation} in {failures} tries", fix="try again later")
+
+
+def _span(start: int, end: int | None) -> "GetOptions":
+    if end is not None:
+        return {"range": (start, end)}
+    return {"range": {"offset": start}} if start else {}
+
+
+def _client_options(endpoint: str, patience: Patience) -> "ClientConfig":
+    return {
+        "allow_http": endpoint.startswith("http://"),
+        "connect_timeout": timedelta(seconds=patience.connect_s),
+        "read_timeout": timedelta(seconds=patience.silence_s),
+        "timeout": timedelta(days=1),  # a large file may take its time, while it moves
+    }

@@ -1,0 +1,227 @@
+"""A real S3 server for tests, and a line to it that can be made to fail."""
+
+import itertools
+import re
+import socket
+import socketserver
+import subprocess
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from app.kit.storage.signing import Key, Signer
+from app.settings import BucketAddress
+
+ROOT = Path(__file__).resolve().parents[2]
+KEY = Key("soundlist-tests", "only for tests")
+REGION = "us-east-1"
+READ_BYTES = 1 << 18
+STARTS_WITHIN_S = 20.0
+_numbers = itertools.count(1)
+
+
+@dataclass(frozen=True)
+class S3Server:
+    """A running server; every test has buckets of its own."""
+
+    endpoint: str
+    folder: Path
+    client: httpx.Client
+
+    def new_bucket(self) -> str:
+        """Make a bucket and return its name."""
+        name = f"sounds-{next(_numbers)}"
+        answer = self.client.put(self.signer().url("PUT", f"/{name}", expires_in_s=60))
+        assert answer.status_code == 200, answer.text
+        return name
+
+    def signer(self) -> Signer:
+        """Return what signs as the server's owner."""
+        return Signer(self.endpoint, REGION, KEY)
+
+    def address(self, bucket: str, prefix: str = "", endpoint: str | None = None) -> BucketAddress:
+        """Return where a bucket is; behind another endpoint if one is given."""
+        reached_at = endpoint or self.endpoint
+        return BucketAddress(bucket, prefix, REGION, reached_at, reached_at)
+
+    def settings(self, **more: Any) -> dict[str, Any]:
+        """Return the settings of a server that stores in a new bucket."""
+        return {
+            "store_url": f"s3://{self.new_bucket()}/studio/sounds?endpoint={self.endpoint}&region={REGION}",
+            "aws_access_key_id": KEY.id,
+            "aws_secret_access_key": KEY.secret,
+            **more,
+        }
+
+
+@contextmanager
+def run_s3(folder: Path) -> Iterator[S3Server]:
+    """Run the server that the set-up builds, with its files in a folder."""
+    program = subprocess.run([ROOT / ".ci/s3"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    data, sidecar = folder / "data", folder / "sidecar"
+    data.mkdir(parents=True)
+    sidecar.mkdir()
+    endpoint = f"http://127.0.0.1:{free_port()}"
+    listen = endpoint.removeprefix("http://")
+    command = [program, "--quiet", "--access", KEY.id, "--secret", KEY.secret, "--region", REGION, "--port", listen]
+    with (folder / "log").open("wb") as log:
+        process = subprocess.Popen(
+            [*command, "--health", "/health", "posix", "--sidecar", sidecar, data], stdout=log, stderr=log
+        )
+    try:
+        with httpx.Client() as client:
+            wait_for(lambda: client.get(f"{endpoint}/health").status_code == 200, process)
+            yield S3Server(endpoint, data, client)
+    finally:
+        process.kill()
+        process.wait()
+
+
+def wait_for(is_up: Callable[[], bool], process: subprocess.Popen[bytes]) -> None:
+    """Return once a process that was started answers."""
+    deadline = time.monotonic() + STARTS_WITHIN_S
+    while time.monotonic() < deadline:
+        assert process.poll() is None, "the S3 server ended at once; its log says why"
+        with suppress(httpx.TransportError):
+            if is_up():
+                return
+        time.sleep(0.02)
+    raise AssertionError(f"the S3 server does not answer after {STARTS_WITHIN_S} s")
+
+
+def free_port() -> int:
+    """Return a port of this machine that nobody listens on."""
+    with closing(socket.socket()) as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])
+
+
+@dataclass
+class Fault:
+    """What goes wrong with the next requests of a kind."""
+
+    kind: str  # "503", "refused", "silent", "truncated", "lost answer", "slow"
+    times: int = 1
+    method: str = "[A-Z]+"
+    path: str = ".*"  # with its query
+    after_bytes: int = 100  # of the answer's body, before it is cut off
+    hits: int = 0
+
+    def takes(self, method: str, path: str) -> bool:
+        """Say whether a request is to fail, and count it."""
+        if self.hits >= self.times or not re.fullmatch(self.method, method) or not re.search(self.path, path):
+            return False
+        self.hits += 1
+        return True
+
+
+@dataclass
+class FaultyLine:
+    """A line to an HTTP server, one request a connection, that fails as it is told."""
+
+    server: S3Server
+    endpoint: str
+    faults: list[Fault] = field(default_factory=list)
+    asked: list[tuple[str, str]] = field(default_factory=list)
+    released: threading.Event = field(default_factory=threading.Event)
+
+    def fail(self, kind: str, **how: Any) -> Fault:
+        """Let the next requests of a kind fail."""
+        fault = Fault(kind, **how)
+        self.faults.append(fault)
+        return fault
+
+    def carry(self, near: socket.socket) -> None:
+        """Carry one request to the server and its answer back, unless a fault takes it."""
+        head, rest = _head(near)
+        if not head:
+            return
+        method, path = head.split(b" ", 2)[:2]
+        self.asked.append((method.decode(), path.decode()))
+        fault = next((fault for fault in self.faults if fault.takes(method.decode(), path.decode())), None)
+        kind = fault.kind if fault else ""
+        if kind == "refused":
+            return
+        body = rest + _exactly(near, _length(head) - len(rest))
+        if kind == "silent":
+            self.released.wait(30)
+            return
+        if kind == "503":
+            near.sendall(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
+            return
+        host, _, port = self.server.endpoint.removeprefix("http://").partition(":")
+        with socket.create_connection((host, int(port))) as far:
+            far.sendall(_closing(head) + body)
+            answered, rest = _head(far)
+            if kind == "lost answer":
+                return
+            near.sendall(answered)
+            if fault and kind == "truncated":
+                near.sendall((rest + _exactly(far, fault.after_bytes))[: fault.after_bytes])
+                return
+            near.sendall(rest)
+            while piece := far.recv(READ_BYTES // 4):
+                if kind == "slow":
+                    time.sleep(0.03)
+                near.sendall(piece)
+
+
+@contextmanager
+def faulty_line(server: S3Server) -> Iterator[FaultyLine]:
+    """Open a line to a server that can be made to fail."""
+
+    class Carry(socketserver.BaseRequestHandler):
+        def handle(self) -> None:
+            with suppress(ConnectionError):
+                line.carry(self.request)
+
+    class Listener(socketserver.ThreadingTCPServer):
+        daemon_threads = True
+        request_queue_size = 128
+
+    with Listener(("127.0.0.1", 0), Carry) as listener:
+        line = FaultyLine(server, f"http://127.0.0.1:{listener.server_address[1]}")
+        thread = threading.Thread(target=listener.serve_forever, kwargs={"poll_interval": 0.01})
+        thread.start()
+        try:
+            yield line
+        finally:
+            line.released.set()
+            listener.shutdown()
+            thread.join()
+
+
+def _head(line: socket.socket) -> tuple[bytes, bytes]:
+    """Return a message's head and what came of its body along with it."""
+    received = b""
+    while b"\r\n\r\n" not in received:
+        piece = line.recv(READ_BYTES)
+        if not piece:
+            return b"", b""
+        received += piece
+    head, _, rest = received.partition(b"\r\n\r\n")
+    return head + b"\r\n\r\n", rest
+
+
+def _exactly(line: socket.socket, length: int) -> bytes:
+    received = bytearray()
+    while len(received) < length and (piece := line.recv(min(READ_BYTES, length - len(received)))):
+        received += piece
+    return bytes(received)
+
+
+def _length(head: bytes) -> int:
+    found = re.search(rb"\r\ncontent-length: *([0-9]+)", head, re.IGNORECASE)
+    return int(found[1]) if found else 0
+
+
+def _closing(head: bytes) -> bytes:
+    """Return a request's head that asks for one answer and no more."""
+    kept = re.sub(rb"\r\nconnection:[^\r]*", b"", head, flags=re.IGNORECASE)
+    return kept[:-2] + b"Connection: close\r\n\r\n"
