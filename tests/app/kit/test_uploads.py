@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from app.kit import kill, uploads
+from app.kit import kill
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict
 from app.kit.storage import FolderStore
@@ -30,6 +30,9 @@ from app.kit.uploads import (
     UploadTooLong,
     UploadUnfinished,
     finished_upload,
+)
+from app.kit.uploads import (
+    staged as uploads,
 )
 
 STUDIO, OWNER = new_id(), new_id()
@@ -308,7 +311,7 @@ def test_the_sweep_forgets_rows_whose_file_was_never_made(
     for path in staged(store):
         path.unlink()
     with database.writing() as session:
-        session.get_one(Upload, lost.id).created_at -= uploads.KEPT_FOR
+        session.get_one(Upload, lost.id).created_at -= uploads.ROWS_KEPT_FOR
     incoming.sweep()
     with database.reading() as session:
         assert session.get(Upload, lost.id) is None

@@ -10,95 +10,39 @@ import hashlib
 import itertools
 import os
 import shutil
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, select
-from sqlalchemy.orm import Mapped, Session, mapped_column
+from sqlalchemy import select
 
 from app.kit import clock, kill, metrics
-from app.kit.db import Base, Database, new_id
-from app.kit.errors import Conflict, NotFound, Refused
+from app.kit.db import Database
+from app.kit.errors import Conflict
 from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync
+from app.kit.uploads.errors import (
+    ChecksumMismatch,
+    OffsetMismatch,
+    PartsNotTaken,
+    SentInParts,
+    StoreFull,
+    UploadBusy,
+    UploadNotFound,
+    UploadStalled,
+    UploadTooLong,
+)
+from app.kit.uploads.model import Upload
+from app.kit.uploads.parts import PartsStanding, UploadParts
 
 CHECKSUMS = ("sha256", "sha1")
 KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
+ROWS_KEPT_FOR = timedelta(days=28)  # of unfinished uploads whose file is on no disk that this process sees
 LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
 SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
-
-
-class UploadNotFound(NotFound):
-    """No upload of that id within the caller's sight."""
-
-
-class UploadUnfinished(Conflict):
-    """Not all bytes of the upload are here yet."""
-
-
-class OffsetMismatch(Conflict):
-    """The bytes sent do not continue where the upload stands."""
-
-
-class UploadBusy(Refused):
-    """Another request is writing to this upload."""
-
-    status = 423
-
-
-class UploadTooLong(Refused):
-    """More bytes than were announced, or than one file may have."""
-
-    status = 413
-
-
-class UploadIncomplete(Refused):
-    """Fewer bytes came than were announced."""
-
-    status = 400
-
-
-class UploadStalled(Refused):
-    """The sender fell silent."""
-
-    status = 408
-
-
-class ChecksumMismatch(Refused):
-    """The bytes that came are not the bytes that were sent."""
-
-    status = 460
-
-
-class StoreFull(Refused):
-    """The disk has no room for this file."""
-
-    status = 507
-
-
-class Upload(Base):
-    """One file on its way in, or arrived; `scope` and `owner_id` mean something to the caller only."""
-
-    __tablename__ = "kit_uploads"
-    __table_args__ = (
-        CheckConstraint("length >= 0", name="length_known"),
-        CheckConstraint("(sha256 is null) = (finished_at is null)", name="finished_is_hashed"),
-    )
-
-    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(index=True)
-    owner_id: Mapped[UUID]
-    scope: Mapped[str]
-    file_name: Mapped[str]
-    length: Mapped[int] = mapped_column(BigInteger)
-    expected_sha256: Mapped[str | None]
-    sha256: Mapped[str | None]  # once it is in the store
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    finished_at: Mapped[datetime | None]
 
 
 @dataclass(frozen=True)
@@ -109,35 +53,13 @@ class Checksum:
     digest: bytes
 
 
-@dataclass(frozen=True)
-class FinishedUpload:
-    """A file that is wholly here and in the store."""
-
-    id: UUID
-    file_name: str
-    sha256: str
-    size_bytes: int
-
-
-def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope: str) -> FinishedUpload:
-    """Return a finished upload of this owner and scope, locked until the transaction ends.
-
-    Raises UploadNotFound where it is somebody else's, UploadUnfinished where bytes are missing.
-    """
-    upload = session.scalar(select(Upload).where(Upload.id == upload_id).with_for_update())
-    if upload is None or upload.owner_id != owner_id or upload.scope != scope:
-        raise UploadNotFound(f"no upload {upload_id}")
-    if upload.sha256 is None:
-        raise UploadUnfinished("this file is not wholly here yet", fix="ask for its offset and send the rest")
-    return FinishedUpload(upload.id, upload.file_name, upload.sha256, upload.length)
-
-
 class Uploads:
     """The uploads of one server, beside the store that they end in."""
 
     def __init__(self, database: Database, store: Store) -> None:
         self._database = database
         self._store = store
+        self._parts = UploadParts(database, store)
 
     def create(
         self,
@@ -153,7 +75,8 @@ class Uploads:
         """Make room for a file; a file of no bytes is finished at once."""
         if length > max_length:
             raise UploadTooLong(f"the file has {length} bytes; one file may have {max_length}")
-        self._ensure_room(length)
+        if self._store.public_origin is None:  # else its bytes may never come here
+            self._ensure_room(length)
         upload = Upload(
             studio_id=studio_id,
             owner_id=owner_id,
@@ -183,6 +106,8 @@ class Uploads:
         """Return how many bytes are here and on the disk."""
         if upload.sha256 is not None:
             return upload.length
+        if upload.multipart_id is not None:
+            return self._parts.offset(upload)
         try:
             with self._staging(upload).open("rb") as file:
                 os.fsync(file.fileno())
@@ -194,6 +119,8 @@ class Uploads:
         """Return when an unfinished upload is given up; None once it is finished."""
         if upload.sha256 is not None:
             return None
+        if upload.multipart_id is not None:
+            return upload.created_at + KEPT_FOR
         return _touched_at(self._staging(upload)) + KEPT_FOR
 
     async def receive(
@@ -214,6 +141,10 @@ class Uploads:
             _ensure_continues(upload.length, offset)
             await _ensure_empty(stream)
             return upload
+        if upload.multipart_id is not None:
+            raise SentInParts(
+                "this upload comes to the store in parts", fix="send the parts that are missing, or begin again"
+            )
         file = await asyncio.to_thread(self._locked, upload, os.O_WRONLY | os.O_APPEND)
         try:
             here = os.fstat(file).st_size
@@ -233,12 +164,30 @@ class Uploads:
         finally:
             os.close(file)  # which gives the lock back
 
+    def parts(self, upload: Upload, numbers: Sequence[int]) -> PartsStanding:
+        """Return which parts of an upload are in the store, and links for those asked for."""
+        if upload.sha256 is None and upload.multipart_id is None and self.offset(upload) > 0:
+            raise PartsNotTaken("some of this file came through the server", fix="ask for its offset and send the rest")
+        return self._parts.standing(upload, numbers)
+
+    def finish_parts(self, upload: Upload) -> Upload:
+        """Finish an upload whose parts are all in the store: read what they became, and keep that under its hash."""
+        if upload.sha256 is not None:
+            return upload
+        file = self._locked(upload, os.O_RDWR | os.O_CREAT)
+        try:
+            return self._parts.finish(self._row(upload.id, upload.owner_id))
+        finally:
+            self._staging(upload).unlink(missing_ok=True)
+            os.close(file)
+
     def give_up(self, upload: Upload) -> None:
         """Delete an unfinished upload; a finished one belongs to whoever finished it."""
         if upload.sha256 is not None:
             raise Conflict("this file is wholly here; it cannot be taken back")
-        file = self._locked(upload, os.O_RDONLY)
+        file = self._locked(upload, os.O_RDWR | os.O_CREAT)
         try:
+            self._parts.forget(upload)
             self._forget(upload.id, self._staging(upload))
         finally:
             os.close(file)
@@ -253,11 +202,11 @@ class Uploads:
                 left_over.unlink(missing_ok=True)
                 gone += 1
         self._forget_rows_without_file({staging.stem for staging in staged})
-        return gone
+        return gone + self._parts.sweep(clock.now() - KEPT_FOR) + self._store.sweep(clock.now() - LEFT_OVER_AFTER)
 
     def _forget_rows_without_file(self, staged: set[str]) -> None:
         with self._database.writing() as session:
-            long_ago = clock.now() - KEPT_FOR
+            long_ago = clock.now() - ROWS_KEPT_FOR
             for row in session.scalars(select(Upload).where(Upload.sha256.is_(None), Upload.created_at < long_ago)):
                 if str(row.id) not in staged:
                     session.delete(row)
@@ -284,7 +233,7 @@ class Uploads:
 
     def _settled(self, upload: Upload) -> Upload:
         """Finish an upload whose last byte is here, unless somebody is just doing so."""
-        if upload.sha256 is not None or self.offset(upload) < upload.length:
+        if upload.sha256 is not None or upload.multipart_id is not None or self.offset(upload) < upload.length:
             return upload
         file = self._locked(upload, os.O_RDONLY)
         try:

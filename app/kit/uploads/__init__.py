@@ -1,0 +1,41 @@
+"""Files on their way in, through this process or straight to the store; what is finished is in the store."""
+
+from app.kit.uploads.errors import (
+    ChecksumMismatch,
+    OffsetMismatch,
+    PartsNotTaken,
+    PartUnknown,
+    SentInParts,
+    StoreFull,
+    UploadBusy,
+    UploadIncomplete,
+    UploadNotFound,
+    UploadStalled,
+    UploadTooLong,
+    UploadUnfinished,
+)
+from app.kit.uploads.model import FinishedUpload, Upload, finished_upload
+from app.kit.uploads.parts import PartsStanding
+from app.kit.uploads.staged import CHECKSUMS, Checksum, Uploads
+
+__all__ = [
+    "CHECKSUMS",
+    "Checksum",
+    "ChecksumMismatch",
+    "FinishedUpload",
+    "OffsetMismatch",
+    "PartUnknown",
+    "PartsNotTaken",
+    "PartsStanding",
+    "SentInParts",
+    "StoreFull",
+    "Upload",
+    "UploadBusy",
+    "UploadIncomplete",
+    "UploadNotFound",
+    "UploadStalled",
+    "UploadTooLong",
+    "UploadUnfinished",
+    "Uploads",
+    "finished_upload",
+]

@@ -1,0 +1,57 @@
+"""The row of an upload: bound to its owner before a byte comes, and finished once its bytes are in the store."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import BigInteger, CheckConstraint, select
+from sqlalchemy.orm import Mapped, Session, mapped_column
+
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.kit.uploads.errors import UploadNotFound, UploadUnfinished
+
+
+class Upload(Base):
+    """One file on its way in, or arrived; `scope` and `owner_id` mean something to the caller only."""
+
+    __tablename__ = "kit_uploads"
+    __table_args__ = (
+        CheckConstraint("length >= 0", name="length_known"),
+        CheckConstraint("(sha256 is null) = (finished_at is null)", name="finished_is_hashed"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(index=True)
+    owner_id: Mapped[UUID]
+    scope: Mapped[str]
+    file_name: Mapped[str]
+    length: Mapped[int] = mapped_column(BigInteger)
+    expected_sha256: Mapped[str | None]
+    sha256: Mapped[str | None]  # once it is in the store
+    multipart_id: Mapped[str | None]  # what the store calls it, where it comes there in parts
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    finished_at: Mapped[datetime | None]
+
+
+@dataclass(frozen=True)
+class FinishedUpload:
+    """A file that is wholly here and in the store."""
+
+    id: UUID
+    file_name: str
+    sha256: str
+    size_bytes: int
+
+
+def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope: str) -> FinishedUpload:
+    """Return a finished upload of this owner and scope, locked until the transaction ends.
+
+    Raises UploadNotFound where it is somebody else's, UploadUnfinished where bytes are missing.
+    """
+    upload = session.scalar(select(Upload).where(Upload.id == upload_id).with_for_update())
+    if upload is None or upload.owner_id != owner_id or upload.scope != scope:
+        raise UploadNotFound(f"no upload {upload_id}")
+    if upload.sha256 is None:
+        raise UploadUnfinished("this file is not wholly here yet", fix="ask for its offset and send the rest")
+    return FinishedUpload(upload.id, upload.file_name, upload.sha256, upload.length)
