@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -15,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.hashes import Hashes
 from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.flat_tops import FlatTops
@@ -236,32 +236,31 @@ class AudioFile:
         """Read every byte once, for the hashes and the accumulators."""
         layout = self.layout
         accumulators = [self._accumulator(family) for family in sorted(families)]
-        whole, sound = hashlib.sha256(), hashlib.sha256()
+        hashes = Hashes()
         gathering = Gathering(layout.chunks)
         self._file.seek(0)
         at = 0
         while at < layout.data_offset and (head := self._file.read(min(layout.data_offset - at, READ_BYTES))):
-            whole.update(head)
+            hashes.add_around(head)
             gathering.pass_by(at, head)
             at += len(head)
         used = 0
         for raw in wav.raw_blocks(self._file, layout):
-            whole.update(raw)
-            sound.update(raw)
+            hashes.add_sound(raw)
             block, bits = wav.decode(raw, layout)
             used |= bits
             for accumulator in accumulators:
                 accumulator.add(block)
         at = layout.data_offset + layout.data_size
         while tail := self._file.read(READ_BYTES):
-            whole.update(tail)
+            hashes.add_around(tail)
             gathering.pass_by(at, tail)
             at += len(tail)
         for accumulator in accumulators:
             self._figures.update(accumulator.result())
         self._gathering = gathering
         self._measured |= families
-        self._hashes = (whole.hexdigest(), sound.hexdigest())
+        self._hashes = hashes.result()
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
 
     def _accumulator(self, family: str) -> Accumulator:

@@ -107,12 +107,17 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0.") \
     EACH(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together.") \
     EACH(fourier, "Transform rows of complex numbers in place.") \
+    EACH(hash_add, "Take bytes into one stream of SHA-256, or the same bytes into two.") \
+    EACH(hash_begin, "Return a new stream of SHA-256.") \
+    EACH(hash_end, "Return the SHA-256 of a stream, which can go on.") \
+    EACH(hashes_two, "Tell whether this processor hashes two streams faster than one after the other.") \
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
     EACH(levels, "Add to each channel's peak, sum and sum of squares; return the frame of a new highest peak, or -1.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
+    EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);

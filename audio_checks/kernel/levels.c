@@ -142,3 +142,42 @@ PyObject *products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     let_go(&held);
     Py_RETURN_NONE;
 }
+
+/* Of two channels: the energy of each, their product, and the energy of their difference. */
+static void add_stereo(const double *RESTRICT left, const double *RESTRICT right, Py_ssize_t count, double *figures) {
+    together lefts[REGISTERS] = {BOTH(0, 0)}, rights[REGISTERS] = {BOTH(0, 0)};
+    together both[REGISTERS] = {BOTH(0, 0)}, apart[REGISTERS] = {BOTH(0, 0)};
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            const together a = neighbours(left + at + which * TOGETHER), b = neighbours(right + at + which * TOGETHER);
+            lefts[which] += a * a;
+            rights[which] += b * b;
+            both[which] += a * b;
+            apart[which] += (a - b) * (a - b);
+        }
+    }
+    figures[0] += sum_of(lefts), figures[1] += sum_of(rights), figures[2] += sum_of(both), figures[3] += sum_of(apart);
+    for (; at < count; at++) {
+        const double a = left[at], b = right[at];
+        figures[0] += a * a, figures[1] += b * b, figures[2] += a * b, figures[3] += (a - b) * (a - b);
+    }
+}
+
+PyObject *stereo_products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    double *figures = NULL;
+    if (arguments("stereo_products", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
+        !(figures = TAKE_DOUBLES(&held, args[1], 4, 1)) || block.channels != 2) {
+        if (figures) PyErr_Format(PyExc_ValueError, "two channels are wanted, not %zd", block.channels);
+        let_go(&held);
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    add_stereo(block.samples, block.samples + block.row, block.frames, figures);
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
+}

@@ -21,7 +21,10 @@ OFFSET_LUFS = -0.691  # of K-weighted power, so that a 997 Hz sine reads its RMS
 HOPS_PER_S = 100
 MOMENTARY_HOPS, SHORT_TERM_HOPS = 40, 300
 GATE_HOPS = 10  # gating blocks and the values of the loudness range start every 100 ms
+MOST_BLOCKS = 4_000_000  # 4.6 days; of what lasts longer, every second or third gating block counts
+HOPS_AT_ONCE = 6_000
 ABSOLUTE_GATE_LUFS, RELATIVE_GATE_LU, RANGE_GATE_LU = -70.0, -10.0, -20.0
+GATE_POWER = 10 ** ((ABSOLUTE_GATE_LUFS - OFFSET_LUFS) / 10)
 REAR_WEIGHT = 10**0.15  # +1.5 dB
 
 
@@ -97,7 +100,7 @@ class Loudness:
         self,
         sample_rate_hz: int,
         channels: int,
-        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        frames: int,
         *,
         weights: NDArray[np.float64] | None = None,
     ) -> None:
@@ -107,13 +110,17 @@ class Loudness:
         self._weights[:channels] = channel_weights(channels) if weights is None else weights
         self._memory, self._open = np.zeros(6 * even), np.zeros(even)
         self._seen = 0
-        self._hops: list[NDArray[np.float64]] = []  # energy of whole hops
         self._whole = 0  # hops that are whole
+        self._pending: list[NDArray[np.float64]] = []  # energy of whole hops that wait to be looked at
+        self._kept = np.zeros(SHORT_TERM_HOPS)  # energy of the hops before them: windows reach back
+        self._loudest = dict.fromkeys((MOMENTARY_HOPS, SHORT_TERM_HOPS), 0.0)
+        self._loud: dict[int, list[NDArray[np.float64]]] = {MOMENTARY_HOPS: [], SHORT_TERM_HOPS: []}
+        self._gate_hops = GATE_HOPS * (1 + frames * HOPS_PER_S // (sample_rate_hz * GATE_HOPS * MOST_BLOCKS))
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
         energies = np.empty(len(block) * HOPS_PER_S // self._rate + 2)
-        whole = kernel.hop_energies(
+        ended = kernel.hop_energies(
             kernel.by_channel(block),
             _recursion(self._rate),
             self._weights,
@@ -124,39 +131,45 @@ class Loudness:
             self._seen,
             self._whole,
         )
-        self._hops.append(energies[:whole])
-        self._whole += whole
+        self._pending.append(energies[:ended])
+        self._whole += ended
         self._seen += len(block)
+        if self._whole % HOPS_AT_ONCE < ended:
+            self._look(whole=True)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name; -inf for silence."""
-        hops = np.concatenate([*self._hops, [self._open @ self._weights]])
-        momentary = self._levels(hops, MOMENTARY_HOPS)
-        short_term = self._levels(hops, SHORT_TERM_HOPS)
-        gating = self._powers(hops[:-1], MOMENTARY_HOPS)[::GATE_HOPS]
-        ranging = self._powers(hops[:-1], SHORT_TERM_HOPS)[::GATE_HOPS]
+        self._look(whole=True)
+        self._pending.append(np.array([self._open @ self._weights]))
+        self._look(whole=False)
+        loudest = {count: _lufs(power) for count, power in self._loudest.items()}
+        gating, ranging = (np.concatenate([np.empty(0), *self._loud[count]]) for count in self._loudest)
         return {
             "integrated_lufs": integrated_lufs(gating),
-            "max_momentary_lufs": momentary,
-            "max_short_term_lufs": short_term,
+            "max_momentary_lufs": loudest[MOMENTARY_HOPS],
+            "max_short_term_lufs": loudest[SHORT_TERM_HOPS],
             "loudness_range_lu": loudness_range_lu(ranging),
-            "short_loudness_lufs": momentary,
+            "short_loudness_lufs": loudest[MOMENTARY_HOPS],
         }
 
-    def _powers(self, hops: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-        """Return the mean power of every `count` hops in a row, wholly within the signal."""
-        if len(hops) < count:
-            return np.empty(0)
+    def _look(self, *, whole: bool) -> None:
+        """Measure all windows that end in the pending hops; only whole ones are gated."""
+        hops = np.concatenate((self._kept, *self._pending))
+        new = len(hops) - len(self._kept)
+        first = self._whole + (not whole) - len(hops)  # negative at first: there is silence before the signal
         sums = np.concatenate(([0.0], np.cumsum(hops)))
-        bounds = _hop_start(np.arange(len(hops) + 1), self._rate)
-        powers: NDArray[np.float64] = (sums[count:] - sums[:-count]) / (bounds[count:] - bounds[:-count])
-        return np.maximum(powers, 0.0)
-
-    def _levels(self, hops: NDArray[np.float64], count: int) -> float:
-        """Return the loudest `count` hops in a row, in LUFS, with silence before and after the signal."""
-        if len(hops) < count:
-            hops = np.pad(hops, (0, count - len(hops)))
-        return _lufs(float(self._powers(hops, count).max()))
+        bounds = _hop_start(np.arange(first, first + len(hops) + 1), self._rate)
+        for count, loud in self._loud.items():
+            energies = np.maximum(sums[count:] - sums[:-count], 0.0)[-new:]
+            powers = energies / (bounds[count:] - bounds[:-count])[-new:]
+            self._loudest[count] = max(self._loudest[count], float(powers.max(initial=0.0)))
+            if whole and new:
+                start = first + len(hops) - count + 1 - new  # of the first window
+                skipped = -start % self._gate_hops if start >= 0 else -start
+                gated = powers[skipped :: self._gate_hops]
+                loud.append(gated[gated >= GATE_POWER])
+        self._kept = hops[-SHORT_TERM_HOPS:]
+        self._pending = []
 
 
 def _hop_start(number: NDArray[np.int64], rate: int) -> NDArray[np.int64]:
@@ -166,10 +179,6 @@ def _hop_start(number: NDArray[np.int64], rate: int) -> NDArray[np.int64]:
 
 def _lufs(power: float) -> float:
     return OFFSET_LUFS + power_decibels(power)
-
-
-def _power(level_lufs: float) -> float:
-    return float(10 ** ((level_lufs - OFFSET_LUFS) / 10))
 
 
 def integrated_lufs(powers: NDArray[np.float64]) -> float:
@@ -185,7 +194,7 @@ def integrated_lufs(powers: NDArray[np.float64]) -> float:
     float
         -inf when no block passes the gate of -70 LUFS.
     """
-    loud = powers[powers > _power(ABSOLUTE_GATE_LUFS)]
+    loud = powers[powers > GATE_POWER]
     if not len(loud):
         return -math.inf
     gate = float(loud.mean()) * 10 ** (RELATIVE_GATE_LU / 10)
@@ -205,7 +214,7 @@ def loudness_range_lu(powers: NDArray[np.float64]) -> float | None:
     float or None
         None when no block reaches -70 LUFS.
     """
-    loud = powers[powers >= _power(ABSOLUTE_GATE_LUFS)]
+    loud = powers[powers >= GATE_POWER]
     if not len(loud):
         return None
     gate = float(loud.mean()) * 10 ** (RANGE_GATE_LU / 10)

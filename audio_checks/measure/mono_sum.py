@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.decibels import power_decibels
 
 HOP_S = 0.1
+MOST_HOPS = 65_536  # 1.8 h; the hops of what lasts longer are longer
 MOST_LOSS_DB = 120.0  # shown where nothing is left
 LOUD_ENOUGH = 1e-4  # of the mean power: a hop 40 dB below it loses nothing that is heard
 
@@ -28,39 +29,27 @@ class MonoSum:
 
     FIGURES = ("mono_loss_db", "channel_difference_db", "mono_loss_spans")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:
         self._rate = sample_rate_hz
-        self._hop = max(1, round(HOP_S * sample_rate_hz))
+        self._hop = max(1, round(HOP_S * sample_rate_hz), -(-frames // MOST_HOPS))
         self._is_stereo = channels == 2
-        self._sums: list[float] = []  # energy of the mono sum, hop by hop
-        self._means: list[float] = []  # mean energy of the channels
-        self._difference = 0.0
-        self._left = self._right = 0.0
+        self._energies = np.zeros(
+            (-(-frames // self._hop), 4)
+        )  # by hop: left, right, left times right, left less right
         self._seen = 0
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
         if not self._is_stereo:
             return
+        rows = kernel.by_channel(block)
         at = 0
         while at < len(block):
-            place = self._seen // self._hop
-            until = min(len(block), at + (place + 1) * self._hop - self._seen)
-            self._take(place, block[at:until, 0], block[at:until, 1])
+            hop = self._seen // self._hop
+            until = min(len(block), at + (hop + 1) * self._hop - self._seen)
+            kernel.stereo_products(rows[:, at:until], self._energies[hop])
             self._seen += until - at
             at = until
-
-    def _take(self, hop: int, left: NDArray[np.float64], right: NDArray[np.float64]) -> None:
-        if hop == len(self._sums):
-            self._sums.append(0.0)
-            self._means.append(0.0)
-        in_left, in_right, both = float(left @ left), float(right @ right), float(left @ right)
-        apart = left - right
-        self._left += in_left
-        self._right += in_right
-        self._difference += float(apart @ apart)
-        self._sums[hop] += max((in_left + in_right + 2 * both) / 4, 0.0)
-        self._means[hop] += (in_left + in_right) / 2
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name.
@@ -71,18 +60,25 @@ class MonoSum:
         `mono_loss_spans` is a function that returns where more than a limit is lost, in seconds. All are
         None for anything but two channels, and for silence.
         """
-        if not (self._left or self._right):
+        left, right, _, apart = (float(one) for one in self._energies.sum(axis=0))
+        if not (left or right):
             return dict.fromkeys(self.FIGURES)
-        loss = power_decibels(math.fsum(self._means)) - power_decibels(math.fsum(self._sums))
-        difference = power_decibels(self._difference) - power_decibels(max(self._left, self._right))
+        sums, means = self._by_hop()
+        loss = power_decibels(float(means.sum())) - power_decibels(float(sums.sum()))
+        difference = power_decibels(apart) - power_decibels(max(left, right))
         return {
             "mono_loss_db": min(max(loss, 0.0), MOST_LOSS_DB),
             "channel_difference_db": difference,
             "mono_loss_spans": self._spans,
         }
 
+    def _by_hop(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return the energy of the mono sum and the mean energy of the channels, hop by hop."""
+        left, right, both, _ = self._energies.T
+        return np.maximum((left + right + 2 * both) / 4, 0.0), (left + right) / 2
+
     def _spans(self, limit_db: float) -> Spans:
-        sums, means = np.array(self._sums), np.array(self._means)
+        sums, means = self._by_hop()
         lost = (means > LOUD_ENOUGH * means.mean()) & (means > sums * 10 ** (limit_db / 10))
         turns = np.flatnonzero(np.diff(np.concatenate(([0], lost.astype(np.int8), [0]))))
         seconds = self._hop / self._rate
