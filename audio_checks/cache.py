@@ -34,6 +34,7 @@ KEPT_DAYS = 30
 SETTLED_NS = 50_000_000  # a file touched this recently may change again within one tick of its clock
 COARSE_NS = 2_000_000_000  # a tick where times are kept in whole or even seconds, as on FAT
 DAY_S = 86_400
+CODE_SUFFIXES = frozenset({".py", ".so", ".pyd", ".json"})
 NEVER_KEPT = frozenset({"container:cannot-open", "container:not-a-file"})  # facts of the moment, not of the bytes
 TABLES = (
     "CREATE TABLE seen (place BLOB PRIMARY KEY, size INT, mtime INT, ctime INT, inode INT, sha256 BLOB) WITHOUT ROWID",
@@ -295,12 +296,9 @@ def _context(task: "Task") -> bytes:
 
 @cache
 def _tool() -> str:
-    """Return the version of the tool, and of its files: one that is worked on changes without a new version."""
-    return f"{TOOL_VERSION} {max(_times(Path(__file__).parent))}"
-
-
-def _times(folder: Path) -> Iterator[int]:
-    for inner, folders, names in os.walk(folder):
-        folders[:] = [one for one in folders if one != "__pycache__"]
-        for name in names:
-            yield os.stat(os.path.join(inner, name)).st_mtime_ns
+    """Return the version of the tool, and the hash of its own files: code in work changes without a new version."""
+    whole = hashlib.sha256(TOOL_VERSION.encode())
+    for path in sorted(Path(__file__).parent.rglob("*")):
+        if path.suffix in CODE_SUFFIXES:
+            whole.update(path.read_bytes())
+    return whole.hexdigest()
