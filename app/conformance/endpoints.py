@@ -9,12 +9,12 @@ from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.conformance import mends, service
 from app.conformance.errors import CheckNotFound, MakerNeeded, MendNotMade, NothingToMend, NothingToWaive
-from app.conformance.schemas import CheckRead, MendRead, WaiverAdd
+from app.conformance.schemas import CheckRead, MendOffer, MendRead, WaiverAdd
 from app.deliveries.errors import TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
 from app.kit.http import DbSession, Route, problems
-from app.projects.errors import DeciderNeeded
+from app.projects.errors import DeciderNeeded, ProjectNotFound
 
 router = APIRouter(prefix="/v1", tags=["conformance"], route_class=Route)
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
@@ -52,6 +52,12 @@ def recheck_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.
     take = service.recheck(session, actor, take_id)
     _, standing = take_for(session, actor, take_id)
     return read_take(session, standing.project, take)
+
+
+@router.get("/projects/{project_id}/mends", response_model=list[MendOffer], responses=problems(ProjectNotFound))
+def list_mends(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[MendOffer]:
+    """List the takes of which a mend would be enough, longest waiting first; a designer's own."""
+    return mends.mends_offered(session, actor, project_id)
 
 
 @router.get("/takes/{take_id}/mend", response_model=MendRead, responses=problems(TakeNotFound))

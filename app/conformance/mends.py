@@ -14,16 +14,19 @@ from app.conformance import queries
 from app.conformance.errors import MakerNeeded, MendNotMade, NothingToMend
 from app.conformance.models import CheckRun, Mend
 from app.conformance.rules import MENDABLE_STATES, MendState, is_enough, mend_offers
-from app.conformance.schemas import LeftRead, MendedFrom, MendRead, RepairRead, SpotRead
+from app.conformance.schemas import LeftRead, MendedFrom, MendOffer, MendRead, RepairRead, SpotRead
 from app.conformance.service import resolved_spec
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
+from app.deliveries.schemas import CueBrief
 from app.deliveries.service import add_mended_take, check_name, take_for
 from app.kit import clock
 from app.kit.events import publish
-from app.projects.service import Standing
+from app.projects.service import Standing, standing_in
+from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
 
+MOST_OFFERED = 200
 OUR_FAULT = "Our mender failed three times on this file. That is our fault; send your own, or ask again later."
 
 
@@ -131,6 +134,32 @@ def mend_for(session: Session, actor: Actor, take_id: UUID) -> MendRead:
     """Return what a mend can do, or did, about a take within the caller's sight."""
     take, _ = take_for(session, actor, take_id)
     return read_mend(session, take)
+
+
+def mends_offered(session: Session, actor: Actor, project_id: UUID) -> list[MendOffer]:
+    """Return the takes of a project of which a mend would be enough, longest waiting first; a designer's own."""
+    standing = standing_in(session, actor, project_id)
+    found = queries.takes_with_findings(session, project_id, designer_id=standing.only_designer_id, limit=MOST_OFFERED)
+    mends = queries.mends_of(session, [take.id for take, _ in found])
+    offered = []
+    for take, run in found:
+        chance, mend = _chance(session, take, run), mends.get((take.id, run.key))
+        state = _state(chance, mend)
+        if take.cue is None or state not in ("offered", "making", "made"):
+            continue
+        name = label(standing.project.cue_prefix, take.cue.number)
+        offered.append(
+            MendOffer(
+                take_id=take.id,
+                cue=CueBrief(id=take.cue.id, label=name, name=take.cue.name),
+                variation=take.variation,
+                number=take.number or 0,
+                take_state=take.state,
+                state=state,
+                says=_says(chance, mend),
+            )
+        )
+    return offered
 
 
 def ensure_maker(standing: Standing, take: Take) -> None:

@@ -1,12 +1,13 @@
 """Check runs and waivers, read from the database; callers have checked who looks."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import select, update
-from sqlalchemy.orm import Session, joinedload
+from sqlalchemy import and_, exists, select, update
+from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.conformance.models import CheckRun, Mend, Waiver
+from app.conformance.rules import MENDABLE_STATES
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE
 from app.projects.models import Spec
@@ -67,6 +68,35 @@ def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, Che
         .order_by(Waiver.id)
     )
     return [(waiver, run, take) for waiver, run, take in rows]
+
+
+def takes_with_findings(
+    session: Session, project_id: UUID, *, designer_id: UUID | None, limit: int
+) -> list[tuple[Take, CheckRun]]:
+    """Return the newest takes of each variation that are not decided upon and had findings, with their checks."""
+    newer = aliased(Take)
+    query = (
+        select(Take, CheckRun)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(
+            Take.project_id == project_id,
+            Take.state.in_(MENDABLE_STATES),
+            Take.cue_id.is_not(None),
+            ~exists().where(newer.cue_id == Take.cue_id, newer.variation == Take.variation, newer.number > Take.number),
+        )
+        .options(joinedload(Take.cue))
+        .order_by(Take.state_since)
+        .limit(limit)
+    )
+    if designer_id is not None:
+        query = query.where(Take.designer_id == designer_id)
+    return [(take, run) for take, run in session.execute(query) if run.report["findings"]]
+
+
+def mends_of(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str], Mend]:
+    """Return the mends of takes, by take and by the check that they answer."""
+    found = session.scalars(select(Mend).where(Mend.take_id.in_(take_ids)))
+    return {(mend.take_id, mend.key): mend for mend in found}
 
 
 def mend_with_key(session: Session, take_id: UUID, key: str) -> Mend | None:

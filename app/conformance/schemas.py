@@ -8,6 +8,7 @@ from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
 from app.deliveries.rules import TakeState
+from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]
@@ -134,3 +135,15 @@ class MendRead(Schema):
     used_by: PersonBrief | None
     used_at: datetime | None
     mended_from: MendedFrom | None
+
+
+class MendOffer(Schema):
+    """A take of which a mend would be enough."""
+
+    take_id: UUID
+    cue: CueBrief
+    variation: int
+    number: int
+    take_state: TakeState
+    state: Literal["offered", "making", "made"]
+    says: str = Field(examples=["Trims 45.0 ms from the start."])

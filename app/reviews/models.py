@@ -19,10 +19,11 @@ class Verdict(Base):
     """What the decider said of a take; rows are added, never changed."""
 
     __tablename__ = "reviews_verdicts"
+    __table_args__ = (Index("ix_reviews_verdicts_project_id_id", "project_id", "id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     action_id: Mapped[UUID] = mapped_column(index=True)  # what one click decided is taken back together
@@ -63,11 +64,18 @@ class ChangeRequest(Base):
             sqlite_where=text("sending_id is null"),
             postgresql_where=text("sending_id is null"),
         ),
+        Index(
+            "ix_reviews_change_requests_drafts",
+            "project_id",
+            sqlite_where=text("sending_id is null"),
+            postgresql_where=text("sending_id is null"),
+        ),
+        Index("ix_reviews_change_requests_project_id_id", "project_id", "id"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     text: Mapped[str]
@@ -105,10 +113,11 @@ class Comment(Base):
     """Advice on a take, at a time in the sound."""
 
     __tablename__ = "reviews_comments"
+    __table_args__ = (Index("ix_reviews_comments_project_id_id", "project_id", "id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     text: Mapped[str]
     start_s: Mapped[float | None]

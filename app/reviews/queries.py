@@ -23,52 +23,57 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
 
-def projects_of_studios(session: Session, studio_ids: Collection[UUID]) -> Sequence[UUID]:
-    """Return the projects of some studios."""
-    return session.scalars(select(Project.id).where(Project.studio_id.in_(list(studio_ids)))).all()
+def in_project(project_id: UUID) -> ColumnElement[bool]:
+    """Admit the takes of one project."""
+    return Take.project_id == project_id
 
 
-def _newest_spec_id() -> Any:
+def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
+    """Admit the takes of some studios."""
+    return Take.studio_id.in_(list(studio_ids))
+
+
+def _newest_spec_id(take: type[Take]) -> Any:
     newer = aliased(Spec)
     return (
         select(newer.id)
-        .where(newer.project_id == Take.project_id)
+        .where(newer.project_id == take.project_id)
         .order_by(newer.version.desc())
         .limit(1)
-        .correlate(Take)
+        .correlate(take)
         .scalar_subquery()
     )
 
 
-def _waits() -> ColumnElement[bool]:
+def _waits(take: type[Take] = Take) -> ColumnElement[bool]:
     """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
-    rendered = (
-        exists()
-        .where(RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id())
-        .correlate(Take)
+    rendered = exists().where(
+        RenderSet.take_id == take.id, RenderSet.edition == take.edition, RenderSet.spec_id == _newest_spec_id(take)
     )
-    drawn = (
-        exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256).correlate(Take)
-    )
-    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT).correlate(Take)
-    return and_(Take.state == TakeState.CONFORMING, wanted, rendered, drawn)
+    drawn = exists().where(Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256)
+    wanted = exists().where(Cue.id == take.cue_id, Cue.state != CueState.CUT)
+    return and_(take.state == TakeState.CONFORMING, *(each.correlate(take) for each in (wanted, rendered, drawn)))
 
 
 def waiting_cues(
-    session: Session, project_ids: Collection[UUID], *, after: tuple[datetime, UUID] | None, limit: int
+    session: Session, reach: ColumnElement[bool], *, after: tuple[datetime, UUID] | None, limit: int
 ) -> list[tuple[UUID, datetime]]:
-    """Return the cues that takes wait for, with the instant since when, oldest first."""
-    since = func.min(Take.state_since)
-    query = (
-        select(Take.cue_id, since)
-        .where(Take.project_id.in_(list(project_ids)), _waits())
-        .group_by(Take.cue_id)
-        .order_by(since, Take.cue_id)
-        .limit(limit)
-    )
+    """Return the cues that takes wait for, with the instant since when, oldest first.
+
+    Walks the takes in order of waiting and keeps the first of each cue, so that a page costs the same however long the
+    queue is; grouping by cue would read all of it.
+    """
+    earlier = aliased(Take)
+    is_first = ~exists().where(
+        earlier.cue_id == Take.cue_id,
+        tuple_(earlier.state_since, earlier.id) < tuple_(Take.state_since, Take.id),
+        _waits(earlier),
+    ).correlate(Take)
+    query = select(Take.cue_id, Take.state_since).where(reach, _waits(), is_first)
     if after is not None:
-        query = query.having(tuple_(since, Take.cue_id) > tuple_(*after))
-    return [(cue_id, at) for cue_id, at in session.execute(query) if cue_id is not None]
+        query = query.where(tuple_(Take.state_since, Take.cue_id) > tuple_(*after))
+    rows = session.execute(query.order_by(Take.state_since, Take.cue_id).limit(limit))
+    return [(cue_id, at) for cue_id, at in rows if cue_id is not None]
 
 
 @dataclass(frozen=True)
@@ -76,6 +81,7 @@ class TakeOnReview:
     """A take with what is shown of it."""
 
     take: Take
+    spec: Spec
     picture: Picture | None
     check: CheckRun | None
     waiver: Waiver | None
@@ -129,6 +135,7 @@ def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]
     return [
         TakeOnReview(
             take=take,
+            spec=specs[take.project_id],
             picture=picture,
             check=check,
             waiver=waivers.get(take.id),

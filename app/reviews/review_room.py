@@ -6,14 +6,15 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
+from sqlalchemy import ColumnElement
 from sqlalchemy.orm import Session
 
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.conformance.queries import mend_that_made
-from app.conformance.rules import with_waived
 from app.conformance.schemas import FindingRead
+from app.conformance.service import resolved_spec, told_findings
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
@@ -48,14 +49,14 @@ PAGE_CUES = 50
 def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
     """Return what waits for review, oldest first, with all that its cards show."""
     after = _read_cursor(cursor)
-    project_ids = _projects_of(session, actor, project_id)
-    waiting = queries.waiting_cues(session, project_ids, after=after, limit=PAGE_CUES + 1)
+    reach = _reach(session, actor, project_id)
+    waiting = queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
     shown = waiting[:PAGE_CUES]
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     for one in queries.waiting_takes(session, [cue_id for cue_id, _ in shown]):
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
-    prefixes = queries.cue_prefixes(session, project_ids)
+    prefixes = queries.cue_prefixes(session, {one.take.project_id for takes in by_cue.values() for one in takes})
     rounds = queries.round_counts(session, by_cue)
     approved = queries.approved_variations(session, by_cue)
     changes = queries.last_changes(session, by_cue)
@@ -81,13 +82,13 @@ def _read_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
         raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
 
 
-def _projects_of(session: Session, actor: Actor, project_id: UUID | None) -> list[UUID]:
+def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:
     if project_id is not None:
         standing_in(session, actor, project_id).ensure_team()
-        return [project_id]
+        return queries.in_project(project_id)
     if not actor.roles:
         raise TeamNeeded("only a game team has a review queue")
-    return list(queries.projects_of_studios(session, actor.roles))
+    return queries.in_studios(actor.roles)
 
 
 def _queue_item(
@@ -151,6 +152,7 @@ def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
         findings=findings,
         waived=any(finding.waived for finding in findings),
         waiver_reason=one.waiver.reason if one.waiver else None,
+        mend_of_id=take.mend_of_id,
         renders=[
             ReviewRender(
                 **sound_places(picture_of_render(render, one.render_pictures)),
@@ -169,7 +171,7 @@ def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
 def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:
     waiver = one.waiver
     codes = waiver.codes if waiver and waiver.master_sha256 == one.take.master_sha256 else []
-    return [FindingRead.model_validate(finding) for finding in with_waived(report.get("findings") or [], codes)]
+    return told_findings(report, resolved_spec(one.spec, one.take), codes) if report.get("findings") else []
 
 
 def _first(*figures: float | None) -> float | None:

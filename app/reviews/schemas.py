@@ -93,6 +93,7 @@ class ReviewTake(SoundBrief):
     findings: list[FindingRead]
     waived: bool
     waiver_reason: str | None
+    mend_of_id: UUID | None = Field(description="The version that this one is a mend of.")
     renders: list[ReviewRender]
     draft_change: ChangeRequestRead | None
     open_comments: int

@@ -1285,6 +1285,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/mends": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Mends
+         * @description List the takes of which a mend would be enough, longest waiting first; a designer's own.
+         */
+        get: operations["list_mends"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/takes/{take_id}/mend": {
         parameters: {
             query?: never;
@@ -3630,6 +3650,33 @@ export interface components {
             since: string;
         };
         /**
+         * MendOffer
+         * @description A take of which a mend would be enough.
+         */
+        MendOffer: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            cue: components["schemas"]["CueBrief"];
+            /** Variation */
+            variation: number;
+            /** Number */
+            number: number;
+            take_state: components["schemas"]["TakeState"];
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "offered" | "making" | "made";
+            /**
+             * Says
+             * @example Trims 45.0 ms from the start.
+             */
+            says: string;
+        };
+        /**
          * MendRead
          * @description What a mend can do, or did, about a take.
          */
@@ -4605,6 +4652,11 @@ export interface components {
             waived: boolean;
             /** Waiver Reason */
             waiver_reason: string | null;
+            /**
+             * Mend Of Id
+             * @description The version that this one is a mend of.
+             */
+            mend_of_id: string | null;
             /** Renders */
             renders: components["schemas"]["ReviewRender"][];
             draft_change: components["schemas"]["ChangeRequestRead"] | null;
@@ -9533,6 +9585,46 @@ export interface operations {
             };
             /** @description `wrong-state` */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_mends: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MendOffer"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -286,3 +286,33 @@ def test_a_cut_that_would_click_is_faded(world: World) -> None:
     rain = join(sine(hz=50, dbfs=-70.0, seconds=0.3), sine(hz=440, dbfs=0.0, seconds=0.3, phase=1.0))
     mend = mend_of(world, returned(world, wav_bytes(rain), "rain.wav"))
     assert "with a fade of 5.0 ms" in mend["says"]
+
+
+def test_what_a_mend_would_answer_is_listed_for_its_designer_and_the_team(world: World, take: dict[str, Any]) -> None:
+    add_cues(world, {"name": "Door"}, {"name": "Laser"}, {"name": "Fine"})
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    warned = returned(world, late, "door.wav")
+    returned(world, loud(rate=32_000), "laser.wav")
+    returned(world, wav_bytes(sine(hz=440, seconds=0.2)), "fine.wav")
+    path = f"/v1/projects/{world.project_id}/mends"
+    for client in (world.designer, world.decider):
+        listed = client.get(path).json()
+        assert [(one["take_id"], one["take_state"], one["state"]) for one in listed] == [
+            (take["id"], "returned", "made"),
+            (warned["id"], "conforming", "offered"),
+        ]
+    assert listed[1]["says"] == "Trims 45.0 ms from the start."
+    assert listed[1]["cue"]["name"] == "Door"
+    world.designer.post(f"/v1/takes/{take['id']}/mend/use")
+    world.server.wait_for_jobs()
+    assert [one["take_id"] for one in world.designer.get(path).json()] == [warned["id"]]
+    assert world.stranger.get(path).status_code == 404
+
+
+def test_the_review_room_says_what_a_mend_would_do(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Door"})
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    returned(world, late, "door.wav")
+    [shown] = world.decider.get(f"/v1/cues/{cue['id']}/review").json()["takes"]
+    assert [finding["mend"] for finding in shown["findings"]] == ["trims 45.0 ms from the start"]
+    assert shown["mend_of_id"] is None

@@ -172,6 +172,8 @@ def add_take(
             key=sha256,
             verdict="conforming",
             report={
+                "path": "sound.wav",
+                "verdict": "conforming",
                 "facts": {"sample_rate_hz": 96_000},
                 "measurements": {**measurements, "true_peak_dbtp": -0.6},
                 "findings": [FINDING],
