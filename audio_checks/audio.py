@@ -19,6 +19,7 @@ from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.flat_tops import FlatTops
 from audio_checks.measure.levels import Levels
+from audio_checks.measure.likeness import Likeness
 from audio_checks.measure.loudness import Loudness, channel_weights
 from audio_checks.measure.mono_sum import MonoSum
 from audio_checks.measure.phase import Phase
@@ -51,6 +52,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "phase": Phase.FIGURES,
     "mono_sum": MonoSum.FIGURES,
     "steps": Steps.FIGURES,
+    "likeness": Likeness.FIGURES,
     "spectrum": Spectrum.FIGURES,
     "seam": Seam.FIGURES,
 }
@@ -275,6 +277,7 @@ class AudioFile:
             "phase": Phase,
             "mono_sum": MonoSum,
             "steps": partial(Steps, step=step),
+            "likeness": Likeness,
             "spectrum": partial(Spectrum, step=step),
             "seam": partial(Seam, loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None),
         }
@@ -289,7 +292,7 @@ class Measurements:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the measured figures by name; levels of silence are -inf still."""
-        hidden = ("edges", "clipped_spans", "mono_loss_spans")
+        hidden = ("edges", "clipped_spans", "mono_loss_spans", "likeness_print")
         return {name: value for name, value in self._file.measured().items() if name not in hidden}
 
     @property
@@ -394,6 +397,12 @@ class Measurements:
         """The step all samples stand on, in the file's own smallest; 1 where there is none, None where none is told."""
         value = self._file.figure("sample_step")
         return None if value is None else float(value)
+
+    @property
+    def likeness_print(self) -> str | None:
+        """What nearly equal sounds are known by, as text; None for silence, and where it was not asked for."""
+        value = self._file.measured().get("likeness_print")
+        return None if value is None else str(value)
 
     @property
     def integrated_lufs(self) -> float:

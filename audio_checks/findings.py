@@ -91,7 +91,8 @@ _FINDING_FIELDS = frozenset(Finding.__dataclass_fields__)
 class FileReport:
     """All that is said of one file.
 
-    Facts are None when the file cannot be read; measurements hold the figures that were asked for.
+    Facts are None when the file cannot be read; measurements hold the figures that were asked for. By
+    `likeness_print` nearly equal sounds are known; see `measure.likeness`.
     """
 
     path: str
@@ -103,6 +104,7 @@ class FileReport:
     measurements: dict[str, Any] = field(default_factory=dict)
     judgements: dict[str, Any] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    likeness_print: str | None = None
 
     def count(self, severity: Severity, *, waived: bool | None = None) -> int:
         """Return the number of findings of one severity; of those waived, or those not, when asked."""
@@ -120,6 +122,7 @@ class FileReport:
             "measurements": _plain(self.measurements),
             "judgements": _plain(self.judgements),
             "findings": [finding.to_dict() for finding in self.findings],
+            **({"likeness_print": self.likeness_print} if self.likeness_print else {}),
         }
 
     def to_measured(self) -> dict[str, Any]:
@@ -285,6 +288,7 @@ def schema() -> dict[str, Any]:
             "measurements": {"type": "object"},
             "judgements": {"type": "object"},
             "findings": {"type": "array", "items": finding},
+            "likeness_print": {"type": "string"},
         },
     }
     spec = {

@@ -4,15 +4,16 @@ A check that crashes is the tool's fault: the file is `unjudged`, whatever else 
 """
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from audio_checks import check_names
 from audio_checks.audio import AudioFile
-from audio_checks.check_names import Severity
 from audio_checks.checks import Check, all_checks, placeholder
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
+from audio_checks.sets import Judged, with_set_findings
+from audio_checks.severity import crash, graded, ordered
 from audio_checks.sound_list import SoundList
 from audio_checks.spec import CueFacts, DeliverySpec
 from audio_checks.version import TOOL_VERSION
@@ -26,13 +27,15 @@ class Task:
     """One file to judge, with all that is known of it.
 
     `spec` is the view for the file's category and the target, None for structure only; `unlisted`
-    says that there is a sound list, and no cue in it owns the file's name.
+    says that there is a sound list, and no cue in it owns the file's name; `variation` is which of
+    the cue's variations it is.
     """
 
     path: str
     spec: DeliverySpec | None = None
     cue: CueFacts | None = None
     unlisted: bool = False
+    variation: int = 1
 
 
 def check_file(
@@ -92,7 +95,7 @@ def check_files(
     category: str | None = None,
     jobs: int = 1,
 ) -> Report:
-    """Judge many files by one spec, in their order; see `check_file`.
+    """Judge many files by one spec, in their order, each alone and all of them together; see `check_file`.
 
     `jobs` is the number of processes, 0 for one a core. A process that dies leaves its file unjudged.
     """
@@ -100,7 +103,7 @@ def check_files(
     tasks = [
         task_for(path, spec, target=target, category=category, sound_list=sound_list, views=views) for path in paths
     ]
-    entries = judge(tasks, jobs=jobs)
+    entries = together(tasks, judge(tasks, jobs=jobs))
     return report_on(entries, [spec] if spec else [], [task.spec for task in tasks if task.spec])
 
 
@@ -163,7 +166,19 @@ def task_for(
         if (id(spec), name) not in views:
             views[id(spec), name] = view_of(spec, path, target=target, category=name, cue=cue)
         view = views[id(spec), name]
-    return Task(os.fspath(path), view, cue, unlisted=sound_list is not None and slot is None)
+    unlisted = sound_list is not None and slot is None
+    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1)
+
+
+def together(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
+    """Return what is said of files, with what is found over all of them together."""
+    judged = {
+        place: Judged(entry, task.spec, task.cue, task.variation)
+        for place, (task, entry) in enumerate(zip(tasks, entries, strict=True))
+        if task.spec is not None
+    }
+    found = dict(zip(judged, with_set_findings(list(judged.values())), strict=True))
+    return [found.get(place, entry) for place, entry in enumerate(entries)]
 
 
 def judge(tasks: list[Task], *, jobs: int = 1, done: Callable[[FileReport], None] | None = None) -> list[FileReport]:
@@ -217,18 +232,18 @@ def _judge(
                 sha256=file.sha256,
                 pcm_sha256=file.pcm_sha256,
                 measurements=file.measurements.to_dict(),
+                likeness_print=file.measurements.likeness_print,
             )
             found, crashed = _found(selected, file, spec, task.cue)
     except Unreadable as error:
         return _refused(blank, error)
     except Exception as error:  # whatever breaks in the tool must not be held against the file
-        return replace(blank, findings=(_crash("audio-checks", error),))
+        return replace(blank, findings=(crash("audio-checks", error),))
     if task.unlisted:
         found.append(_unlisted())
-    graded = [one for one in (_graded(finding, spec) for finding in found) if one is not None]
-    verdict: Verdict = "rejected" if any(one.severity == "error" for one in graded) else "conforming"
-    findings = sorted([*crashed, *graded], key=lambda one: one.severity != "error")
-    return replace(whole, verdict="unjudged" if crashed else verdict, findings=tuple(findings))
+    findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
+    verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
+    return replace(whole, verdict="unjudged" if crashed else verdict, findings=ordered([*crashed, *findings]))
 
 
 def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | None) -> list[Check]:
@@ -252,32 +267,14 @@ def _found(
         except Unreadable:
             raise
         except Exception as error:  # a check's bug is the tool's, and the other checks still count
-            crashed.append(_crash(check.name, error))
+            crashed.append(crash(check.name, error))
     return found, crashed
-
-
-def _graded(finding: Finding, spec: DeliverySpec) -> Finding | None:
-    """Return the finding with its severity: the spec's word first, then the check's, then the default."""
-    level = spec.checks.get(finding.check)
-    if level == "off":
-        return None
-    severity: Severity = level or finding.severity or check_names.DEFAULT_SEVERITY[finding.check]
-    return replace(finding, severity=severity)
 
 
 def _refused(blank: FileReport, error: Unreadable) -> FileReport:
     finding = Finding(code=error.code, message=f"{error} ({error.rule})", fix=error.fix, severity="error")
     whole_flac = error.code == "container:flac" and blank.path.lower().endswith(".flac")  # lawful, but not accepted
     return replace(blank, verdict="rejected" if whole_flac else "unreadable", findings=(finding,))
-
-
-def _crash(what: str, error: BaseException) -> Finding:
-    return Finding(
-        code=f"{what}:crashed",
-        message=f"the check itself broke ({type(error).__name__}: {error}); nothing is known to be wrong with the file",
-        fix="report it to whoever maintains audio-checks, with the file",
-        severity="error",
-    )
 
 
 def _unlisted() -> Finding:
@@ -295,4 +292,4 @@ def _judge_all(tasks: list[Task]) -> list[FileReport]:
 
 def _died(task: Task, error: BaseException) -> FileReport:
     category = task.spec.category if task.spec else None
-    return FileReport(legible(task.path), "unjudged", category=category, findings=(_crash("audio-checks", error),))
+    return FileReport(legible(task.path), "unjudged", category=category, findings=(crash("audio-checks", error),))

@@ -5,13 +5,15 @@ which its page is made, and
 
 - `FIGURES`: the measurements it reads, so that they are made while the file streams by;
 - `applies(spec, cue)`, where some limit must be stated for the check to be called;
-- `check(file, spec)` or `check(file, spec, cue)`, which yields findings.
+- `check(file, spec)` or `check(file, spec, cue)`, which yields findings in one file;
+- `check_set(files)`, where something holds over files together: it is called once with all judged
+  files (see `sets`), and yields findings with the place of the file that each is for.
 
 The module's name, with `-` for `_`, is the check's name.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
@@ -24,6 +26,7 @@ from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
+    from audio_checks.sets import Judged
 
 
 @dataclass(frozen=True)
@@ -55,9 +58,18 @@ class Check:
         return ask is None or bool(ask(spec, cue))
 
     def run(self, file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
-        """Yield what it finds."""
+        """Yield what it finds in one file."""
+        if not hasattr(self.module, "check"):
+            return iter(())
         wants_cue = self.module.check.__code__.co_argcount == 3
         found: Iterator[Finding] = self.module.check(file, spec, *([cue] if wants_cue else []))
+        return found
+
+    def run_set(self, files: Sequence["Judged"]) -> Iterator[tuple[int, Finding]]:
+        """Yield what it finds over files together, each with the place of its file."""
+        if not hasattr(self.module, "check_set"):
+            return iter(())
+        found: Iterator[tuple[int, Finding]] = self.module.check_set(files)
         return found
 
 

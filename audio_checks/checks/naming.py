@@ -74,11 +74,11 @@ def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
         if one.spec.naming.portable:
             by_name[_folded(one.path)].append(place)
     for places in by_name.values():
-        names = {files[place].path for place in places}
+        names = {os.path.normpath(files[place].path) for place in places}
         if len(names) < 2:
             continue
         for place in places:
-            twin = os.path.basename(min(names - {files[place].path}))
+            twin = os.path.basename(min(names - {os.path.normpath(files[place].path)}))
             yield (
                 place,
                 Finding(

@@ -82,6 +82,7 @@ def run(options: argparse.Namespace) -> int:
         done, stayed = _put_right(changes)
         left = left or stayed
         tasks, entries = judging.again(tasks, entries, done)
+    entries = judging.together(tasks, entries)
     if options.add_baseline:
         entries = _let_through(entries, options)
     report = runner.report_on(entries, judging.specs, [task.spec for task in tasks if task.spec])
@@ -169,6 +170,12 @@ class _Judging:
         return new_tasks, [
             next(fresh) if task.path in renamed else entry for task, entry in zip(tasks, entries, strict=True)
         ]
+
+    def together(self, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> list[FileReport]:
+        """Return what is said of the files, with what is found over all of them together."""
+        from audio_checks import runner
+
+        return [with_waivers(entry, self._waived) for entry in runner.together(tasks, entries)]
 
     def _recalled(self, tasks: Sequence["Task"]) -> list[FileReport]:
         from audio_checks.cache import VerdictCache, default_folder

@@ -195,7 +195,7 @@ class TestSpecs:
 
     def test_target_and_list(self, folder, run):
         write_wav(folder / "laser_01.wav", sine(hz=997, rate=44_100, seconds=0.5), rate=44_100, bits=16)
-        write_wav(folder / "extra.wav", sine(hz=997, rate=44_100, seconds=0.5), rate=44_100, bits=16)
+        write_wav(folder / "extra.wav", sine(hz=440, rate=44_100, seconds=0.5), rate=44_100, bits=16)
         (folder / "sounds.csv").write_text("number,file_name,duration_s,variations\n1,laser,2,2\n", encoding="utf-8")
         code, out, _ = run("check", *SPEC, "--list", "sounds.csv", "--target", "game", "--format", "json", ".")
         codes = {entry["path"]: [one["code"] for one in entry["findings"]] for entry in json.loads(out)["files"]}

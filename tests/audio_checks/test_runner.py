@@ -216,7 +216,7 @@ class TestManyFiles:
     def test_the_list_gives_category_and_request_by_name(self, tmp_path):
         sounds = read_sound_list("number,file_name,category,duration_s,variations\n1,laser,vo,3,2\n")
         names = ("laser_02__alt2.wav", "other.wav")
-        paths = [write_wav(tmp_path / name, sine(hz=997, dbfs=-6)) for name in names]
+        paths = [write_wav(tmp_path / name, sine(hz=hz, dbfs=-6)) for name, hz in zip(names, (997, 440), strict=True)]
         first, other = check_files(paths, SPEC, sound_list=sounds).files
         assert (first.category, codes_of(first)) == ("vo", [("duration:cue", "warning")])
         assert (other.category, codes_of(other)) == (None, [("naming:unlisted", "warning")])

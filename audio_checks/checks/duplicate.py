@@ -1,0 +1,52 @@
+"""`duplicate`: no two files are the same sound.
+
+Why: the same file under two names is usually a wrong export: of two variations that should differ,
+or of the sound before. In a game it takes its memory twice.
+How to fix: export the sound that was meant. If one sound should serve two cues, say so, and let the
+game play one file for both.
+Source: SHA-256 of the samples, whatever the name, the metadata, the sample rate in the header, and
+for FLAC the packing. Stand-ins are let be.
+"""
+
+import os
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+
+if TYPE_CHECKING:
+    from audio_checks.sets import Judged
+
+FIGURES = ()
+SAID = {"sample_rate_hz": "sample rate", "bit_depth": "bit depth", "channels": "number of channels"}
+
+
+def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+    """Yield `duplicate:same-sound` for every file but the first of those that hold the same samples."""
+    by_sound: dict[str, list[int]] = defaultdict(list)
+    for place, one in enumerate(files):
+        if one.report.pcm_sha256 is not None and not _is_stand_in(one):
+            by_sound[one.report.pcm_sha256].append(place)
+    for places in by_sound.values():
+        first = files[places[0]]
+        for place in places[1:]:
+            yield place, _finding(first, files[place])
+
+
+def _finding(first: "Judged", same: "Judged") -> Finding:
+    before, now = first.report.facts or {}, same.report.facts or {}
+    other = " and ".join(word for key, word in SAID.items() if before.get(key) != now.get(key))
+    folder = os.path.dirname(first.path)
+    shown = os.path.basename(first.path) if folder == os.path.dirname(same.path) else first.path
+    return Finding(
+        code="duplicate:same-sound",
+        message=f"the same samples as {shown}{f', under another {other}' if other else ''}",
+        fix="export the sound that was meant for this name; or let the game play one file for both",
+        start_s=0.0,
+        end_s=now.get("duration_s"),
+    )
+
+
+def _is_stand_in(one: "Judged") -> bool:
+    return any(finding.code == "placeholder:marked" for finding in one.report.findings)

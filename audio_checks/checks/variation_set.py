@@ -1,0 +1,172 @@
+"""`variation-set`: the variations of a cue belong together, and are not the same.
+
+Why: the game picks one of them at random each time. One that is louder or longer than the others
+sticks out at every tenth step; two that are alike are heard as a repeat, which a set is there to avoid.
+How to fix: bring the one that stands out to the level and length of the others; replace one of two
+that are alike by another take.
+Source: integrated loudness, for sounds under 0.4 s the loudest 0.4 s: within 2 LU over the set. Length
+within 25 % of the middle of the others. Alike are sounds whose octave bands follow each other within
+0.4 dB once their levels are matched. It needs the sound list, and is asked once every variation is there.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from statistics import median
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.measure.likeness import unlikeness_db
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.sets import Judged
+
+FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")
+MOST_SPREAD_LU = 2.0
+MOST_LENGTH_OFF = 0.25
+LEAST_UNLIKE_DB = 0.4
+A_HAIR = 1e-9
+ONE_BLOCK_S = 0.4  # of BS.1770: below, there is no integrated loudness
+
+Set = dict[int, int]  # the place of the file that stands for each variation
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Only for a cue with variations."""
+    return cue is not None and cue.variations > 1
+
+
+def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+    """Yield what stands out of its set once all variations are there.
+
+    `variation-set:level` for loudness, `variation-set:length` for length, `variation-set:alike` for the later one
+    of two that are nearly the same. An alternate is held against the set, and moves nothing in it.
+    """
+    by_cue: dict[str, list[int]] = defaultdict(list)
+    for place, one in enumerate(files):
+        if one.cue is not None and one.cue.variations > 1:
+            by_cue[one.cue.number].append(place)
+    for places in by_cue.values():
+        chosen: Set = {}
+        for place in sorted(places, key=lambda place: files[place].is_alternate):
+            chosen.setdefault(files[place].variation, place)
+        cue = files[places[0]].cue
+        if cue is not None and len(chosen) == cue.variations:
+            yield from _of_one_set(files, places, chosen)
+
+
+def _of_one_set(files: "Sequence[Judged]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
+    levels, lengths = _levels(files, places), _lengths(files, places)
+    levels_off = _off(levels, files, places, chosen)
+    most_off = _most_off(levels, levels_off, chosen, files[places[0]].spec.limits.tolerance_db)
+    lengths_off = _off(lengths, files, places, chosen)
+    for place in places:
+        off = levels_off.get(place)
+        if off is not None and most_off is not None and abs(off) > most_off:
+            yield place, _level(off, levels[place])
+        off = lengths_off.get(place)
+        if off is not None and abs(off) > MOST_LENGTH_OFF * (lengths[place] - off):
+            yield place, _length(off, lengths[place])
+    yield from _alike(files, list(chosen.values()))
+
+
+def _levels(files: "Sequence[Judged]", places: Sequence[int]) -> dict[int, float]:
+    """Return the loudness of each file that has one, all measured the same way."""
+    short = any(_duration_s(files[place]) < ONE_BLOCK_S for place in places)
+    figure = "short_loudness_lufs" if short else "integrated_lufs"
+    told = {place: files[place].report.measurements.get(figure) for place in places}
+    return {place: level for place, level in told.items() if level is not None and level > float("-inf")}
+
+
+def _lengths(files: "Sequence[Judged]", places: Sequence[int]) -> dict[int, float]:
+    return {place: _duration_s(files[place]) for place in places}
+
+
+def _duration_s(one: "Judged") -> float:
+    return float((one.report.facts or {})["duration_s"])
+
+
+def _off(
+    figures: Mapping[int, float], files: "Sequence[Judged]", places: Sequence[int], chosen: Set
+) -> dict[int, float]:
+    """Return how far each file's figure is from the middle of the other variations'."""
+    far: dict[int, float] = {}
+    for place in places:
+        others = [other for variation, other in chosen.items() if variation != files[place].variation]
+        told = [figures[other] for other in others if other in figures]
+        if place in figures and told:
+            far[place] = figures[place] - median(told)
+    return far
+
+
+def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set, tolerance_db: float) -> float | None:
+    """Return beyond which distance a file is named; None where none is.
+
+    One that is farther from the middle than the whole set may spread is named. Where none is, but the
+    set spreads too far all the same, those that lie farthest are.
+    """
+    limit = MOST_SPREAD_LU + tolerance_db
+    told = [levels[place] for place in chosen.values() if place in levels]
+    if len(told) < 2:
+        return None
+    farthest = max(abs(off[place]) for place in chosen.values() if place in off)
+    return limit if farthest > limit or max(told) - min(told) <= limit else farthest - A_HAIR
+
+
+def _level(off: float, level: float) -> Finding:
+    turn, where = ("lower", "over") if off > 0 else ("raise", "under")
+    return Finding(
+        code="variation-set:level",
+        message=f"{abs(off):.1f} dB {where} its set, limit {MOST_SPREAD_LU:g} LU",
+        fix=f"{turn} its level by {abs(off):.1f} dB, to {level - off:.1f} LUFS",
+        measured=off,
+        limit=MOST_SPREAD_LU,
+        unit="LU",
+    )
+
+
+def _length(off: float, length_s: float) -> Finding:
+    wanted_s = length_s - off
+    turn = "shorten" if off > 0 else "lengthen"
+    return Finding(
+        code="variation-set:length",
+        message=f"{length_s:.2f} s, its set {wanted_s:.2f} s, limit {100 * MOST_LENGTH_OFF:.0f} %",
+        fix=f"{turn} the sound by {abs(off):.2f} s, or say on the cue why it differs",
+        measured=length_s,
+        limit=wanted_s,
+        unit="s",
+        start_s=min(wanted_s, length_s) if off > 0 else 0.0,
+        end_s=length_s,
+    )
+
+
+def _alike(files: "Sequence[Judged]", places: Sequence[int]) -> Iterator[tuple[int, Finding]]:
+    ordered = sorted(places, key=lambda place: files[place].variation)
+    for index, place in enumerate(ordered):
+        near = [
+            (apart, before) for before in ordered[:index] if (apart := _apart(files[before], files[place])) is not None
+        ]
+        nearest, before = min(near, default=(LEAST_UNLIKE_DB, place))
+        if nearest < LEAST_UNLIKE_DB:
+            yield place, _two_alike(nearest, files[before], files[place])
+
+
+def _two_alike(apart_db: float, before: "Judged", same: "Judged") -> Finding:
+    return Finding(
+        code="variation-set:alike",
+        message=f"{apart_db:.1f} dB apart from _{before.variation:02} of its set, limit {LEAST_UNLIKE_DB:g} dB",
+        fix="replace one of the two by another take",
+        measured=apart_db,
+        limit=LEAST_UNLIKE_DB,
+        unit="dB",
+        start_s=0.0,
+        end_s=_duration_s(same),
+    )
+
+
+def _apart(one: "Judged", other: "Judged") -> float | None:
+    """Return how unlike two sounds are; None where it cannot be told, or the duplicate check says it."""
+    first, second = one.report.likeness_print, other.report.likeness_print
+    if first is None or second is None or one.report.pcm_sha256 == other.report.pcm_sha256:
+        return None
+    return unlikeness_db(first, second)

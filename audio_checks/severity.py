@@ -1,0 +1,35 @@
+"""How grave a finding is: the spec's word first, then the check's, then the default."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from audio_checks import check_names
+from audio_checks.check_names import Severity
+from audio_checks.findings import Finding
+from audio_checks.spec import DeliverySpec
+
+
+def graded(finding: Finding, spec: DeliverySpec) -> Finding | None:
+    """Return the finding with its severity; None where the spec turns its check off."""
+    level = spec.checks.get(finding.check)
+    if level == "off":
+        return None
+    severity: Severity = level or finding.severity or check_names.DEFAULT_SEVERITY[finding.check]
+    return replace(finding, severity=severity)
+
+
+def ordered(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return findings, what broke first, then errors, then warnings."""
+    return tuple(sorted(findings, key=lambda one: (not one.code.endswith(":crashed"), one.severity != "error")))
+
+
+def crash(what: str, error: BaseException) -> Finding:
+    """Return the finding that a check itself broke."""
+    return Finding(
+        code=f"{what}:crashed",
+        message=f"the check itself broke ({type(error).__name__}: {error}); nothing is known to be wrong with the file",
+        fix="report it to whoever maintains audio-checks, with the file",
+        severity="error",
+    )

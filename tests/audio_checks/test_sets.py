@@ -1,0 +1,112 @@
+"""Checks over files together: who takes part, what it weighs, and whose fault a crash is."""
+
+import unicodedata
+
+import pytest
+
+from audio_checks import check_files
+from audio_checks import sets as sets_module
+from audio_checks.checks import naming
+from audio_checks.cli import main
+from audio_checks.findings import FileReport
+from audio_checks.sets import Judged, set_findings, with_set_findings
+from audio_checks.spec import parse_spec
+from tests.support.waves import noise, write_wav
+
+SPEC = parse_spec("format = 1\nnaming.portable = true")
+
+
+def judged(path, spec=SPEC, **more):
+    return Judged(FileReport(path, "conforming", facts={"duration_s": 1.0}, **more), spec)
+
+
+def codes(files):
+    return [[finding.code for finding in findings] for findings in set_findings(files)]
+
+
+NFC = "tür.wav"
+
+
+@pytest.mark.parametrize(
+    ("names", "twins"),
+    [
+        (("laser.wav", "Laser.wav"), True),
+        (("a/laser.wav", "b/Laser.wav"), False),
+        (("a/laser.wav", "A/laser.wav"), True),
+        ((NFC, unicodedata.normalize("NFD", NFC)), True),
+        (("STRASSE.wav", "straße.wav"), True),
+        (("laser.wav", "laser_2.wav"), False),
+        (("laser.wav", "laser.WAV"), True),
+        (("laser.wav", "./laser.wav"), False),
+    ],
+)
+def test_name_twins(names, twins):
+    assert codes([judged(name) for name in names]) == ([["naming:twins"], ["naming:twins"]] if twins else [[], []])
+
+
+def test_a_twin_is_named_and_fails_where_names_do():
+    first, second = set_findings([judged("laser.wav"), judged("Laser.wav")])
+    assert first[0].message.startswith("Laser.wav in the same folder")
+    assert second[0].severity == "error"
+    reports = with_set_findings([judged("laser.wav"), judged("Laser.wav")])
+    assert {report.verdict for report in reports} == {"rejected"}
+
+
+def test_only_names_that_are_to_be_portable_are_asked():
+    loose = parse_spec("format = 1")
+    assert codes([judged("laser.wav", loose), judged("Laser.wav", loose)]) == [[], []]
+    off = parse_spec("format = 1\nnaming.portable = true\nchecks.naming = 'off'")
+    assert codes([judged("laser.wav", off), judged("Laser.wav")]) == [[], []]
+
+
+def test_severity_is_each_files_own(tmp_path):
+    paths = [write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1)) for name in ("a", "vo_b")]
+    spec = parse_spec('format = 1\n[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "error"')
+    first, second = check_files(paths, spec).files
+    assert (first.verdict, second.verdict) == ("conforming", "rejected")
+    assert second.findings[0].severity == "error"
+
+
+def test_findings_over_a_set_change_no_other_verdict():
+    unreadable = Judged(FileReport("Laser.wav", "unreadable"), SPEC)
+    assert codes([judged("laser.wav"), unreadable]) == [[], []]
+    rejected = Judged(FileReport("Laser.wav", "rejected", facts={"duration_s": 1.0}), SPEC)
+    assert [report.verdict for report in with_set_findings([judged("laser.wav"), rejected])] == ["rejected"] * 2
+
+
+def test_a_check_that_breaks_leaves_its_files_unjudged(monkeypatch):
+    def broken(files):
+        yield 0, naming.Finding("naming:twins", "found before it broke", "none")
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(naming, "check_set", broken)
+    reports = with_set_findings([judged("a.wav"), judged("b.wav")])
+    assert {report.verdict for report in reports} == {"unjudged"}
+    assert [finding.code for finding in reports[1].findings] == ["naming:crashed"]
+    assert "nothing is known to be wrong with the file" in reports[1].findings[0].message
+
+
+def test_processes_say_the_same_as_one(tmp_path):
+    paths = [write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1)) for name in "abcd"]
+    assert check_files(paths, SPEC, jobs=2) == check_files(paths, SPEC)
+
+
+def test_the_order_of_checks_is_that_of_the_format():
+    assert [check for check in sets_module.all_checks() if check in ("naming", "duplicate", "variation-set")] == [
+        "naming",
+        "duplicate",
+        "variation-set",
+    ]
+
+
+def test_the_command_line_says_so_too(tmp_path, capsys, monkeypatch):
+    for name in "ab":
+        write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1))
+    spec = tmp_path / "spec.toml"
+    spec.write_text("format = 1\nnaming.portable = true\n")
+    check = ["check", "--spec", str(spec), "--no-cache", str(tmp_path)]
+    assert main(check) == 0
+    assert "the same samples as a.wav" in capsys.readouterr().out
+    assert main([*check, "--fail-level", "warning"]) == 1
+    monkeypatch.setattr(naming, "check_set", lambda files: 1 / 0)
+    assert main(check) == 2  # a fault of the tool outranks what it found
