@@ -18,6 +18,7 @@ BESIDE = True  # the runner picks its commands out of any other output
 MOST_OF_A_LEVEL = 10
 SUMMARY_BYTES = 900_000  # of the 1 MiB that a step may write
 MOST_IN_A_CELL = 5
+MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", "|": "&#124;", **{one: f"\\{one}" for one in "\\`*_[]#@"}})
 LEVELS: tuple[Severity, ...] = ("error", "warning")
 
 
@@ -97,5 +98,4 @@ def _row(entry: FileReport, ones: list[Finding]) -> str:
 
 def _cell(text: str) -> str:
     """Return text that can break out of no table and starts no markup."""
-    plain = printable(text).replace("&", "&amp;").replace("<", "&lt;").replace("|", "&#124;")
-    return "".join(f"\\{one}" if one in "\\`*_[]#@" else one for one in plain)
+    return printable(text).translate(MARKUP)

@@ -53,7 +53,7 @@ def judged(report: Report, style: Style) -> str:  # noqa: ARG001
         "properties": {"specs": [{"name": spec.name, "sha256": spec.sha256} for spec in report.specs]},
         "results": _results(found[:MOST_RESULTS], {code: place for place, code in enumerate(rules)}),
     }
-    return dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=1) + "\n"
+    return dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}) + "\n"
 
 
 def _results(found: Iterable[tuple[FileReport, Finding]], places: dict[str, int]) -> list[dict[str, Any]]:
