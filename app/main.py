@@ -1,9 +1,11 @@
 """The web process: rooms behind one FastAPI application, and the built frontend."""
 
+import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
+import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
 from starlette.datastructures import MutableHeaders
@@ -14,12 +16,21 @@ from app import rooms
 from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
 from app.kit import events, health, http
 from app.kit.runtime import Runtime
+from app.kit.uploads import Uploads
 from app.migrate import ensure_at_head
 
-CONTENT_SECURITY_POLICY = (
-    "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-    "object-src 'none'; base-uri 'none'; frame-ancestors 'none'; form-action 'self'"
-)
+SWEEP_EVERY_S = 3600.0
+log = structlog.get_logger(__name__)
+
+
+def content_security_policy(store_origin: str | None) -> str:
+    """Return what the page may load; from the store, if browsers are sent there, sounds and nothing else."""
+    store = f" {store_origin}" if store_origin else ""
+    return (
+        f"default-src 'self'; connect-src 'self'{store}; img-src 'self' data: blob:; media-src 'self' blob:{store}; "
+        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'; "
+        "form-action 'self'"
+    )
 
 
 def create_app(runtime: Runtime) -> FastAPI:
@@ -27,7 +38,9 @@ def create_app(runtime: Runtime) -> FastAPI:
 
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
+        sweeping = asyncio.create_task(_sweep_uploads(runtime))
         yield
+        sweeping.cancel()
         runtime.close()
 
     app = FastAPI(
@@ -47,15 +60,27 @@ def create_app(runtime: Runtime) -> FastAPI:
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
+    app.add_middleware(_WithSecurityHeaders, policy=content_security_policy(runtime.store.public_origin))
     _serve_frontend(app, runtime.settings.frontend_dir)
     return app
+
+
+async def _sweep_uploads(runtime: Runtime) -> None:
+    """Clear away, now and then, what was left unfinished on this process's own disk, which no worker may see."""
+    while True:
+        await asyncio.sleep(SWEEP_EVERY_S)
+        try:
+            await asyncio.to_thread(Uploads(runtime.database, runtime.store).sweep)
+        except Exception:
+            log.exception("uploads could not be swept")
 
 
 class _WithSecurityHeaders:
     """Tells browsers what a page of ours may load and do."""
 
-    def __init__(self, app: ASGIApp) -> None:
+    def __init__(self, app: ASGIApp, policy: str) -> None:
         self._app = app
+        self._policy = policy
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         async def say(message: Message) -> None:
@@ -64,14 +89,13 @@ class _WithSecurityHeaders:
                 headers.setdefault("X-Content-Type-Options", "nosniff")
                 headers.setdefault("Referrer-Policy", "same-origin")
                 if not scope["path"].startswith("/docs"):
-                    headers.setdefault("Content-Security-Policy", CONTENT_SECURITY_POLICY)
+                    headers.setdefault("Content-Security-Policy", self._policy)
             await send(message)
 
         await self._app(scope, receive, say)
 
 
 def _serve_frontend(app: FastAPI, folder: Path) -> None:
-    app.add_middleware(_WithSecurityHeaders)
     if (folder / "assets").is_dir():
         app.mount("/assets", StaticFiles(directory=folder / "assets"), name="assets")
 

@@ -23,6 +23,31 @@ class UploadRead(Schema):
     sha256: str | None = Field(description="Null until the last byte is here.")
 
 
+class PartsAsk(Schema):
+    """Which parts of a file are to be sent next."""
+
+    numbers: list[int] = Field([], max_length=100, description="Parts to sign links for; they count from 1.")
+
+
+class PartLinkRead(Schema):
+    """Where one part of a file goes: a PUT of exactly these bytes, with no header of ours."""
+
+    number: int
+    start: int = Field(description="The part's first byte in the file.")
+    length: int
+    url: str
+
+
+class PartsRead(Schema):
+    """How a file is cut, which parts are in the store, and where the ones asked for go."""
+
+    part_bytes: int = Field(description="How long every part but the last is.")
+    parts: int
+    here: list[int] = Field(description="Parts that are in the store.")
+    links: list[PartLinkRead]
+    links_expire_at: datetime
+
+
 class DeliveryAdd(Schema):
     """A new delivery."""
 

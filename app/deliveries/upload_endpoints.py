@@ -1,4 +1,4 @@
-"""Files on their way into a delivery: tus 1.0 for people on shaky lines, one PUT for scripts.
+"""Files on their way into a delivery: tus 1.0 for people on shaky lines, one PUT for scripts, parts for a bucket.
 
 These endpoints read a body as it comes, so they are `async`, touch the database in a thread, and keep no
 Idempotency-Key: an upload has its own.
@@ -30,15 +30,19 @@ from app.deliveries.errors import (
     WrongContentType,
 )
 from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
-from app.deliveries.schemas import UploadRead
+from app.deliveries.schemas import PartsAsk, PartsRead, UploadRead
 from app.kit.errors import Refused
 from app.kit.http import CurrentRuntime, problems
 from app.kit.runtime import Runtime
+from app.kit.storage import StoreUnavailable
 from app.kit.uploads import (
     CHECKSUMS,
     Checksum,
     ChecksumMismatch,
     OffsetMismatch,
+    PartsNotTaken,
+    PartUnknown,
+    SentInParts,
     StoreFull,
     Upload,
     UploadBusy,
@@ -47,11 +51,13 @@ from app.kit.uploads import (
     Uploads,
     UploadStalled,
     UploadTooLong,
+    UploadUnfinished,
 )
 from app.projects.errors import DesignerNeeded
 
 TUS_VERSION = "1.0.0"
 EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
+PARTS_EXTENSION = "soundlist-parts"  # ours: what was created may be sent to the store in parts
 BODY_TYPE = "application/offset+octet-stream"
 MOST_METADATA = 8_192  # characters; the name of a file may be long
 HEX_SHA256 = re.compile(r"[0-9a-f]{64}")
@@ -88,13 +94,14 @@ router = APIRouter(tags=["uploads"], route_class=TusRoute)
 
 
 @router.options("/uploads", status_code=204)
-def describe_uploads(actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
-    """Say what this server knows of tus."""
+def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
+    """Say what this server knows of tus, and whether its store takes parts."""
+    takes_parts = runtime.store.public_origin is not None
     return Response(
         status_code=204,
         headers={
             "Tus-Version": TUS_VERSION,
-            "Tus-Extension": EXTENSIONS,
+            "Tus-Extension": f"{EXTENSIONS},{PARTS_EXTENSION}" if takes_parts else EXTENSIONS,
             "Tus-Max-Size": str(MAX_ARCHIVE_BYTES),
             "Tus-Checksum-Algorithm": ",".join(CHECKSUMS),
         },
@@ -159,8 +166,8 @@ def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tu
     response_class=Response,
     openapi_extra=BINARY_BODY,
     responses=problems(
-        BadUploadHeader, ChecksumMismatch, OffsetMismatch, StoreFull, UnknownTusVersion, UploadBusy, UploadNotFound,
-        UploadStalled, UploadTooLong, WrongContentType,
+        BadUploadHeader, ChecksumMismatch, OffsetMismatch, SentInParts, StoreFull, StoreUnavailable,
+        UnknownTusVersion, UploadBusy, UploadNotFound, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
 async def continue_upload(
@@ -202,6 +209,28 @@ def give_up_upload(
     return Response(status_code=204)
 
 
+@router.post(
+    "/uploads/{upload_id}/parts",
+    response_model=PartsRead,
+    responses=problems(UploadNotFound, PartsNotTaken, PartUnknown, StoreUnavailable),
+)
+def ask_for_parts(upload_id: UUID, body: PartsAsk, runtime: CurrentRuntime, actor: UploadsActor) -> PartsRead:
+    """Say which parts of a file are in the store, and sign links by which others go there."""
+    standing = _uploads(runtime).parts(_own(runtime, actor, upload_id), body.numbers)
+    return PartsRead.model_validate(standing)
+
+
+@router.post(
+    "/uploads/{upload_id}/finish",
+    response_model=UploadRead,
+    responses=problems(ChecksumMismatch, StoreUnavailable, UploadBusy, UploadNotFound, UploadUnfinished),
+)
+def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) -> UploadRead:
+    """Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender says."""
+    upload = _uploads(runtime).finish_parts(_own(runtime, actor, upload_id))
+    return _upload_read(upload)
+
+
 @router.put(
     "/uploads",
     status_code=201,
@@ -237,6 +266,10 @@ async def put_upload(
     except BaseException:  # its sender does not know its id, so nobody could go on with it
         await asyncio.to_thread(uploads.give_up, upload)
         raise
+    return _upload_read(upload)
+
+
+def _upload_read(upload: Upload) -> UploadRead:
     return UploadRead(upload_id=upload.id, offset=upload.length, length=upload.length, sha256=upload.sha256)
 
 

@@ -176,9 +176,10 @@ class Uploads:
             return upload
         file = self._locked(upload, os.O_RDWR | os.O_CREAT)
         try:
-            return self._parts.finish(self._row(upload.id, upload.owner_id))
-        finally:
+            finished = self._parts.finish(self._row(upload.id, upload.owner_id))
             self._staging(upload).unlink(missing_ok=True)
+            return finished
+        finally:
             os.close(file)
 
     def give_up(self, upload: Upload) -> None:

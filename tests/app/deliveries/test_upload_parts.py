@@ -1,0 +1,152 @@
+"""Parts of uploads, and signed links to what is stored, over HTTP: the bucket is reached without the server."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from anyio.from_thread import start_blocking_portal
+from fastapi.testclient import TestClient
+
+from app.kit.runtime import Runtime
+from app.kit.storage import multipart
+from app.main import create_app
+from app.migrate import migrate
+from app.settings import Settings
+from tests.support.deliver import TUS, metadata, open_delivery
+from tests.support.s3 import S3Server
+from tests.support.server import RunningServer, World
+
+CONTENT = bytes(range(256)) * 30_000  # 7.7 MB: two parts
+SECRET_KEY = "only for tests, and only here"
+
+
+@pytest.fixture(scope="module")
+def direct(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
+    """A web process whose bucket browsers may reach; no worker runs beside it."""
+    settings = s3.settings(store_direct=True, data_dir=tmp_path_factory.mktemp("direct"), secret_key=SECRET_KEY)
+    runtime = Runtime.of(Settings(**settings))
+    migrate(runtime.database)
+    with start_blocking_portal() as portal:
+        yield RunningServer(runtime, create_app(runtime), portal)
+    runtime.close()
+
+
+@pytest.fixture
+def world(direct: RunningServer, monkeypatch: pytest.MonkeyPatch) -> World:
+    monkeypatch.setattr(multipart, "PART_BYTES", 5 << 20)
+    return World(direct)
+
+
+def begun(world: World, length: int = len(CONTENT), by: TestClient | None = None) -> str:
+    names = metadata(delivery_id=open_delivery(world), file_name="ambience.wav")
+    headers = TUS | {"Upload-Length": str(length), "Upload-Metadata": names}
+    return str((by or world.designer).post("/v1/uploads", headers=headers).headers["location"])
+
+
+def sent(world: World, s3: S3Server, location: str, numbers: list[int]) -> list[int]:
+    """Send parts as a browser does; return those that are there then."""
+    asked = world.designer.post(f"{location}/parts", json={"numbers": numbers})
+    assert asked.status_code == 200, asked.text
+    for link in asked.json()["links"]:
+        part = CONTENT[link["start"] : link["start"] + link["length"]]
+        assert s3.client.put(link["url"], content=part).status_code == 200
+    here: list[int] = world.designer.post(f"{location}/parts", json={}).json()["here"]
+    return here
+
+
+def test_a_store_that_takes_parts_says_so(direct: RunningServer, server: RunningServer):
+    told = direct.browser().options("/v1/uploads").headers["tus-extension"].split(",")
+    assert "soundlist-parts" in told
+    assert {"creation", "checksum"} < set(told)
+    assert "soundlist-parts" not in server.browser().options("/v1/uploads").headers["tus-extension"]
+
+
+def test_where_no_parts_are_taken_that_is_said(server: RunningServer):
+    world = World(server)
+    location = begun(world)
+    answer = world.designer.post(f"{location}/parts", json={"numbers": [1]})
+    assert (answer.status_code, answer.json()["code"]) == (409, "parts-not-taken")
+    assert answer.json()["fix"] == "send its bytes to the server"
+    assert world.designer.post(f"{location}/finish").json()["code"] in ("upload-unfinished", "parts-not-taken")
+
+
+def test_a_file_goes_to_the_bucket_and_becomes_a_take(world: World, s3: S3Server):
+    delivery_id = open_delivery(world)
+    names = metadata(delivery_id=delivery_id, file_name="ambience.wav")
+    headers = TUS | {"Upload-Length": str(len(CONTENT)), "Upload-Metadata": names}
+    location = world.designer.post("/v1/uploads", headers=headers).headers["location"]
+    assert sent(world, s3, location, [2]) == [2]
+    assert world.designer.head(location, headers=TUS).headers["upload-offset"] == "0"
+    body = {"upload_id": location.rpartition("/")[2], "file_name": "ambience.wav"}
+    assert world.designer.post(f"{location}/finish").json()["code"] == "upload-unfinished"
+    early = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body)
+    assert (early.status_code, early.json()["code"]) == (409, "upload-unfinished")
+    assert sent(world, s3, location, [1]) == [1, 2]
+    finished = world.designer.post(f"{location}/finish")
+    assert finished.status_code == 200, finished.text
+    made = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body)
+    assert (made.status_code, made.json()["master_sha256"]) == (201, finished.json()["sha256"])
+    assert world.server.runtime.store.read(world.studio_id, finished.json()["sha256"]) == CONTENT
+
+
+def test_through_the_server_it_goes_on_working(world: World):
+    params = {"delivery_id": open_delivery(world), "file_name": "laser.wav"}
+    put = world.designer.put("/v1/uploads", params=params, content=CONTENT)
+    assert put.status_code == 201, put.text
+    assert world.server.runtime.store.read(world.studio_id, put.json()["sha256"]) == CONTENT
+
+
+@pytest.mark.parametrize(("who", "status"), [("nobody", 401), ("stranger", 404), ("other_designer", 404)])
+def test_nobody_else_gets_a_link(world: World, who: str, status: int):
+    location, client = begun(world), getattr(world, who)
+    assert client.post(f"{location}/parts", json={"numbers": [1]}).status_code == status
+    assert client.post(f"{location}/finish").status_code == status
+
+
+@pytest.mark.parametrize("numbers", [[0], [3], list(range(1, 102)), ["one"]])
+def test_parts_that_are_none_are_refused(world: World, numbers: list[Any]):
+    answer = world.designer.post(f"{begun(world)}/parts", json={"numbers": numbers})
+    assert answer.status_code == 422
+
+
+def test_bytes_for_the_server_are_refused_once_parts_are_sent(world: World, s3: S3Server):
+    location = begun(world)
+    sent(world, s3, location, [1])
+    headers = TUS | {"Upload-Offset": "5242880", "Content-Type": "application/offset+octet-stream"}
+    answer = world.designer.patch(location, headers=headers, content=CONTENT[5 << 20 :])
+    assert (answer.status_code, answer.json()["code"]) == (409, "sent-in-parts")
+
+
+def test_given_up_is_gone(world: World, s3: S3Server):
+    location = begun(world)
+    sent(world, s3, location, [1])
+    assert world.designer.delete(location, headers=TUS).status_code == 204
+    assert world.designer.post(f"{location}/parts", json={}).status_code == 404
+
+
+def test_a_master_is_fetched_by_a_link_that_expires(world: World, s3: S3Server, tmp_path: Path):
+    delivery_id = open_delivery(world)
+    params = {"delivery_id": delivery_id, "file_name": "Bö laser.wav"}
+    upload_id = world.designer.put("/v1/uploads", params=params, content=CONTENT).json()["upload_id"]
+    body = {"upload_id": upload_id, "file_name": "Bö laser.wav"}
+    take = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).json()
+    sent_on = world.designer.get(f"/v1/takes/{take['id']}/master", follow_redirects=False)
+    assert sent_on.status_code == 307
+    assert sent_on.headers["cache-control"] == "private, max-age=300"
+    url = sent_on.headers["location"]
+    assert url.startswith(s3.endpoint)
+    assert "X-Amz-Expires=900" in url
+    whole = s3.client.get(url)
+    assert (whole.content, whole.headers["content-type"]) == (CONTENT, "application/octet-stream")
+    assert whole.headers["content-disposition"] == "attachment; filename*=UTF-8''B%C3%B6%20laser.wav"
+    part = s3.client.get(url, headers={"Range": "bytes=100-199"})
+    assert (part.status_code, part.content) == (206, CONTENT[100:200])
+    assert world.stranger.get(f"/v1/takes/{take['id']}/master", follow_redirects=False).status_code == 404
+
+
+def test_the_page_may_reach_the_bucket_and_nothing_else(direct: RunningServer, server: RunningServer, s3: S3Server):
+    policy = direct.browser().get("/healthz").headers["content-security-policy"]
+    assert f"connect-src 'self' {s3.endpoint};" in policy
+    assert urlsplit(s3.endpoint).netloc not in server.browser().get("/healthz").headers["content-security-policy"]
