@@ -224,6 +224,8 @@ def dumps(value: object, *, indent: int | None = None) -> str:
 
 def printable(text: str) -> str:
     r"""Return text that is safe to print on one line: what does not print is shown escaped, as in `\n` or `\u202e`."""
+    if text.isprintable():
+        return text
     return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text)
 
 
