@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.renders.spectrum import SpectrumPicture
-from audio_checks import AudioFile, Target, preview, render_master, wave_shapes
+from audio_checks import AudioFile, Target, average_spectrum, preview, render_master, wave_shapes
 
 THUMB_POINTS = 160
 PEAKS_POINTS = 4096
@@ -28,7 +28,7 @@ def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
     with AudioFile(path) as file:
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
-    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict()}
+    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict(), "bands": _bands(path)}
     Path(folder, PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
     plays_itself = _plays_itself(path)
     played = path if plays_itself else str(Path(folder, PREVIEW))
@@ -47,6 +47,15 @@ def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
         },
         "thumb": _thumb(small.to_dict()),
         "plays_itself": plays_itself,
+    }
+
+
+def _bands(path: str) -> dict[str, list[float | None]]:
+    """Return the level of each band of frequency, to a tenth; null for silence."""
+    found = average_spectrum(path)
+    return {
+        "hz": [round(float(hz), 1) for hz in found.centres_hz],
+        "dbfs": [round(float(level), 1) if np.isfinite(level) else None for level in found.levels_dbfs],
     }
 
 

@@ -18,6 +18,13 @@ class ThumbRead(Schema):
     rms: list[int]
 
 
+class BandsRead(Schema):
+    """How the energy of a sound is spread over frequency, in sixths of an octave."""
+
+    hz: list[float] = Field(description="The middle of each band.")
+    dbfs: list[float | None] = Field(description="RMS of what lies in it, over the whole sound; null for nothing.")
+
+
 class PeaksRead(Schema):
     """The shape of a sound across a screen: ±1.0 is full scale."""
 
@@ -28,6 +35,7 @@ class PeaksRead(Schema):
     min: list[float]
     max: list[float]
     rms: list[float]
+    bands: BandsRead | None = Field(None, description="Null for a sound that was drawn by an earlier version.")
 
 
 class SoundBrief(Schema):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
 from audio_checks.render.render import Recipe, Rendered, render
 
@@ -77,6 +78,22 @@ def wave_shapes(
             for shape in shapes:
                 shape.add(block)
         return tuple(shape.result() for shape in shapes)
+
+
+def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
+    """Return how the energy of a WAV file is spread over frequency, streaming it once; see `AverageSpectrum`.
+
+    Raises
+    ------
+    Unreadable
+        When the file breaks a rule of structure.
+    """
+    with wav.open_regular(path) as file:
+        layout = wav.read_layout(file)
+        spectrum = AverageSpectrum(layout.sample_rate_hz, layout.channels, layout.frames)
+        for block in wav.blocks(file, layout):
+            spectrum.add(block)
+        return spectrum.result()
 
 
 def playable_rate_hz(sample_rate_hz: int) -> int:

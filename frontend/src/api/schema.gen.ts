@@ -1002,7 +1002,7 @@ export interface paths {
         delete?: never;
         /**
          * Describe Uploads
-         * @description Say what this server knows of tus.
+         * @description Say what this server knows of tus, and whether its store takes parts.
          */
         options: operations["describe_uploads"];
         head?: never;
@@ -1035,6 +1035,46 @@ export interface paths {
          * @description Append bytes to an upload, and answer once they are on the disk.
          */
         patch: operations["continue_upload"];
+        trace?: never;
+    };
+    "/v1/uploads/{upload_id}/parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask For Parts
+         * @description Say which parts of a file are in the store, and sign links by which others go there.
+         */
+        post: operations["ask_for_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/uploads/{upload_id}/finish": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Finish Parts
+         * @description Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender says.
+         */
+        post: operations["finish_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
         trace?: never;
     };
     "/v1/projects/{project_id}/deliveries": {
@@ -2107,6 +2147,22 @@ export interface components {
             answer: string | null;
             /** Answered At */
             answered_at: string | null;
+        };
+        /**
+         * BandsRead
+         * @description How the energy of a sound is spread over frequency, in sixths of an octave.
+         */
+        BandsRead: {
+            /**
+             * Hz
+             * @description The middle of each band.
+             */
+            hz: number[];
+            /**
+             * Dbfs
+             * @description RMS of what lies in it, over the whole sound; null for nothing.
+             */
+            dbfs: (number | null)[];
         };
         /**
          * Baseline
@@ -4049,6 +4105,60 @@ export interface components {
             loudness_lufs: number | null;
         };
         /**
+         * PartLinkRead
+         * @description Where one part of a file goes: a PUT of exactly these bytes, with no header of ours.
+         */
+        PartLinkRead: {
+            /** Number */
+            number: number;
+            /**
+             * Start
+             * @description The part's first byte in the file.
+             */
+            start: number;
+            /** Length */
+            length: number;
+            /** Url */
+            url: string;
+        };
+        /**
+         * PartsAsk
+         * @description Which parts of a file are to be sent next.
+         */
+        PartsAsk: {
+            /**
+             * Numbers
+             * @description Parts to sign links for; they count from 1.
+             * @default []
+             */
+            numbers: number[];
+        };
+        /**
+         * PartsRead
+         * @description How a file is cut, which parts are in the store, and where the ones asked for go.
+         */
+        PartsRead: {
+            /**
+             * Part Bytes
+             * @description How long every part but the last is.
+             */
+            part_bytes: number;
+            /** Parts */
+            parts: number;
+            /**
+             * Here
+             * @description Parts that are in the store.
+             */
+            here: number[];
+            /** Links */
+            links: components["schemas"]["PartLinkRead"][];
+            /**
+             * Links Expire At
+             * Format: date-time
+             */
+            links_expire_at: string;
+        };
+        /**
          * PasswordChange
          * @description The password that is and the one to be.
          */
@@ -4077,6 +4187,8 @@ export interface components {
             max: number[];
             /** Rms */
             rms: number[];
+            /** @description Null for a sound that was drawn by an earlier version. */
+            bands?: components["schemas"]["BandsRead"] | null;
         };
         /**
          * PersonBrief
@@ -8816,7 +8928,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `offset-mismatch` */
+            /** @description `offset-mismatch`, `sent-in-parts` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -8879,8 +8991,155 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
+            /** @description `store-unavailable` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `store-full` */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    ask_for_parts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                upload_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PartsAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PartsRead"];
+                };
+            };
+            /** @description `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parts-not-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `part-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `store-unavailable` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    finish_parts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                upload_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UploadRead"];
+                };
+            };
+            /** @description `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `upload-busy` */
+            423: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `checksum-mismatch` */
+            460: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `store-unavailable` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

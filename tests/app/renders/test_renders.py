@@ -74,6 +74,11 @@ def test_thumb_peaks_and_spectrum_show_the_sound(world: World) -> None:
     assert shape["points"] == len(shape["rms"]) == 4096
     assert max(shape["max"]) == pytest.approx(0.5, abs=0.001)
     assert shape["duration_s"] == pytest.approx(0.55)
+    # A tone of half full scale for ten elevenths of the time: −6.02 − 3.01 − 0.41 dBFS.
+    bands = dict(zip(shape["bands"]["hz"], shape["bands"]["dbfs"], strict=True))
+    loudest = max(bands, key=lambda hz: bands[hz] or -999.0)
+    assert (900 < loudest < 1_100, bands[loudest]) == (True, pytest.approx(-9.4, abs=0.1))
+    assert 42_000 < max(bands) < 48_000
     spectrum = world.designer.get(master["spectrum_url"])
     assert spectrum.headers["content-type"] == "image/png"
     assert spectrum.content.startswith(b"\x89PNG")

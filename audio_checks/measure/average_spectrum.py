@@ -1,0 +1,94 @@
+"""How the energy of a whole sound is spread over frequency, in bands of equal pitch, for drawing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.decibels import power_decibels
+
+WINDOW_FRAMES = 8_192
+BANDS_AN_OCTAVE = 6
+LOWEST_HZ = 20.0
+
+
+@dataclass(frozen=True)
+class BandLevels:
+    """The level of each band.
+
+    Attributes
+    ----------
+    centres_hz : ndarray, shape (bands,)
+        Rising, from 20 Hz to half the sample rate.
+    levels_dbfs : ndarray, shape (bands,)
+        RMS of what lies in the band, over all channels and the whole length; −inf where nothing does.
+        A full-scale sine has −3.01 dBFS, in the band of its frequency.
+    """
+
+    centres_hz: NDArray[np.float64]
+    levels_dbfs: NDArray[np.float64]
+
+
+class AverageSpectrum:
+    """Accumulates the energy of a sound by bands, block by block.
+
+    Windows are the half of a sine and overlap by half, with silence before the first frame and
+    after the last: squared they add up to one, so that all bands and what lies below them hold
+    exactly the energy of the sound (Parseval's theorem). A bin that two bands share is divided.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole sound.
+    """
+
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:
+        self._frames = frames
+        self._channels = channels
+        self._hop = WINDOW_FRAMES // 2
+        self._window = np.sin(np.pi * (np.arange(WINDOW_FRAMES) + 0.5) / WINDOW_FRAMES)
+        self._held = np.zeros((channels, self._hop))
+        self._power = np.zeros(WINDOW_FRAMES // 2 + 1)
+        self._edges_hz = _edges(sample_rate_hz)
+        self._shares = _shares(self._edges_hz, sample_rate_hz)
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take in the next frames, shape (frames, channels)."""
+        held = np.concatenate((self._held, block.T), axis=1)
+        start = 0
+        while start + WINDOW_FRAMES <= held.shape[1]:
+            spectra = np.fft.rfft(held[:, start : start + WINDOW_FRAMES] * self._window, axis=1)
+            self._power += np.square(np.abs(spectra)).sum(axis=0)
+            start += self._hop
+        self._held = held[:, start:]
+
+    def result(self) -> BandLevels:
+        """Return the levels, and end the stream; −inf everywhere for silence and for no frames."""
+        self.add(np.zeros((WINDOW_FRAMES, self._channels)))
+        energy = 2 * self._power / WINDOW_FRAMES
+        energy[[0, -1]] /= 2  # 0 Hz and half the sample rate have no mirror image
+        bands = self._shares @ energy / max(1, self._frames * self._channels)
+        centres = np.sqrt(self._edges_hz[:-1] * self._edges_hz[1:])
+        return BandLevels(centres, np.array([power_decibels(float(band)) for band in bands]))
+
+
+def _edges(sample_rate_hz: int) -> NDArray[np.float64]:
+    """Return the edges of the bands; the last one reaches half the sample rate."""
+    nyquist_hz = sample_rate_hz / 2
+    count = max(1, math.ceil(BANDS_AN_OCTAVE * math.log2(nyquist_hz / LOWEST_HZ)))
+    edges: NDArray[np.float64] = LOWEST_HZ * 2.0 ** (np.arange(count + 1) / BANDS_AN_OCTAVE)
+    edges[-1] = nyquist_hz
+    return edges
+
+
+def _shares(edges_hz: NDArray[np.float64], sample_rate_hz: int) -> NDArray[np.float64]:
+    """Return how much of each bin belongs to each band, shape (bands, bins)."""
+    width_hz = sample_rate_hz / WINDOW_FRAMES
+    middles = np.arange(WINDOW_FRAMES // 2 + 1) * width_hz
+    low, high = np.maximum(middles - width_hz / 2, 0), np.minimum(middles + width_hz / 2, sample_rate_hz / 2)
+    inside = np.minimum(high, edges_hz[1:, np.newaxis]) - np.maximum(low, edges_hz[:-1, np.newaxis])
+    shares: NDArray[np.float64] = np.clip(inside, 0, None) / (high - low)
+    return shares
