@@ -109,7 +109,7 @@ WITH_SHA static void hash_both(stream *one, const uint8_t *bytes, stream *other,
     store_state(&beside, other->hash);
 }
 
-static int able(void) {
+static int find_able(void) {
     unsigned int a, b, c, d;
     const unsigned int ssse3_and_sse4_1 = 1u << 9 | 1u << 19;
     if (!__get_cpuid(1, &a, &b, &c, &d) || (c & ssse3_and_sse4_1) != ssse3_and_sse4_1) return 0;
@@ -120,8 +120,15 @@ static void hash_one(stream *one, const uint8_t *bytes, Py_ssize_t blocks) { (vo
 static void hash_both(stream *one, const uint8_t *bytes, stream *other, const uint8_t *others, Py_ssize_t blocks) {
     (void)one, (void)bytes, (void)other, (void)others, (void)blocks;
 }
-static int able(void) { return 0; }
+static int find_able(void) { return 0; }
 #endif
+
+/* Asked once: in a virtual machine the question takes as long as hashing 50 kB. */
+static int able(void) {
+    static int known = -1;
+    if (known < 0) known = find_able();
+    return known;
+}
 
 /* Fill up the block that has begun, and return how many of the bytes that took. */
 static Py_ssize_t fill(stream *one, const uint8_t *bytes, Py_ssize_t count) {

@@ -2,7 +2,8 @@
 
 Sources: ITU-R BS.1770-5, Annex 1; EBU Tech 3341 (momentary and short-term); EBU Tech 3342 (range).
 The K-weighting is designed for each rate from the analogue prototypes that the tabulated filters
-stand for (De Man, "Evaluation of implementations of the EBU R128 loudness measurement", 2018).
+stand for (De Man, "Evaluation of implementations of the EBU R128 loudness measurement", 2018); its
+gain is that of the table at every rate.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ MOST_BLOCKS = 4_000_000  # 4.6 days; of what lasts longer, every second or third
 HOPS_AT_ONCE = 6_000
 ABSOLUTE_GATE_LUFS, RELATIVE_GATE_LU, RANGE_GATE_LU = -70.0, -10.0, -20.0
 GATE_POWER = 10 ** ((ABSOLUTE_GATE_LUFS - OFFSET_LUFS) / 10)
+TABULATED_SCALE = 1.0049948987146884  # the highpass of the table is that much louder than its prototype
 REAR_WEIGHT = 10**0.15  # +1.5 dB
 
 
@@ -63,18 +65,18 @@ def k_weighting(sample_rate_hz: int) -> tuple[NDArray[np.float64], NDArray[np.fl
         [(gain + middle * k / q + k * k) / scale, 2 * (k * k - gain) / scale, (gain - middle * k / q + k * k) / scale],
         [1.0, 2 * (k * k - 1) / scale, (1 - k / q + k * k) / scale],
     )
-    k = math.tan(math.pi * 38.13547087602444 / sample_rate_hz)
-    q = 0.5003270373238773
+    k, q = math.tan(math.pi * 38.13547087602444 / sample_rate_hz), 0.5003270373238773
     scale = 1 + k / q + k * k
-    highpass = ([1.0, -2.0, 1.0], [1.0, 2 * (k * k - 1) / scale, (1 - k / q + k * k) / scale])
+    gain = TABULATED_SCALE / scale  # the tabulated numerator is 1, -2, 1, which gains 0.04 dB at 48 kHz, and less above
+    highpass = ([gain, -2 * gain, gain], [1.0, 2 * (k * k - 1) / scale, (1 - k / q + k * k) / scale])
     return np.array([shelf[0], highpass[0]]), np.array([shelf[1], highpass[1]])
 
 
 @lru_cache(maxsize=16)
 def _recursion(sample_rate_hz: int) -> NDArray[np.float64]:
-    """Return what the kernel filters by: b0, b1, b2, a1, a2 of the shelf, a1, a2 of the highpass."""
+    """Return what the kernel filters by: b0, b1, b2, a1, a2 of the shelf, a1, a2 of the highpass (b is 1, -2, 1)."""
     numerators, denominators = k_weighting(sample_rate_hz)
-    return np.concatenate((numerators[0], denominators[0, 1:], denominators[1, 1:]))
+    return np.concatenate((numerators[0] * numerators[1, 0], denominators[0, 1:], denominators[1, 1:]))
 
 
 class Loudness:

@@ -13,7 +13,7 @@ from tests.audio_checks.kernel.signals import Samples, cut, signals
 
 def recursion(rate: int) -> np.ndarray:
     b, a = k_weighting(rate)
-    return np.concatenate((b[0], a[0, 1:], a[1, 1:]))
+    return np.concatenate((b[0] * b[1, 0], a[0, 1:], a[1, 1:]))
 
 
 def hop_energies(samples: Samples, rate: int, weights: np.ndarray) -> np.ndarray:

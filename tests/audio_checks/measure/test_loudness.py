@@ -1,4 +1,4 @@
-"""Loudness against BS.1770's tabulated filters, closed forms and the synthesised EBU cases."""
+"""Loudness against BS.1770's tabulated filters and closed forms; the compliance cases are in test_compliance.py."""
 
 import math
 
@@ -36,13 +36,6 @@ def tone_lufs(dbfs, hz=1_000, rate=48_000, channels=2):
     return -0.691 + dbfs - 10 * math.log10(2) + 10 * math.log10(channels) + response_db(hz, rate)
 
 
-def tones(*parts, channels=2, rate=48_000):
-    """Tones of 1 kHz one after the other, each (level in dBFS, seconds); the phase runs on."""
-    level = np.concatenate([np.full(round(seconds * rate), 10 ** (dbfs / 20)) for dbfs, seconds in parts])
-    wave = level * np.sin(2 * np.pi * 1_000 * np.arange(len(level)) / rate)
-    return np.repeat(wave[:, np.newaxis], channels, axis=1)
-
-
 def test_at_48_khz_the_filters_are_the_tabulated_ones():
     numerators, denominators = k_weighting(48_000)
     for stage, (b, a) in enumerate(TABULATED):
@@ -53,7 +46,7 @@ def test_at_48_khz_the_filters_are_the_tabulated_ones():
 @pytest.mark.parametrize("rate", [22_050, 32_000, 44_100, 88_200, 96_000, 192_000])
 def test_at_other_rates_they_sound_the_same(rate):
     for hz in (30, 100, 500, 997, 2_000):
-        assert response_db(hz, rate) == pytest.approx(response_db(hz, 48_000, TABULATED), abs=0.08)
+        assert response_db(hz, rate) == pytest.approx(response_db(hz, 48_000, TABULATED), abs=0.03)
 
 
 @pytest.mark.parametrize("rate", [8_000, 11_025, 22_050, 44_100, 48_000, 96_000, 192_000])
@@ -69,58 +62,6 @@ def test_997_hz_at_full_scale_in_one_channel_reads_minus_3_01():
     # ITU-R BS.1770-5, Annex 1: by this the constant -0.691 is chosen.
     tone = join(sine(hz=997, dbfs=0, seconds=5))
     assert loudness(tone)["integrated_lufs"] == pytest.approx(-3.01, abs=0.01)
-
-
-EBU_3341 = {
-    "case 1": (tones((-23, 20)), -23.0),
-    "case 2": (tones((-33, 20)), -33.0),
-    "case 3": (tones((-36, 10), (-23, 60), (-36, 10)), -23.0),
-    "case 4": (tones((-72, 10), (-36, 10), (-23, 60), (-36, 10), (-72, 10)), -23.0),
-    "case 5": (tones((-26, 20), (-20, 20.1), (-26, 20)), -23.0),
-    "case 6": (tones((0, 20), channels=5) * 10 ** (np.array([-28, -28, -24, -30, -30]) / 20), -23.0),
-}
-
-
-@pytest.mark.parametrize("case", EBU_3341)
-def test_integrated_loudness_of_ebu_tech_3341(case):
-    samples, lufs = EBU_3341[case]
-    assert loudness(samples)["integrated_lufs"] == pytest.approx(lufs, abs=0.03)
-
-
-def test_short_term_of_ebu_tech_3341_case_9():
-    samples = tones(*[(-20, 1.34), (-30, 1.66)] * 5)
-    assert loudness(samples)["max_short_term_lufs"] == pytest.approx(-23.0, abs=0.1)
-
-
-@pytest.mark.parametrize("start", range(0, 20, 3))
-def test_short_term_of_ebu_tech_3341_cases_10_and_11(start):
-    samples = join(silence(seconds=0.15 * start, channels=2), tones((-23, 3)), silence(seconds=1, channels=2))
-    assert loudness(samples)["max_short_term_lufs"] == pytest.approx(-23.0, abs=0.03)
-
-
-def test_momentary_of_ebu_tech_3341_case_12():
-    samples = tones(*[(-20, 0.18), (-30, 0.22)] * 25)
-    assert loudness(samples)["max_momentary_lufs"] == pytest.approx(-23.0, abs=0.1)
-
-
-@pytest.mark.parametrize("start", range(20))
-def test_momentary_of_ebu_tech_3341_cases_13_and_14(start):
-    samples = join(silence(seconds=0.02 * start, channels=2), tones((-23, 0.4)), silence(seconds=1, channels=2))
-    assert loudness(samples)["max_momentary_lufs"] == pytest.approx(-23.0, abs=0.03)
-
-
-EBU_3342 = {
-    "case 1": (tones((-20, 20), (-30, 20)), 10),
-    "case 2": (tones((-20, 20), (-15, 20)), 5),
-    "case 3": (tones((-40, 20), (-20, 20)), 20),
-    "case 4": (tones((-50, 20), (-35, 20), (-20, 20), (-35, 20), (-50, 20)), 15),
-}
-
-
-@pytest.mark.parametrize("case", EBU_3342)
-def test_loudness_range_of_ebu_tech_3342(case):
-    samples, lu = EBU_3342[case]
-    assert loudness(samples)["loudness_range_lu"] == pytest.approx(lu, abs=0.1)
 
 
 @pytest.mark.parametrize("seconds", [0.05, 0.1, 0.2, 0.39])
