@@ -20,17 +20,16 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from audio_checks.findings import FileReport
+from audio_checks.runner import Task, legible
 from audio_checks.version import TOOL_VERSION
-
-if TYPE_CHECKING:
-    from audio_checks.runner import Task
 
 FORMAT = 1
 READ_BYTES = 1 << 20
 KEPT_DAYS = 30
+WAIT_S = 1.0  # for another run that is writing
 SETTLED_NS = 50_000_000  # a file touched this recently may change again within one tick of its clock
 COARSE_NS = 2_000_000_000  # a tick where times are kept in whole or even seconds, as on FAT
 DAY_S = 86_400
@@ -38,7 +37,8 @@ CODE_SUFFIXES = frozenset({".py", ".so", ".pyd", ".json"})
 NEVER_KEPT = frozenset({"container:cannot-open", "container:not-a-file"})  # facts of the moment, not of the bytes
 TABLES = (
     "CREATE TABLE seen (place BLOB PRIMARY KEY, size INT, mtime INT, ctime INT, inode INT, sha256 BLOB) WITHOUT ROWID",
-    "CREATE TABLE verdicts (key BLOB PRIMARY KEY, context BLOB, size INT, entry TEXT, used_on INT) WITHOUT ROWID",
+    "CREATE TABLE verdicts (key BLOB PRIMARY KEY, context BLOB, size INT, entry BLOB, used_on INT, mark BLOB)"
+    " WITHOUT ROWID",
     "CREATE INDEX sizes ON verdicts (context, size)",
 )
 
@@ -87,7 +87,7 @@ class VerdictCache:
         """Whether there is a place to remember in."""
         return self._database is not None
 
-    def recall(self, tasks: Sequence["Task"]) -> list[FileReport | None]:
+    def recall(self, tasks: Sequence[Task]) -> list[FileReport | None]:
         """Return what was said of each file under the same spec; None for those that must be judged."""
         if self._database is None:
             return [None] * len(tasks)
@@ -97,7 +97,7 @@ class VerdictCache:
             self._forget()
             return [None] * len(tasks)
 
-    def remember(self, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> None:
+    def remember(self, tasks: Sequence[Task], entries: Sequence[FileReport]) -> None:
         """Keep what was said of files that `recall` did not know."""
         if self._database is None:
             return
@@ -130,7 +130,7 @@ class VerdictCache:
         with contextlib.suppress(OSError):
             self._path.unlink(missing_ok=True)
 
-    def _recalled(self, database: sqlite3.Connection, tasks: Sequence["Task"]) -> list[FileReport | None]:
+    def _recalled(self, database: sqlite3.Connection, tasks: Sequence[Task]) -> list[FileReport | None]:
         recalled: list[FileReport | None] = [None] * len(tasks)
         unknown: list[tuple[int, Task]] = []
         noted: set[str] = set()
@@ -160,16 +160,18 @@ class VerdictCache:
         self._note(database, [path for path in found if path not in noted])
         return recalled
 
-    def _verdict(self, database: sqlite3.Connection, task: "Task", sha256: bytes) -> FileReport | None:
+    def _verdict(self, database: sqlite3.Connection, task: Task, sha256: bytes) -> FileReport | None:
         key = _key(task, sha256)
-        row = database.execute("SELECT entry, used_on FROM verdicts WHERE key = ?", (key,)).fetchone()
+        row = database.execute("SELECT entry, used_on, mark FROM verdicts WHERE key = ?", (key,)).fetchone()
         if row is None:
             return None
+        if row[2] != _mark(key, row[0]):
+            raise ValueError("damaged")
         if row[1] != self._today:
             database.execute("UPDATE verdicts SET used_on = ? WHERE key = ?", (self._today, key))
-        return FileReport.from_dict({**json.loads(row[0]), "path": _shown(task.path)})
+        return FileReport.from_dict({**json.loads(row[0]), "path": legible(task.path)})
 
-    def _keep(self, database: sqlite3.Connection, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> None:
+    def _keep(self, database: sqlite3.Connection, tasks: Sequence[Task], entries: Sequence[FileReport]) -> None:
         rows, kept = [], []
         for task, entry in zip(tasks, entries, strict=True):
             before = self._prints.get(task.path)
@@ -181,11 +183,12 @@ class VerdictCache:
                 continue
             self._hashes[task.path] = sha256
             findings = [vars(finding) for finding in entry.findings]
-            said = json.dumps({**vars(entry), "path": "", "findings": findings})  # -inf stays -inf
-            rows.append((_key(task, sha256), _context(task), before.size, said, self._today))
+            said = json.dumps({**vars(entry), "path": "", "findings": findings}).encode()  # -inf stays -inf
+            key = _key(task, sha256)
+            rows.append((key, _context(task), before.size, said, self._today, _mark(key, said)))
             kept.append(task.path)
         with _one_step(database):
-            database.executemany("INSERT OR REPLACE INTO verdicts VALUES (?, ?, ?, ?, ?)", rows)
+            database.executemany("INSERT OR REPLACE INTO verdicts VALUES (?, ?, ?, ?, ?, ?)", rows)
             database.execute("DELETE FROM verdicts WHERE used_on < ?", (self._today - KEPT_DAYS,))
         self._note(database, kept)
 
@@ -204,7 +207,7 @@ class VerdictCache:
 
 def _connected(path: Path) -> sqlite3.Connection:
     """Return the database, made if it is not there; sqlite3.DatabaseError when it is no good."""
-    database = sqlite3.connect(path, timeout=1.0, isolation_level=None)
+    database = sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)
     try:
         database.execute("PRAGMA synchronous = NORMAL")
         (made,) = database.execute("PRAGMA user_version").fetchone()
@@ -232,7 +235,7 @@ def _one_step(database: sqlite3.Connection) -> Iterator[None]:
     database.execute("COMMIT")
 
 
-def _may_be_known(database: sqlite3.Connection, task: "Task", size: int) -> bool:
+def _may_be_known(database: sqlite3.Connection, task: Task, size: int) -> bool:
     """Tell whether there is any verdict in this context on a file of this size: only then is its hash worth reading."""
     found = database.execute("SELECT 1 FROM verdicts WHERE context = ? AND size = ? LIMIT 1", (_context(task), size))
     return found.fetchone() is not None
@@ -240,10 +243,6 @@ def _may_be_known(database: sqlite3.Connection, task: "Task", size: int) -> bool
 
 def _place(path: str) -> bytes:
     return os.fsencode(os.path.abspath(path))
-
-
-def _shown(path: str) -> str:
-    return os.fsencode(path).decode("utf-8", "backslashreplace")
 
 
 def _print_of(path: str) -> _Print | None:
@@ -277,11 +276,16 @@ def _is_lasting(entry: FileReport) -> bool:
     return entry.verdict != "unjudged" and not any(finding.code in NEVER_KEPT for finding in entry.findings)
 
 
-def _key(task: "Task", sha256: bytes) -> bytes:
+def _key(task: Task, sha256: bytes) -> bytes:
     return hashlib.sha256(_context(task) + sha256).digest()
 
 
-def _context(task: "Task") -> bytes:
+def _mark(key: bytes, entry: bytes) -> bytes:
+    """Return what tells an entry from one that was damaged on the disk, or belongs elsewhere."""
+    return hashlib.sha256(key + entry).digest()[:8]
+
+
+def _context(task: Task) -> bytes:
     """Return the hash of all that a verdict depends on besides the bytes."""
     spec, cue = task.spec, task.cue
     parts: list[Any] = [
