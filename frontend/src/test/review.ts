@@ -54,6 +54,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     findings: [],
     waived: false,
     waiver_reason: null,
+    mend_of_id: null,
     renders: [],
     draft_change: null,
     open_comments: 0,

@@ -33,6 +33,7 @@ const take = (more: Partial<Take>): Take => ({
   late: false,
   file_name: 'warp_in.wav',
   note: '',
+  mend_of_id: null,
   master_sha256: 'a',
   master_bytes: 201_600,
   received_at: '2026-11-17T09:00:00Z',
