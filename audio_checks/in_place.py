@@ -33,7 +33,9 @@ SIZES = frozenset(
         "structure:padding",
     }
 )
-NAMES = frozenset({"naming:pattern", "naming:extension", "naming:unlisted"})
+NAMES = frozenset(
+    f"naming:{rule}" for rule in ("pattern", "tokens", "ucs", "extension", "not-portable", "reserved", "unlisted")
+)
 COMPANION = ".meta"  # Unity keeps a file's settings and its identity beside it, under its name and this
 
 

@@ -78,7 +78,8 @@ def run(options: argparse.Namespace) -> int:
         changes, left = _planned(judging, tasks, entries)
         if options.diff:
             _show(changes)
-            return max(_exit_code(entries, options.fail_level), FOUND if changes or left else OK)
+            found = _exit_code(judging.together(tasks, entries), options.fail_level)
+            return max(found, FOUND if changes or left else OK)
         done, stayed = _put_right(changes)
         left = left or stayed
         tasks, entries = judging.again(tasks, entries, done)
