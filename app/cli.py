@@ -114,9 +114,13 @@ def worker() -> None:
 def migrate() -> None:
     """Bring the database to the tables of this version."""
     from app.migrate import migrate as bring_up_to_date
+    from app.row_security import CannotGuardRows
 
     runtime = _opened(_settings())
-    bring_up_to_date(runtime.database)
+    try:
+        bring_up_to_date(runtime.database)
+    except CannotGuardRows as error:
+        raise _refusal([str(error)]) from None
     runtime.close()
 
 

@@ -13,6 +13,7 @@ from app.kit import queue
 from app.kit.db import Database
 from app.kit.health import NotReady
 from app.kit.runtime import Runtime
+from app.row_security import ensure_rows_are_guarded, guard_rows
 
 MIGRATIONS = Path(__file__).resolve().parent.parent / "migrations"
 
@@ -29,6 +30,8 @@ def migrate(database: Database, revision: str = "head") -> None:
     """Upgrade our tables and those of the job queue."""
     queue.create_tables(database)
     command.upgrade(alembic_config(database), revision)
+    if revision == "head":
+        guard_rows(database)
 
 
 @cache
@@ -47,3 +50,4 @@ def ensure_at_head(runtime: Runtime) -> None:
         raise NotReady(
             f"the database is at revision {found or 'none'}, and this version wants {known[0]}; run: soundlist migrate"
         )
+    ensure_rows_are_guarded(runtime)

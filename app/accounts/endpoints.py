@@ -57,7 +57,17 @@ from app.accounts.schemas import (
     StudioInvitationShown,
 )
 from app.kit.db import Database
-from app.kit.http import PROBLEM_TYPE, CurrentRuntime, DbSession, Problem, Route, database_of, problems, runtime_of
+from app.kit.http import (
+    PROBLEM_TYPE,
+    CurrentRuntime,
+    DbSession,
+    Problem,
+    Route,
+    come_in,
+    database_of,
+    problems,
+    runtime_of,
+)
 from app.settings import Settings
 
 __all__ = [
@@ -104,9 +114,11 @@ class Allowed:
         if self.policy.sight is Sight.ANYONE:
             doors.ensure_our_origin(runtime_of(request).settings, _visit(request))
             try:
-                return _arrive(request).actor
+                actor = _arrive(request).actor
             except (NotSignedIn, CsrfMismatch):
                 return Actor()
+            come_in(request, actor.reach)
+            return actor
         actor = _arrive(request).actor
         if actor.token_id is not None:
             if self.policy.build is None:
@@ -114,6 +126,7 @@ class Allowed:
             if self.policy.build not in actor.scopes:
                 raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
             background.add_task(_note_token_use, database_of(request), actor.token_id)
+        come_in(request, actor.reach)
         return actor
 
 

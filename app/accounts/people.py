@@ -11,8 +11,9 @@ from app.accounts.errors import AddressTaken, NameNeeded, NotInDemo, ResetNotFou
 from app.accounts.models import PasswordReset, Person, SignIn
 from app.accounts.rules import Actor, ensure_address, ensure_good_password, normalised_email
 from app.kit import clock
-from app.kit.db import Database
+from app.kit.db import Database, beyond_reach, reach_further
 from app.kit.events import publish
+from app.kit.reach import Reach
 
 SIGN_IN_LASTS = timedelta(days=30)
 RESET_LASTS = timedelta(hours=1)
@@ -66,6 +67,7 @@ def person_for_link(session: Session, actor: Actor, address: str, *, name: str |
 
 def start_sign_in(session: Session, person_id: UUID) -> str:
     """Sign a person in, and return the secret for the cookie."""
+    reach_further(session, Reach(person_id=person_id))
     queries.drop_old_sign_ins(session, person_id)
     secret = new_secret()
     session.add(SignIn(person_id=person_id, secret_sha256=sha256_of(secret), expires_at=clock.now() + SIGN_IN_LASTS))
@@ -91,9 +93,10 @@ def ask_reset(session: Session, email: str, *, base_url: str) -> None:
     if person is None or person.demo_part is not None:
         return
     secret = new_secret()
-    session.add(
-        PasswordReset(person_id=person.id, secret_sha256=sha256_of(secret), expires_at=clock.now() + RESET_LASTS)
-    )
+    with beyond_reach(session):  # whoever asks has shown nothing yet; the link goes to the address
+        session.add(
+            PasswordReset(person_id=person.id, secret_sha256=sha256_of(secret), expires_at=clock.now() + RESET_LASTS)
+        )
     publish(
         session,
         "password.reset_asked",
@@ -108,9 +111,11 @@ def ask_reset(session: Session, email: str, *, base_url: str) -> None:
 
 def reset_password(session: Session, secret: str, password: str) -> Person:
     """Set a new password by a mailed link, once, and end every sign-in; raise ResetNotFound for a link past use."""
-    reset = queries.open_reset(session, sha256_of(secret))
+    with beyond_reach(session):  # the secret is all that says whose link it is
+        reset = queries.open_reset(session, sha256_of(secret))
     if reset is None:
         raise ResetNotFound("this link is used up or older than an hour", fix="ask for a new one")
+    reach_further(session, Reach(person_id=reset.person_id))
     person = session.get_one(Person, reset.person_id)
     person.password_hash = passwords.hash_of(ensure_good_password(password, person.email))
     reset.used_at = clock.now()

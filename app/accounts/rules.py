@@ -7,6 +7,7 @@ from enum import StrEnum
 from uuid import UUID
 
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
+from app.kit.reach import Reach
 
 
 class Role(StrEnum):
@@ -86,6 +87,11 @@ class Actor:
     def is_build(self) -> bool:
         """Whether a machine asks."""
         return self.token_id is not None
+
+    @property
+    def reach(self) -> Reach:
+        """Whose rows the database shows."""
+        return Reach(person_id=self.person_id, project_id=self.token_project_id)
 
     @property
     def person(self) -> UUID:

@@ -18,6 +18,7 @@ from app.accounts.errors import (
 from app.accounts.models import Membership, Person, Studio, StudioInvitation, Token
 from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_good_password, ensure_producer_remains
 from app.kit import clock
+from app.kit.db import beyond_reach
 from app.kit.events import publish
 
 INVITATION_LASTS = timedelta(days=30)
@@ -35,9 +36,10 @@ def sign_up(session: Session, *, email: str, name: str, password: str, studio_na
 def open_studio(session: Session, name: str, person: Person, *, is_demo: bool = False) -> Studio:
     """Make a studio with its first producer."""
     studio = Studio(name=name, is_demo=is_demo)
-    session.add(studio)
-    session.flush()
-    add_member(session, studio.id, person.id, [Role.PRODUCER])
+    with beyond_reach(session):  # nobody is in a studio yet that is not there
+        session.add(studio)
+        session.flush()
+        add_member(session, studio.id, person.id, [Role.PRODUCER])
     return studio
 
 
@@ -152,7 +154,8 @@ def revoke_studio_invitation(session: Session, actor: Actor, studio_id: UUID, in
 
 def studio_invitation_by_secret(session: Session, secret: str) -> StudioInvitation:
     """Return the invitation behind a link, with its studio; raise StudioInvitationNotFound when it is past use."""
-    invitation = queries.studio_invitation_by_secret(session, sha256_of(secret))
+    with beyond_reach(session):  # the secret is all that says whose invitation it is
+        invitation = queries.studio_invitation_by_secret(session, sha256_of(secret))
     if invitation is None:
         raise StudioInvitationNotFound(
             "this invitation is unknown, used, withdrawn or too old", fix="ask the studio for a new one"
@@ -166,14 +169,15 @@ def accept_studio_invitation(
     """Join the studio that a link invites to, with the account of its address, made now if there is none."""
     invitation = studio_invitation_by_secret(session, secret)
     person = people.person_for_link(session, actor, invitation.email, name=name, password=password)
-    invitation.accepted_at = clock.now()
-    invitation.accepted_by = person.id
-    roles = {Role(role) for role in invitation.roles}
-    place = queries.membership(session, invitation.studio_id, person.id)
-    if place is None:
-        add_member(session, invitation.studio_id, person.id, roles)
-    else:
-        place.roles = sorted(roles | {Role(role) for role in place.roles})
+    with beyond_reach(session):  # the studio is not in sight of whoever joins it now
+        invitation.accepted_at = clock.now()
+        invitation.accepted_by = person.id
+        roles = {Role(role) for role in invitation.roles}
+        place = queries.membership(session, invitation.studio_id, person.id)
+        if place is None:
+            add_member(session, invitation.studio_id, person.id, roles)
+        else:
+            place.roles = sorted(roles | {Role(role) for role in place.roles})
     return person, invitation.studio
 
 

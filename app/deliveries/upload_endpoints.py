@@ -292,7 +292,7 @@ def _permitted(
     """Make room for a file, once it is certain that the caller may deliver it there."""
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
-    with runtime.database.reading() as session:
+    with runtime.database.reading(actor.reach) as session:
         studio_id = service.ensure_may_upload(session, actor, delivery_id).studio_id
     return _uploads(runtime).create(
         studio_id=studio_id,
@@ -308,7 +308,7 @@ def _permitted(
 def _own(runtime: Runtime, actor: Actor, upload_id: UUID) -> Upload:
     """Return the caller's upload while they still may deliver there; a delivery closed meanwhile takes it."""
     upload = _uploads(runtime).find(upload_id, owner_id=service.uploader(actor))
-    with runtime.database.reading() as session:
+    with runtime.database.reading(actor.reach) as session:
         service.own_delivery(session, actor, UUID(upload.scope))
     return upload
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
 from pathlib import Path
@@ -15,6 +14,8 @@ from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.engine import make_url
 from sqlalchemy.orm import DeclarativeBase, Session
 from uuid_utils import uuid7
+
+from app.kit.reach import Reach
 
 CONSTRAINT_NAMES = {
     "ix": "ix_%(table_name)s_%(column_0_N_name)s",
@@ -65,17 +66,6 @@ class Base(DeclarativeBase):
         list[str]: sa.JSON().with_variant(JSONB(), "postgresql"),
         list[dict[str, Any]]: sa.JSON().with_variant(JSONB(), "postgresql"),
     }
-
-
-@dataclass(frozen=True)
-class Reach:
-    """For whom a transaction runs: PostgreSQL shows it their rows and no others. Without either it sees nothing."""
-
-    person_id: UUID | None = None
-    project_id: UUID | None = None  # the one project of a build's token, or of a link that somebody holds
-
-
-NOBODY = Reach()
 
 
 class _Session(Session):

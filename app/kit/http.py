@@ -23,8 +23,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import clock, metrics
-from app.kit.db import Base, Database, new_id
+from app.kit.db import Base, Database, new_id, reach_further
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
+from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -100,13 +101,23 @@ def database_of(request: Request) -> Database:
 CurrentRuntime = Annotated[Runtime, Depends(runtime_of)]
 
 
+def come_in(request: Request, reach: Reach) -> None:
+    """Let the request's session reach what its caller may see, once it is known who that is; until then, nothing."""
+    request.state.reach = reach
+    if (session := getattr(request.state, "session", None)) is not None:
+        reach_further(session, reach)
+
+
 def _session(request: Request) -> Iterator[Session]:
     database = database_of(request)
+    reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
-        with database.reading() as session:
+        with database.reading(reach) as session:
+            request.state.session = session
             yield session
         return
-    with database.writing() as session:
+    with database.writing(reach) as session:
+        request.state.session = session
         pending: SavedAnswer | None = getattr(request.state, "saved_answer", None)
         if pending is not None:
             session.add(pending)

@@ -20,7 +20,7 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
 from app.kit import clock, metrics
-from app.kit.db import Base, Database
+from app.kit.db import Base, Database, beyond_reach
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
@@ -138,7 +138,8 @@ class JobQueue:
         }
         if delay_s:
             options["delay_seconds"] = delay_s
-        self._client.enqueue_in_transaction(session, options, name, payload, logs.cause())
+        with beyond_reach(session):  # the jobs are the server's own
+            self._client.enqueue_in_transaction(session, options, name, payload, logs.cause())
 
     def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
         """Return the jobs that wait, run or gave up, oldest first."""

@@ -11,6 +11,7 @@ from app.accounts.models import Person
 from app.accounts.people import person_for_link
 from app.accounts.rules import Actor, ensure_address
 from app.kit import clock
+from app.kit.db import beyond_reach
 from app.kit.events import publish
 from app.projects import queries
 from app.projects.errors import AlreadyEngaged, EngagementNotFound, InvitationNotFound
@@ -95,22 +96,23 @@ def accept_invitation(
     """
     invitation = invitation_by_secret(session, secret)
     designer = person_for_link(session, actor, invitation.email, name=name, password=password)
-    engagement = queries.any_engagement_of(session, invitation.project_id, designer.id)
-    if invitation.accepted_at is not None and engagement is not None:
-        return engagement
-    invitation.accepted_at = clock.now()
-    invitation.accepted_by = designer.id
-    if engagement is None:
-        engagement = Engagement(
-            studio_id=invitation.studio_id,
-            project_id=invitation.project_id,
-            designer=designer,
-            kind=invitation.kind,
-        )
-        session.add(engagement)
-    else:
-        engagement.kind, engagement.ended_at = invitation.kind, None
-    session.flush()
+    with beyond_reach(session):  # the project is not in sight of whoever is engaged on it now
+        engagement = queries.any_engagement_of(session, invitation.project_id, designer.id)
+        if invitation.accepted_at is not None and engagement is not None:
+            return engagement
+        invitation.accepted_at = clock.now()
+        invitation.accepted_by = designer.id
+        if engagement is None:
+            engagement = Engagement(
+                studio_id=invitation.studio_id,
+                project_id=invitation.project_id,
+                designer=designer,
+                kind=invitation.kind,
+            )
+            session.add(engagement)
+        else:
+            engagement.kind, engagement.ended_at = invitation.kind, None
+        session.flush()
     return engagement
 
 

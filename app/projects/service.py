@@ -14,7 +14,9 @@ from app.accounts.queries import membership, project_token, project_tokens
 from app.accounts.rules import Actor, Role, Scope
 from app.accounts.service import add_token, ensure_producer_of
 from app.kit import clock
+from app.kit.db import beyond_reach, reach_further
 from app.kit.events import publish
+from app.kit.reach import Reach
 from app.projects import queries
 from app.projects.errors import (
     DeciderNeeded,
@@ -330,9 +332,11 @@ def invitation_by_secret(session: Session, secret: str) -> ProjectInvitation:
 
     Raises InvitationNotFound for a link that is unknown, withdrawn or too old; an accepted one still shows the list.
     """
-    invitation = queries.invitation_by_secret(session, sha256_of(secret))
+    with beyond_reach(session):  # the secret is all that says whose invitation it is
+        invitation = queries.invitation_by_secret(session, sha256_of(secret))
     if invitation is None:
         raise InvitationNotFound("this invitation is unknown, withdrawn or too old", fix="ask the studio for a new one")
+    reach_further(session, Reach(project_id=invitation.project_id))
     return invitation
 
 

@@ -9,14 +9,21 @@ from alembic import command
 from app.kit import queue
 from app.kit.db import Base, Database
 from app.migrate import alembic_config, migrate
+from tests.support.postgres import Postgres
 
 ROOMS = ("accounts", "builds", "conformance", "deliveries", "kit", "notifications", "projects", "renders", "reviews")
 
 
-@pytest.fixture
-def database(tmp_path: Path):
-    database = Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}")
-    yield database
+@pytest.fixture(params=["sqlite", "postgres"])
+def database(request: pytest.FixtureRequest, tmp_path: Path):
+    if request.param == "sqlite":
+        database = Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}")
+        yield database
+    else:
+        postgres: Postgres = request.getfixturevalue("postgres")
+        postgres.drop_database("migrations")
+        database = Database(postgres.new_database("migrations"))
+        yield database
     database.dispose()
 
 
@@ -40,7 +47,7 @@ def test_down_and_up_again(database: Database):
 
 def test_no_table_of_ours_is_one_of_the_queue(database: Database):
     queue.create_tables(database)
-    theirs = tables_of(database)
+    theirs = set(sa.inspect(database.engine).get_table_names(schema=None if database.is_sqlite else "dbos"))
     assert "workflow_status" in theirs
     assert not theirs & set(Base.metadata.tables)
 

@@ -1,0 +1,15 @@
+"""For whom a transaction runs; the database shows it their rows and no others."""
+
+from dataclasses import dataclass
+from uuid import UUID
+
+
+@dataclass(frozen=True)
+class Reach:
+    """A person's studios and engagements, or one project alone; without either, nothing."""
+
+    person_id: UUID | None = None
+    project_id: UUID | None = None  # of a build's token, or of a link that somebody holds
+
+
+NOBODY = Reach()

@@ -1,0 +1,155 @@
+"""The second lock on PostgreSQL: row policies by which a request's transaction sees its own tenants' rows only.
+
+The first lock is the caller's reach in every WHERE. Each policy follows from the columns of its table, so a
+new table has one, or fails to migrate. Requests run as a role that owns nothing (app/kit/db.py); jobs,
+migrations and backups run as the owner of the tables, whom policies do not hold.
+"""
+
+import hashlib
+from collections.abc import Iterator
+
+import sqlalchemy as sa
+from psycopg import errors
+from sqlalchemy.exc import ProgrammingError
+
+from app import tables  # noqa: F401  every model, for its policy
+from app.kit.db import PERSON, PROJECT, REQUEST_ROLE, Base, Database
+from app.kit.health import NotReady
+from app.kit.runtime import Runtime
+
+POLICY = "within_reach"
+UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
+ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, under a hash of the credentials
+SERVERS_OWN = frozenset({"kit_heartbeats"})
+PERSONAL = frozenset({"accounts_sign_ins", "accounts_password_resets"})
+
+ME, THIS_PROJECT = "soundlist_me()", "soundlist_this_project()"
+SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
+LISTS = {
+    "soundlist_studios()": "select studio_id from accounts_memberships where person_id = soundlist_me()",
+    "soundlist_near_studios()": """
+        select studio_id from accounts_memberships where person_id = soundlist_me()
+        union select studio_id from projects_engagements where designer_id = soundlist_me()
+        union select studio_id from projects_projects where id = soundlist_this_project()""",
+    "soundlist_engagements()": "select project_id from projects_engagements where designer_id = soundlist_me()",
+}
+# A scalar subquery is planned once a query, not once a row.
+STUDIOS, NEAR_STUDIOS, ENGAGEMENTS = (f"any((select {name})::uuid[])" for name in LISTS)
+
+
+class CannotGuardRows(Exception):
+    """The database's login may not make the role that requests run as."""
+
+
+def condition(table: sa.Table) -> str | None:
+    """Return which rows of a table a request may see and write; None where no policy is to hold it."""
+    columns = set(table.columns.keys())
+    project_id = "id" if table.name == "projects_projects" else "project_id"
+    if table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN:
+        return None
+    if table.name in PERSONAL:
+        return f"person_id = {ME}"
+    if table.name == "accounts_studios":
+        return f"id = {NEAR_STUDIOS}"
+    if table.name == "accounts_memberships":
+        return f"studio_id = {STUDIOS} or person_id = {ME}"
+    if "studio_id" not in columns:
+        raise ValueError(f"{table.name} has no studio_id; give it one, or say here who may see its rows")
+    if project_id not in columns:
+        return f"studio_id = {NEAR_STUDIOS}"
+    return f"studio_id = {STUDIOS} or {project_id} = {ENGAGEMENTS} or {project_id} = {THIS_PROJECT}"
+
+
+def guard_rows(database: Database) -> None:
+    """Bring role, grants and policies to what the tables want; touch no table that is guarded as it should be."""
+    if database.is_sqlite:
+        return
+    with database.engine.begin() as connection:
+        _make_role(connection)
+    with database.engine.begin() as connection:
+        for statement in _functions():
+            connection.exec_driver_sql(statement)
+        guarded = _guarded(connection)
+    for table in Base.metadata.sorted_tables:
+        statements = list(_guard(table))
+        mark = hashlib.sha256("\n".join(statements).encode()).hexdigest()
+        if guarded.get(table.name) == mark:
+            continue
+        with database.engine.begin() as connection:  # one at a time: a lock on all would stand in everybody's way
+            for statement in statements:
+                connection.exec_driver_sql(statement)
+            if condition(table) is not None:
+                connection.exec_driver_sql(f"comment on policy {POLICY} on {table.name} is '{mark}'")
+
+
+def ensure_rows_are_guarded(runtime: Runtime) -> None:
+    """Raise NotReady unless policies hold requests and leave the server alone."""
+    if runtime.database.is_sqlite:
+        return
+    active = sa.select(sa.func.row_security_active("accounts_studios"))
+    with runtime.database.engine.connect() as connection:
+        if connection.scalar(active):
+            raise NotReady(
+                "the login of SOUNDLIST_DATABASE_URL does not own the tables, so row security shows it nothing; "
+                "use the login that ran: soundlist migrate"
+            )
+        try:
+            connection.execute(sa.select(sa.func.set_config("role", REQUEST_ROLE, True)))
+        except sa.exc.DBAPIError:
+            raise NotReady(f"the login may not become the role {REQUEST_ROLE}; run: soundlist migrate") from None
+        if not connection.scalar(active):
+            raise NotReady("row security does not hold the requests; run: soundlist migrate")
+
+
+def _make_role(connection: sa.Connection) -> None:
+    role = sa.text("select pg_has_role(oid, 'member') from pg_roles where rolname = :name")
+    is_member = connection.scalar(role, {"name": REQUEST_ROLE})
+    try:
+        if is_member is None:
+            connection.exec_driver_sql(f"create role {REQUEST_ROLE} nologin")
+        if not is_member:
+            connection.exec_driver_sql(f"grant {REQUEST_ROLE} to current_user")
+    except ProgrammingError as error:
+        if not isinstance(error.orig, errors.InsufficientPrivilege):
+            raise
+        login = connection.engine.url.username
+        raise CannotGuardRows(
+            f"{login} may not make roles. Have an administrator of the database say, once: "
+            f'create role {REQUEST_ROLE} nologin; grant {REQUEST_ROLE} to "{login}";'
+        ) from None
+
+
+def _functions() -> Iterator[str]:
+    for name, setting in SAID.items():
+        yield (
+            f"create or replace function {name} returns uuid language sql stable"
+            f" as $$ select nullif(current_setting('{setting}', true), '')::uuid $$"
+        )
+    for name, listed in LISTS.items():
+        # As the owner, who is held by no policy; with a fixed path, so that no other table can stand in.
+        yield (
+            f"create or replace function {name} returns uuid[] language sql stable security definer"
+            f" set search_path from current as $$ select array({listed}) $$"
+        )
+
+
+def _guarded(connection: sa.Connection) -> dict[str, str]:
+    """Return by table what its policy was made from."""
+    policies = sa.text(
+        "select relname, obj_description(pg_policy.oid, 'pg_policy') from pg_policy"
+        " join pg_class on pg_class.oid = polrelid where relnamespace = current_schema()::regnamespace"
+    )
+    return dict(connection.execute(policies).all())
+
+
+def _guard(table: sa.Table) -> Iterator[str]:
+    yield f"revoke all on {table.name} from {REQUEST_ROLE}"
+    if table.name not in SERVERS_OWN:
+        allowed = "insert" if table.name in ADD_ONLY else "select, insert, update, delete"
+        yield f"grant {allowed} on {table.name} to {REQUEST_ROLE}"
+    yield f"drop policy if exists {POLICY} on {table.name}"
+    if (rows := condition(table)) is not None:
+        yield f"alter table {table.name} enable row level security"
+        # Whoever sees their own place in a studio must not give themselves one.
+        written = f"studio_id = {STUDIOS}" if table.name == "accounts_memberships" else rows
+        yield f"create policy {POLICY} on {table.name} to {REQUEST_ROLE} using ({rows}) with check ({written})"

@@ -1,0 +1,305 @@
+"""The second lock: with the first taken away, PostgreSQL still shows each tenant their own rows and no others."""
+
+import json
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+from uuid import UUID
+
+import psycopg
+import pytest
+import sqlalchemy as sa
+from anyio.from_thread import start_blocking_portal
+from psycopg import sql
+from sqlalchemy.orm import Session
+
+from app import tables  # noqa: F401
+from app.kit.db import Base, Database, UtcDateTime, beyond_reach, new_id, reach_further
+from app.kit.health import NotReady
+from app.kit.reach import NOBODY, Reach
+from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import migrate
+from app.projects import queries
+from app.projects.models import Project
+from app.row_security import (
+    ADD_ONLY,
+    PERSONAL,
+    SERVERS_OWN,
+    UNGUARDED,
+    CannotGuardRows,
+    condition,
+    ensure_rows_are_guarded,
+    guard_rows,
+)
+from app.settings import Settings
+from tests.support.postgres import OWNER, Postgres
+from tests.support.server import RunningServer, World
+
+GUARDED = sorted(set(Base.metadata.tables) - UNGUARDED - ADD_ONLY - SERVERS_OWN)
+TENANT = sorted(set(GUARDED) - PERSONAL)
+HERE, THERE = new_id(), new_id()  # two studios
+PROJECTS = {HERE: (new_id(), new_id()), THERE: (new_id(),)}
+MEMBER, DESIGNER, ELSEWHERE = new_id(), new_id(), new_id()
+READERS = {
+    "a member": Reach(person_id=MEMBER),
+    "an engaged designer": Reach(person_id=DESIGNER),
+    "a build": Reach(project_id=PROJECTS[HERE][0]),
+}
+
+
+def row_of(table: sa.Table, studio_id: UUID, project_id: UUID) -> dict[str, Any]:
+    """Return a row of any table that belongs to a studio and one of its projects; the rest of it is made up."""
+    made_up = {UUID: new_id(), int: 1, bool: False, float: 1.0, dict: {}, list: []}
+    row: dict[str, Any] = {}
+    for column in table.columns:
+        if isinstance(column.type, UtcDateTime):
+            value: Any = datetime.now(UTC)
+        elif isinstance(column.type, sa.Enum):
+            value = next(iter(column.type.enum_class or column.type.enums))
+        else:
+            value = made_up.get(column.type.python_type, str(new_id()))
+        row[column.name] = None if column.nullable else value
+    row |= {name: value for name, value in (("studio_id", studio_id), ("project_id", project_id)) if name in row}
+    if table.name == "projects_projects":
+        row["id"] = project_id
+    if table.name == "accounts_studios":
+        row["id"] = studio_id
+    if table.name in ("accounts_memberships", *PERSONAL):
+        row["person_id"] = MEMBER if studio_id == HERE else ELSEWHERE
+    if table.name == "projects_engagements":
+        row["designer_id"] = DESIGNER if project_id == PROJECTS[HERE][0] else new_id()
+    return row
+
+
+@pytest.fixture(scope="module")
+def database(postgres: Postgres) -> Iterator[Database]:
+    """Two studios, one of them with two projects, and in every table a row for each."""
+    database = Database(postgres.new_database("row_security"))
+    migrate(database)
+    with postgres.superuser("row_security") as connection:  # rows are made up: only who owns them matters
+        for table in Base.metadata.sorted_tables:
+            for constraint in table.constraints - {table.primary_key}:
+                drop = sql.SQL("alter table {} drop constraint {} cascade")
+                connection.execute(drop.format(sql.Identifier(table.name), sql.Identifier(str(constraint.name))))
+    with database.writing() as session:
+        for table in Base.metadata.sorted_tables:
+            per_project = "project_id" in table.columns or table.name == "projects_projects"
+            for studio_id, project_ids in PROJECTS.items():
+                for project_id in project_ids if per_project else project_ids[:1]:
+                    session.execute(sa.insert(table).values(row_of(table, studio_id, project_id)))
+    yield database
+    database.dispose()
+
+
+def seen(session: Session, name: str) -> set[UUID]:
+    """Return whose rows a session sees in a table."""
+    owner = {"accounts_studios": "id", **dict.fromkeys(PERSONAL, "person_id")}.get(name, "studio_id")
+    return set(session.scalars(sa.select(Base.metadata.tables[name].columns[owner])))
+
+
+def projects_seen(session: Session, name: str) -> set[UUID]:
+    column = "id" if name == "projects_projects" else "project_id"
+    return set(session.scalars(sa.select(Base.metadata.tables[name].columns[column])))
+
+
+def test_every_table_says_who_may_see_its_rows():
+    for table in Base.metadata.sorted_tables:
+        assert (condition(table) is None) == (table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN), table.name
+
+
+def test_a_table_that_says_nothing_is_refused():
+    with pytest.raises(ValueError, match="has no studio_id"):
+        condition(sa.Table("reviews_secrets", sa.MetaData(), sa.Column("id", sa.Uuid, primary_key=True)))
+
+
+@pytest.mark.parametrize("name", GUARDED)
+def test_who_is_not_known_sees_nothing(database: Database, name: str):
+    with database.reading(NOBODY) as session:
+        assert seen(session, name) == set()
+    with database.reading() as session:
+        assert len(seen(session, name)) >= 2, "the server itself sees all"
+
+
+@pytest.mark.parametrize("name", TENANT)
+def test_nobody_sees_another_studio(database: Database, name: str):
+    for who, reach in READERS.items():
+        with database.reading(reach) as session:
+            assert seen(session, name) <= {HERE}, who
+    with database.reading(Reach(person_id=MEMBER)) as session:
+        assert seen(session, name) == {HERE}
+    with database.reading(Reach(person_id=ELSEWHERE)) as session:
+        assert seen(session, name) == {THERE}
+
+
+@pytest.mark.parametrize("name", sorted({*TENANT} - {"accounts_studios", "accounts_memberships"}))
+def test_designers_and_builds_see_their_project_alone(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    one, other = PROJECTS[HERE]
+    with database.reading(Reach(person_id=MEMBER)) as session:
+        if "project_id" in table.columns:
+            assert projects_seen(session, name) == {one, other}
+    for reach in (Reach(person_id=DESIGNER), Reach(project_id=one)):
+        with database.reading(reach) as session:
+            if "project_id" in table.columns or name == "projects_projects":
+                assert projects_seen(session, name) == {one}
+            else:
+                assert seen(session, name) == {HERE}
+
+
+@pytest.mark.parametrize("name", sorted(PERSONAL))
+def test_what_is_personal_is_seen_by_its_person(database: Database, name: str):
+    with database.reading(Reach(person_id=MEMBER)) as session:
+        assert seen(session, name) == {MEMBER}
+
+
+@pytest.mark.parametrize("name", TENANT)
+def test_nobody_writes_into_another_studio(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    studio = table.columns["id" if name == "accounts_studios" else "studio_id"]
+    with database.writing(Reach(person_id=MEMBER)) as session:
+        for statement in (sa.update(table).values({studio.name: HERE}), sa.delete(table)):
+            result = session.execute(statement.where(studio == THERE))
+            assert result.rowcount == 0  # type: ignore[attr-defined]
+    row = {name: value for name, value in row_of(table, THERE, new_id()).items() if value is not None}
+    if name == "accounts_memberships":
+        row["person_id"] = MEMBER  # nobody gives themselves a place
+    with (
+        pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
+        database.writing(Reach(person_id=MEMBER)) as session,
+    ):
+        session.execute(sa.insert(table).values(row))
+
+
+def test_the_servers_own_tables_are_closed_to_requests(database: Database):
+    for schema, name in (
+        (None, "kit_heartbeats"),
+        (None, "kit_saved_answers"),
+        ("dbos", "workflow_status"),
+        ("dbos", "workflow_inputs"),
+    ):
+        with (
+            pytest.raises(sa.exc.ProgrammingError, match="permission denied"),
+            database.reading(Reach(person_id=MEMBER)) as session,
+        ):
+            session.execute(sa.select(sa.literal(1)).select_from(sa.table(name, schema=schema)))
+
+
+def test_reach_grows_only_for_whom_it_is_said(database: Database):
+    with database.reading(NOBODY) as session:
+        assert seen(session, "projects_projects") == set()
+        reach_further(session, Reach(person_id=ELSEWHERE))
+        assert seen(session, "projects_projects") == {THERE}
+        with beyond_reach(session):
+            assert seen(session, "projects_projects") == {HERE, THERE}
+        assert seen(session, "projects_projects") == {THERE}
+    with database.reading(NOBODY) as session:
+        assert seen(session, "projects_projects") == set(), "what the last one was told is forgotten"
+
+
+def test_who_fails_beyond_reach_comes_back_with_nothing(database: Database):
+    def fail_in(session: Session) -> None:
+        with beyond_reach(session):
+            assert seen(session, "projects_projects") == {HERE, THERE}
+            raise ZeroDivisionError
+
+    with database.reading(NOBODY) as session:
+        with pytest.raises(ZeroDivisionError):
+            fail_in(session)
+        assert seen(session, "projects_projects") == set()
+
+
+@pytest.fixture(scope="module")
+def server(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
+    """The web application on a database of its own, without a worker."""
+    settings = Settings(
+        data_dir=tmp_path_factory.mktemp("data"),
+        secret_key="only for tests",  # type: ignore[arg-type]
+        database_url=postgres.new_database("second_lock"),
+    )
+    runtime = Runtime.of(settings)
+    migrate(runtime.database)
+    with start_blocking_portal() as portal:
+        yield RunningServer(runtime, create_app(runtime), portal)
+    runtime.close()
+
+
+def test_a_forgotten_where_shows_no_other_studio(server: RunningServer, monkeypatch: pytest.MonkeyPatch):
+    def forgetful(session: Session, *_: Any, **__: Any) -> list[Project]:
+        return list(session.scalars(sa.select(Project).options(sa.orm.joinedload(Project.studio))))
+
+    monkeypatch.setattr(queries, "projects_seen", forgetful)
+    world, other = World(server), World(server)
+    for browser, mine in (
+        (world.producer, {str(world.project_id)}),
+        (world.designer, {str(world.project_id)}),
+        (other.producer, {str(other.project_id)}),
+        (world.stranger, set()),
+    ):
+        assert {each["id"] for each in browser.get("/v1/projects").json()["items"]} == mine
+
+
+def test_an_answer_kept_for_a_key_is_not_seen_by_the_request_that_keeps_it(server: RunningServer):
+    world = World(server)
+    headers = {"Idempotency-Key": "a key of mine"}
+    asked = [
+        world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={"note": "first"}, headers=headers)
+        for _ in range(2)
+    ]
+    assert [answer.status_code for answer in asked] == [201, 201]
+    assert asked[0].json() == json.loads(asked[1].text)
+
+
+@pytest.fixture(scope="module")
+def runtime(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Runtime]:
+    url = postgres.new_database("set_up")
+    runtime = Runtime.of(Settings(data_dir=tmp_path_factory.mktemp("data"), database_url=url))
+    migrate(runtime.database)
+    yield runtime
+    runtime.close()
+
+
+class TestSetUp:
+    """What is wrong with logins and roles is said in words."""
+
+    def test_a_guarded_database_is_ready_and_touched_no_more(self, runtime: Runtime):
+        ensure_rows_are_guarded(runtime)
+        said: list[str] = []
+        sa.event.listen(
+            runtime.database.engine, "before_cursor_execute", lambda _c, _k, statement, *_: said.append(statement)
+        )
+        guard_rows(runtime.database)
+        assert said
+        assert not [statement for statement in said if "create policy" in statement]
+
+    @pytest.mark.usefixtures("runtime")
+    def test_another_login_is_noticed(self, postgres: Postgres, tmp_path: Path):
+        with postgres.superuser("set_up") as connection:
+            connection.execute("create role somebody login in role soundlist_request")
+        url = postgres.url("set_up").replace(OWNER, "somebody", 1)
+        other = Runtime.of(Settings(data_dir=tmp_path, database_url=url))
+        with pytest.raises(NotReady, match="does not own the tables"):
+            ensure_rows_are_guarded(other)
+        other.close()
+
+    def test_lost_policies_are_noticed(self, postgres: Postgres, runtime: Runtime):
+        with postgres.superuser("set_up") as connection:
+            connection.execute("alter table accounts_studios disable row level security")
+        with pytest.raises(NotReady, match="run: soundlist migrate"):
+            ensure_rows_are_guarded(runtime)
+
+    def test_a_login_without_the_right_says_what_an_administrator_types(self, postgres: Postgres):
+        with postgres.superuser() as connection:
+            connection.execute("create role modest login")
+        postgres.new_database("modest")
+        with postgres.superuser("modest") as connection:
+            connection.execute("alter database modest owner to modest")
+        database = Database(postgres.url("modest").replace(OWNER, "modest", 1))
+        with pytest.raises(CannotGuardRows, match='grant soundlist_request to "modest"') as refusal:
+            guard_rows(database)
+        typed = str(refusal.value).partition(": ")[2].partition(";")[2]
+        with psycopg.connect(host=str(postgres.folder), user="postgres", dbname="modest", autocommit=True) as admin:
+            admin.execute(typed)
+        migrate(database)
+        database.dispose()

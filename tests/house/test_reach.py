@@ -1,0 +1,44 @@
+"""Who opens the database as the server itself, past the row policies: jobs and commands, and these few."""
+
+import ast
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+NO_REQUEST = ("app/*/jobs.py", "app/worker.py", "app/cli.py", "app/demo/*.py", "app/migrate.py")
+BEFORE_ANYBODY_IS_KNOWN = {
+    "app/accounts/doors.py": "finds out who comes, by the secret that was sent",
+    "app/accounts/people.py": "finds whose address and password these are; people are global",
+    "app/accounts/endpoints.py": "notes after the answer that a token was used",
+}
+SERVERS_OWN_TABLES = {
+    "app/kit/http.py": "answers kept for an Idempotency-Key",
+    "app/kit/queue.py": "jobs and heartbeats",
+    "app/kit/health.py": "whether the database answers",
+    "app/kit/uploads/parts.py": "an upload's row, for its owner alone",
+    "app/kit/uploads/staged.py": "an upload's row, for its owner alone",
+}
+
+
+def opens_as_the_server(source: str) -> bool:
+    """Whether code says database.reading() or .writing() without saying for whom."""
+    return any(
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in ("reading", "writing")
+        and not node.args
+        and not node.keywords
+        for node in ast.walk(ast.parse(source))
+    )
+
+
+def test_requests_open_the_database_for_their_caller():
+    outside = {str(path.relative_to(ROOT)) for pattern in NO_REQUEST for path in ROOT.glob(pattern)}
+    found = {
+        str(path.relative_to(ROOT)) for path in ROOT.glob("app/**/*.py") if opens_as_the_server(path.read_text())
+    } - outside
+    assert found == {*BEFORE_ANYBODY_IS_KNOWN, *SERVERS_OWN_TABLES}
+
+
+def test_the_test_sees_it():
+    assert opens_as_the_server("with runtime.database.reading() as session: pass")
+    assert not opens_as_the_server("with runtime.database.reading(actor.reach) as session: pass")
