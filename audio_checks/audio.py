@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import PurePath
 from types import TracebackType
@@ -29,6 +29,7 @@ from audio_checks.measure.steps import Steps
 from audio_checks.measure.true_peak import TruePeak
 from audio_checks.metadata import Metadata
 from audio_checks.metadata.gather import Gathering
+from audio_checks.sound_files import open_sound
 
 READ_BYTES = 1 << 20
 
@@ -68,11 +69,11 @@ class Facts:
     Attributes
     ----------
     container, encoding : str
-        "wav" or "rf64"; "pcm" or "float".
+        "wav", "rf64" or "flac"; "pcm" or "float".
     bit_depth : int
         Bits that count, as the header says.
     chunks : tuple of str
-        The ids in their order.
+        The ids in their order; of FLAC the names of its metadata blocks.
     """
 
     container: str
@@ -109,7 +110,7 @@ class Facts:
 
 
 class AudioFile:
-    """A WAV file, opened and found readable by its header.
+    """A WAV or FLAC file, opened and found readable by its header.
 
     Parameters
     ----------
@@ -117,22 +118,23 @@ class AudioFile:
         A regular file.
     name : str, optional
         The file name as delivered, when it differs from the path's.
+    flac : bool
+        Whether FLAC is read; it is unpacked to a WAV for that, in a throw-away child.
 
     Raises
     ------
     Unreadable
         When a rule of structure is broken. R7 (finite samples) shows only when the file streams.
+    SandboxFailed
+        When a FLAC could not be unpacked for want of time, memory or disk.
     """
 
-    def __init__(self, path: str | os.PathLike[str], *, name: str | None = None) -> None:
+    def __init__(self, path: str | os.PathLike[str], *, name: str | None = None, flac: bool = True) -> None:
         self.path = path
         self.name = PurePath(os.fspath(path)).name if name is None else name
-        self._file = wav.open_regular(path)
-        try:
-            self.layout = wav.read_layout(self._file)
-        except BaseException:
-            self._file.close()
-            raise
+        self._sound = open_sound(path, name=name, flac=flac)
+        self._file = self._sound.file
+        self.layout = self._sound.layout
         self._wanted: set[str] | None = None
         self._figures: dict[str, Any] = {}
         self._measured: set[str] = set()
@@ -150,7 +152,7 @@ class AudioFile:
 
     def close(self) -> None:
         """Close the file; what was measured stays."""
-        self._file.close()
+        self._sound.close()
 
     @property
     def stem(self) -> str:
@@ -165,16 +167,16 @@ class AudioFile:
     @cached_property
     def facts(self) -> Facts:
         """What the header says; only `effective_bits` streams the file."""
-        layout = self.layout
+        layout, flac = self.layout, self._sound.flac
         return Facts(
-            container=layout.container,
+            container="flac" if flac else layout.container,
             encoding=layout.encoding,
             sample_rate_hz=layout.sample_rate_hz,
             bit_depth=layout.bit_depth,
             channels=layout.channels,
             frames=layout.frames,
             duration_s=layout.duration_s,
-            chunks=tuple(chunk.id for chunk in layout.chunks),
+            chunks=flac.blocks if flac else tuple(chunk.id for chunk in layout.chunks),
             _effective_bits=self._bits_in_use,
             _metadata=lambda: self.metadata,
         )
@@ -183,7 +185,10 @@ class AudioFile:
     def metadata(self) -> Metadata:
         """What the file says of itself beside its sound. Streams the file once."""
         self._hashed()
-        return self._gathering.read()
+        metadata = self._gathering.read()
+        if self._sound.flac is None:
+            return metadata
+        return replace(metadata, fields=metadata.fields | self._sound.flac.comment_fields)
 
     @cached_property
     def measurements(self) -> Measurements:
@@ -197,7 +202,7 @@ class AudioFile:
 
     @property
     def pcm_sha256(self) -> str:
-        """SHA-256 of the bytes of the `data` chunk, in hexadecimal. Streams the file once."""
+        """SHA-256 of the samples as the `data` chunk of a WAV holds them, in hexadecimal. Streams the file once."""
         return self._hashed()[1]
 
     def prepare(self, figures: Iterable[str]) -> None:
@@ -262,7 +267,8 @@ class AudioFile:
             self._figures.update(accumulator.result())
         self._gathering = gathering
         self._measured |= families
-        self._hashes = hashes.result()
+        whole, pcm = hashes.result()
+        self._hashes = (whole if self._sound.flac is None else self._sound.original_sha256(), pcm)
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
 
     def _accumulator(self, family: str) -> Accumulator:

@@ -223,7 +223,7 @@ def _judge(
     shown = legible(task.path) if name is None else name
     blank = FileReport(path=shown, verdict="unjudged", category=spec.category)
     try:
-        with AudioFile(task.path, name=name) as file:
+        with AudioFile(task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec)) as file:
             if not all_figures:
                 file.prepare(figure for check in selected for figure in check.figures)
             whole = replace(
@@ -236,7 +236,7 @@ def _judge(
             )
             found, crashed = _found(selected, file, spec, task.cue)
     except Unreadable as error:
-        return _refused(blank, error)
+        return _refused(blank, error, spec)
     except Exception as error:  # whatever breaks in the tool must not be held against the file
         return replace(blank, findings=(crash("audio-checks", error),))
     if task.unlisted:
@@ -271,10 +271,24 @@ def _found(
     return found, crashed
 
 
-def _refused(blank: FileReport, error: Unreadable) -> FileReport:
+def _reads_flac(spec: DeliverySpec) -> bool:
+    """Whether a FLAC is looked into: where it is accepted, or where another container would not reject it."""
+    containers = spec.accept.containers
+    return containers is None or "flac" in containers or spec.checks.get("container", "error") != "error"
+
+
+def _refused(blank: FileReport, error: Unreadable, spec: DeliverySpec) -> FileReport:
+    if error.code == "container:flac" and blank.path.lower().endswith(".flac"):  # lawful, but not accepted
+        wanted = spec.accept.containers or ()
+        finding = Finding(
+            code=error.code,
+            message=f"container FLAC, accepted {', '.join(wanted).upper()}",
+            fix=f"export the sound as {wanted[0].upper()}" if wanted else error.fix,
+            severity="error",
+        )
+        return replace(blank, verdict="rejected", findings=(finding,))
     finding = Finding(code=error.code, message=f"{error} ({error.rule})", fix=error.fix, severity="error")
-    whole_flac = error.code == "container:flac" and blank.path.lower().endswith(".flac")  # lawful, but not accepted
-    return replace(blank, verdict="rejected" if whole_flac else "unreadable", findings=(finding,))
+    return replace(blank, verdict="unreadable", findings=(finding,))
 
 
 def _unlisted() -> Finding:

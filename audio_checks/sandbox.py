@@ -85,6 +85,19 @@ class _Limits:
     result_bytes: int
 
 
+_inside = False
+
+
+def is_inside() -> bool:
+    """Tell whether this process is a throw-away child itself, so that no other is needed, nor allowed."""
+    return _inside
+
+
+def _settle_inside() -> None:
+    global _inside  # noqa: PLW0603 - of this process, which ends with its one call
+    _inside = True
+
+
 class Sandbox:
     """Runs calls in throw-away children. Threads may share one.
 
@@ -349,6 +362,7 @@ def _in_new_process(request: bytes, deadline: float) -> tuple[bytes, bytes]:
 
 def serve_once() -> None:
     """Answer the request on standard input, and leave."""
+    _settle_inside()
     output = os.dup(1)
     os.dup2(2, 1)
     kind, body = _answer(sys.stdin.buffer.read())
@@ -444,6 +458,7 @@ def _kill(pid: int) -> None:
 def _be_child(work: int) -> None:
     """Answer one request, and leave without a trace."""
     code = 1
+    _settle_inside()
     try:
         signal.set_wakeup_fd(-1)
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)

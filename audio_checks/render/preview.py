@@ -12,6 +12,7 @@ from audio_checks import wav
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
 from audio_checks.render.render import Recipe, Rendered, render
+from audio_checks.sound_files import open_sound
 
 MAX_RATE_HZ = 48_000
 BIT_DEPTH = 16
@@ -45,8 +46,8 @@ def preview(
         When the master breaks a rule of structure.
     """
     out = Path(out_path)
-    with wav.open_regular(path) as file:
-        layout = wav.read_layout(file)
+    with open_sound(path) as sound:
+        layout = sound.layout
         recipe = Recipe(
             sample_rate_hz=playable_rate_hz(layout.sample_rate_hz),
             bit_depth=BIT_DEPTH,
@@ -55,7 +56,7 @@ def preview(
             dither="tpdf",
             loop=loop,
         )
-        rendered = render(file, layout, recipe, out)
+        rendered = render(sound, recipe, out)
     if backwards:
         _turn_round(out)
     return rendered
@@ -64,34 +65,34 @@ def preview(
 def wave_shapes(
     path: str | os.PathLike[str], points: Sequence[int] = (SMALL_POINTS, LARGE_POINTS)
 ) -> tuple[WaveShape, ...]:
-    """Return the shape of a WAV file at each number of points, streaming it once.
+    """Return the shape of a sound at each number of points, streaming it once.
 
     Raises
     ------
     Unreadable
         When the file breaks a rule of structure.
     """
-    with wav.open_regular(path) as file:
-        layout = wav.read_layout(file)
+    with open_sound(path) as sound:
+        layout = sound.layout
         shapes = [Waveform(layout.sample_rate_hz, layout.channels, layout.frames, count) for count in points]
-        for block in wav.blocks(file, layout):
+        for block in wav.blocks(sound.file, layout):
             for shape in shapes:
                 shape.add(block)
         return tuple(shape.result() for shape in shapes)
 
 
 def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
-    """Return how the energy of a WAV file is spread over frequency, streaming it once; see `AverageSpectrum`.
+    """Return how the energy of a sound is spread over frequency, streaming it once; see `AverageSpectrum`.
 
     Raises
     ------
     Unreadable
         When the file breaks a rule of structure.
     """
-    with wav.open_regular(path) as file:
-        layout = wav.read_layout(file)
+    with open_sound(path) as sound:
+        layout = sound.layout
         spectrum = AverageSpectrum(layout.sample_rate_hz, layout.channels, layout.frames)
-        for block in wav.blocks(file, layout):
+        for block in wav.blocks(sound.file, layout):
             spectrum.add(block)
         return spectrum.result()
 

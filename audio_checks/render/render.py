@@ -28,6 +28,7 @@ from audio_checks.render.resample import (
     position_after,
     resample_blocks,
 )
+from audio_checks.sound_files import OpenSound, open_sound
 
 RENDERER_VERSION = "2"  # changes when the same master and target give other bytes
 TOLERANCE_DB = 0.05  # as for checks: what they would let pass is not touched
@@ -181,9 +182,11 @@ def render_master(
         `render:upwards`, `render:channels`, `render:shaped-too-low`, `render:over-peak`.
     Unreadable
         When the master breaks a rule of structure.
+    SandboxFailed
+        When a FLAC master could not be unpacked for want of time, memory or disk.
     """
-    with wav.open_regular(path) as file:
-        layout = wav.read_layout(file)
+    with open_sound(path) as sound:
+        layout = sound.layout
         ensure_downwards(layout.sample_rate_hz, target.sample_rate_hz)
         recipe = Recipe(
             sample_rate_hz=target.sample_rate_hz,
@@ -198,13 +201,13 @@ def render_master(
             loop=loop,
             loop_points=(loop_points,) if loop_points else None,
         )
-        return render(file, layout, recipe, Path(out_path))
+        return render(sound, recipe, Path(out_path))
 
 
-def render(file: BinaryIO, layout: wav.WavLayout, recipe: Recipe, out_path: Path) -> Rendered:
+def render(sound: OpenSound, recipe: Recipe, out_path: Path) -> Rendered:
     """Make a file by a recipe; see `render_master`."""
     ensure_shapeable(recipe.dither, recipe.sample_rate_hz)
-    work = _Work(file, layout, recipe)
+    work = _Work(sound, recipe)
     scratch = out_path.with_name(f".{out_path.name}.{os.getpid()}.part")
     try:
         lowered_db = 0.0
@@ -229,9 +232,9 @@ def render(file: BinaryIO, layout: wav.WavLayout, recipe: Recipe, out_path: Path
 class _Work:
     """One master being rendered: what holds for every attempt."""
 
-    def __init__(self, file: BinaryIO, layout: wav.WavLayout, recipe: Recipe) -> None:
-        self._file = file
-        self._layout = layout
+    def __init__(self, sound: OpenSound, recipe: Recipe) -> None:
+        self._file = sound.file
+        self._layout = layout = sound.layout
         self._recipe = recipe
         whole = ((0, layout.frames - 1),)
         self._points = recipe.loop_points or tuple((loop.start, loop.end) for loop in layout.loops)
@@ -240,7 +243,7 @@ class _Work:
         self._frames = frames_after(layout.frames, layout.sample_rate_hz, recipe.sample_rate_hz, loop=self._circular)
         self._channels = layout.channels if recipe.gains is None else recipe.gains.shape[1]
         self._mask = layout.channel_mask if recipe.gains is None else None
-        self._seed = _digest(file)
+        self._seed = _digest(sound.original)
         self._new_points = tuple(self._moved(start, end) for start, end in self._points)
 
     def write(self, path: Path, lowered_db: float) -> "_Attempt":

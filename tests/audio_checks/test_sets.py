@@ -108,5 +108,5 @@ def test_the_command_line_says_so_too(tmp_path, capsys, monkeypatch):
     assert main(check) == 0
     assert "the same samples as a.wav" in capsys.readouterr().out
     assert main([*check, "--fail-level", "warning"]) == 1
-    monkeypatch.setattr(naming, "check_set", lambda files: 1 / 0)
+    monkeypatch.setattr(naming, "check_set", lambda _files: 1 / 0)
     assert main(check) == 2  # a fault of the tool outranks what it found
