@@ -25,6 +25,7 @@ from typing import Any, NamedTuple
 from audio_checks.findings import FileReport
 from audio_checks.runner import Task, legible
 from audio_checks.version import TOOL_VERSION
+from audio_checks.windows import reachable
 
 FORMAT = 1
 READ_BYTES = 1 << 20
@@ -247,7 +248,7 @@ def _place(path: str) -> bytes:
 
 def _print_of(path: str) -> _Print | None:
     try:
-        found = os.stat(path)
+        found = os.stat(reachable(path))
     except (OSError, ValueError):
         return None
     if not stat.S_ISREG(found.st_mode):
@@ -264,7 +265,7 @@ def _is_settled(printed: _Print, now: int) -> bool:
 def _sha256(path: str) -> bytes | None:
     whole = hashlib.sha256()
     try:
-        with open(path, "rb", buffering=0) as file:
+        with open(reachable(path), "rb", buffering=0) as file:
             while block := file.read(READ_BYTES):
                 whole.update(block)
     except OSError:

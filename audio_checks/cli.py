@@ -41,8 +41,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit code."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its idle threads cost a quarter of a short run
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="backslashreplace")
+        if hasattr(stream, "reconfigure"):  # a file or a program on Windows would get another encoding than CI reads
+            stream.reconfigure(encoding=None if stream.isatty() else "utf-8", errors="backslashreplace")
     arguments = list(sys.argv[1:] if argv is None else argv)
     try:
         options = parser_of([name for name in COMMANDS if name in arguments]).parse_args(arguments)

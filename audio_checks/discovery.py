@@ -9,6 +9,7 @@ from pathlib import Path
 from audio_checks.errors import SpecError
 from audio_checks.sound_list import AUDIO_SUFFIXES
 from audio_checks.spec import DeliverySpec, has_spec, load_spec
+from audio_checks.windows import reachable, unlimited
 
 SPEC_NAMES = ("audio-checks.toml", "pyproject.toml")
 
@@ -47,7 +48,7 @@ def audio_files(paths: Iterable[str]) -> Iterator[Found]:
 
 def _below(path: str) -> Iterator[Found]:
     try:
-        is_folder = stat.S_ISDIR(os.stat(path).st_mode)
+        is_folder = stat.S_ISDIR(os.stat(reachable(path)).st_mode)
     except (OSError, ValueError) as error:
         if not (isinstance(error, OSError) and os.path.lexists(path)):
             raise NotThere(f"{path}: no such file or folder") from None
@@ -55,12 +56,13 @@ def _below(path: str) -> Iterator[Found]:
     if not is_folder:
         yield Found(path, os.path.basename(path))
         return
-    for folder, folders, names in os.walk(path, onerror=_refuse):
+    start = unlimited(path)
+    for folder, folders, names in os.walk(start, onerror=_refuse):
         folders[:] = sorted(one for one in folders if not one.startswith("."))
         for name in sorted(names):
             if not name.startswith(".") and os.path.splitext(name)[1].lower() in AUDIO_SUFFIXES:
-                whole = os.path.join(folder, name)
-                yield Found(whole, os.path.relpath(whole, path))
+                relative = os.path.relpath(os.path.join(folder, name), start)
+                yield Found(os.path.join(path, relative), relative)
 
 
 def _refuse(error: OSError) -> None:

@@ -2,22 +2,31 @@
 
 import re
 from functools import lru_cache
-from pathlib import Path
+from pathlib import Path, PurePath, PureWindowsPath
+
+from audio_checks.windows import without_long_prefix
 
 
-def matches(glob: str, path: str | Path, folder: Path | None) -> bool:
-    """Tell whether a path matches a glob.
+def matches(glob: str, path: str | PurePath, folder: PurePath | None) -> bool:
+    """Tell whether a path matches a glob, which is written with slashes on every system.
 
     A glob without a slash is about the file's name, in any folder; one with a slash is about the
     path below `folder` (the folder of the spec), or about the path as given when it lies elsewhere.
     """
-    path = Path(path)
+    path = path if isinstance(path, PurePath) else Path(path)
     pattern = _regex(glob.removeprefix("./"))
     if "/" not in glob:
         return pattern.fullmatch(path.name) is not None
-    if folder is not None and path.absolute().is_relative_to(folder):
-        path = path.absolute().relative_to(folder)
+    if folder is not None:
+        whole, above = _plain(path), _plain(folder)
+        if whole.is_relative_to(above):
+            path = whole.relative_to(above)
     return pattern.fullmatch(path.as_posix()) is not None
+
+
+def _plain(path: PurePath) -> PurePath:
+    whole = path.absolute() if isinstance(path, Path) else path
+    return PureWindowsPath(without_long_prefix(str(whole))) if isinstance(whole, PureWindowsPath) else whole
 
 
 @lru_cache(maxsize=256)

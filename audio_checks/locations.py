@@ -8,7 +8,8 @@ import os
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 from urllib.parse import quote
 
-LONG, LONG_UNC = "\\\\?\\", "\\\\?\\UNC\\"
+from audio_checks.windows import without_long_prefix
+
 SAFE = "/!$&'()+,;=@~"  # what a path segment of a URI may hold besides letters, digits and -._~ (RFC 3986, 3.3)
 
 
@@ -43,13 +44,6 @@ def uri_of(path: str, root: PurePath, here: PurePath | None = None) -> tuple[str
     if isinstance(whole, PureWindowsPath):
         return whole.as_uri(), False
     return "file://" + quote(str(whole), safe=SAFE, errors="surrogatepass"), False
-
-
-def without_long_prefix(path: str) -> str:
-    r"""Return a Windows path without the prefix that lifts the limit of 260 characters: `\\?\C:\a` is `C:\a`."""
-    if path.startswith(LONG_UNC):
-        return "\\\\" + path[len(LONG_UNC) :]
-    return path.removeprefix(LONG)
 
 
 def _absolute(path: str, root: PurePath, here: PurePath | None) -> PurePath:
