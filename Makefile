@@ -18,7 +18,7 @@ setup: .make/python .make/kernel .make/node .make/page  ## Set up everything tha
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
 
-test: check unit frontend-test e2e  ## Set up and pass every test
+test: .make/s3 check unit frontend-test e2e  ## Set up and pass every test
 	@cat .make/closing-lines
 
 check: setup  ## Lint, types, import contracts, OpenAPI drift
@@ -29,10 +29,10 @@ check: setup  ## Lint, types, import contracts, OpenAPI drift
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
-unit: setup .make/postgresql  ## Python tests, those of rooms and journeys on both databases
+unit: setup .make/postgresql .make/s3  ## Python tests; those of rooms and journeys on both databases and both stores
 	@rm -f .make/closing-lines
 	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS) | tee .make/unit.log
-	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres tests/app tests/journeys $(ARGS) | tee .make/unit-postgres.log
+	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys $(ARGS) | tee .make/unit-postgres.log
 	@tail -q -n 1 .make/unit.log .make/unit-postgres.log > .make/closing-lines
 
 frontend-test: setup  ## Tests of the frontend's parts
@@ -93,6 +93,10 @@ clean:  ## Remove what set-up made; data stays
 	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || command -v postgres >/dev/null || \
 	  { echo "Installing PostgreSQL" && sh .ci/install postgresql; }
 	@touch $@
+
+.make/s3: .ci/s3
+	@mkdir -p .make
+	@PYTHON=$(PYTHON) nohup .ci/s3 >$@ 2>.make/s3.log </dev/null &  # takes minutes the first time; the tests that need it wait
 
 .make/browser:
 	@mkdir -p .make

@@ -20,11 +20,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """On PostgreSQL leave out what would only run again as it ran on SQLite."""
+    """On PostgreSQL leave out what would only run again as it ran on SQLite; on S3, what wants a folder."""
+    there = items[:]
     if config.getoption("--database") == POSTGRES:
-        there = [item for item in items if "database_url" in getattr(item, "fixturenames", ())]
-        config.hook.pytest_deselected(items=[item for item in items if item not in there])
-        items[:] = there
+        there = [item for item in there if "database_url" in getattr(item, "fixturenames", ())]
+    if config.getoption("--store") == S3:
+        there = [item for item in there if item.get_closest_marker("on_folder") is None]
+    config.hook.pytest_deselected(items=[item for item in items if item not in there])
+    items[:] = there
 
 
 @pytest.fixture(scope="session")

@@ -24,6 +24,7 @@ REGION = "us-east-1"
 READ_BYTES = 1 << 18
 STARTS_WITHIN_S = 20.0
 _numbers = itertools.count(1)
+_folders: dict[str, Path] = {}  # of the servers that run, by endpoint
 
 
 @dataclass(frozen=True)
@@ -76,11 +77,17 @@ def run_s3(folder: Path) -> Iterator[S3Server]:
         )
     try:
         with httpx.Client() as client:
+            _folders[endpoint] = data
             wait_for(lambda: client.get(f"{endpoint}/health").status_code == 200, process)
             yield S3Server(endpoint, data, client)
     finally:
         process.kill()
         process.wait()
+
+
+def folder_of(endpoint: str) -> Path:
+    """Return where a server keeps its buckets: an object is a file named by its key."""
+    return _folders[endpoint]
 
 
 def wait_for(is_up: Callable[[], bool], process: subprocess.Popen[bytes]) -> None:

@@ -15,6 +15,7 @@ from app.kit.storage.store import (
     StoredBlob,
     StoreUnavailable,
     StoreUnready,
+    write_all,
 )
 from app.settings import Settings
 
@@ -50,4 +51,5 @@ __all__ = [
     "make_folder",
     "open_store",
     "sync",
+    "write_all",
 ]

@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from uuid import UUID
 
 from app.kit.db import new_id
@@ -46,21 +47,25 @@ class BucketStore(Store):
         patience: Patience = PATIENT,
     ) -> None:
         self.staging_root = staging_root.resolve()
-        self._address = address
+        self.address = address
         self._root = f"{address.prefix}/" if address.prefix else ""
         self._objects = Objects(address, key, patience)
         self._probed = Objects(address, key, PROBING)
         self.multipart = Multipart(Signer(address.endpoint, address.region, key), address.bucket, patience)
         self._public = Signer(address.public_endpoint, address.region, key)
         self.direct = DirectUploads(
-            self._objects, self.multipart, self._public, address.bucket, f"{self._root}{INCOMING}", self._key
+            self._objects, self.multipart, self._public, address.bucket, f"{self._root}{INCOMING}", self.key
         )
         if direct:
             self.public_origin = address.public_endpoint
 
+    def key(self, studio_id: UUID, sha256: str) -> str:
+        """Return where in the bucket a blob is or would be."""
+        return f"{self._root}{studio_id}/{sha256[:2]}/{sha256}"
+
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
         """Store a finished file under its hash, unless something is there."""
-        key, stored = self._key(studio_id, sha256), StoredBlob(sha256, source.stat().st_size)
+        key, stored = self.key(studio_id, sha256), StoredBlob(sha256, source.stat().st_size)
         if parts_of(stored.size_bytes) == 1:
             is_new = self._objects.put_new(key, source.read_bytes())
         else:
@@ -77,7 +82,7 @@ class BucketStore(Store):
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
         """Return how long a blob is; raise BlobMissing where there is none."""
-        size_bytes = self._objects.size_bytes(self._key(studio_id, sha256))
+        size_bytes = self._objects.size_bytes(self.key(studio_id, sha256))
         if size_bytes is None:
             raise missing(studio_id, sha256)
         return size_bytes
@@ -86,27 +91,26 @@ class BucketStore(Store):
         """Return how long each of many blobs is, many asked at once; those that are missing are left out."""
         asked = list(sha256s)
         with ThreadPoolExecutor(HEADS_AT_ONCE) as pool:
-            found = pool.map(lambda sha256: self._objects.size_bytes(self._key(studio_id, sha256)), asked)
+            found = pool.map(lambda sha256: self._objects.size_bytes(self.key(studio_id, sha256)), asked)
             return {sha256: size for sha256, size in zip(asked, found, strict=True) if size is not None}
 
     def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
         """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
         try:
-            yield from self._objects.stream(self._key(studio_id, sha256), start, end)
+            yield from self._objects.stream(self.key(studio_id, sha256), start, end)
         except FileNotFoundError:
             raise missing(studio_id, sha256) from None
 
     @contextmanager
     def local_copy(self, studio_id: UUID, sha256: str) -> Iterator[Path]:
         """Give a copy that is gone afterwards; raise BlobAltered where its hash is not its name."""
-        with self._staged(COPY_PREFIX) as (path, file):
-            digest = hashlib.sha256()
-            for piece in self.stream(studio_id, sha256):
-                digest.update(piece)
-                file.write(piece)
-            file.flush()
-            if digest.hexdigest() != sha256:
-                raise altered(sha256, f"{file.tell()} bytes with the SHA-256 {digest.hexdigest()}")
+        with self._in_words():
+            self.staging_root.mkdir(parents=True, exist_ok=True)
+            folder = TemporaryDirectory(prefix=COPY_PREFIX, dir=self.staging_root)
+        with folder as name:
+            path = Path(name, sha256)
+            with self._in_words():
+                self._copy(studio_id, sha256, path)
             yield path
 
     def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
@@ -136,7 +140,7 @@ class BucketStore(Store):
         query = {"response-content-type": media_type, "response-cache-control": "private, immutable"}
         if disposition is not None:
             query["response-content-disposition"] = disposition
-        path = f"/{self._address.bucket}/{self._key(studio_id, sha256)}"
+        path = f"/{self.address.bucket}/{self.key(studio_id, sha256)}"
         return self._public.url("GET", path, query, expires_in_s=LINK_WORKS_FOR_S)
 
     def ensure_ready(self) -> None:
@@ -170,10 +174,16 @@ class BucketStore(Store):
             return False
         return True
 
+    def _copy(self, studio_id: UUID, sha256: str, path: Path) -> None:
+        digest = hashlib.sha256()
+        with path.open("wb") as file:
+            for piece in self.stream(studio_id, sha256):
+                digest.update(piece)
+                file.write(piece)
+        if digest.hexdigest() != sha256:
+            raise altered(sha256, f"{path.stat().st_size} bytes with the SHA-256 {digest.hexdigest()}")
+
     def _ensure_there(self, studio_id: UUID, stored: StoredBlob) -> None:
         found = self.size_bytes(studio_id, stored.sha256)
         if found != stored.size_bytes:
             raise altered(stored.sha256, f"{found} bytes long, not {stored.size_bytes},")
-
-    def _key(self, studio_id: UUID, sha256: str) -> str:
-        return f"{self._root}{studio_id}/{sha256[:2]}/{sha256}"

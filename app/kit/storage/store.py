@@ -97,13 +97,19 @@ class Store(ABC):
 
     def put(self, studio_id: UUID, chunks: Iterable[bytes]) -> StoredBlob:
         """Store what the chunks add up to; storing the same bytes twice is storing them once."""
-        with self._staged(PUT_PREFIX) as (staged, file):
-            digest = hashlib.sha256()
-            for chunk in chunks:
-                digest.update(chunk)
-                file.write(chunk)
-            file.flush()
-            return self.keep(studio_id, staged, digest.hexdigest())
+        with self._in_words():
+            self.staging_root.mkdir(parents=True, exist_ok=True)
+            descriptor, name = tempfile.mkstemp(prefix=PUT_PREFIX, dir=self.staging_root)
+        try:
+            with os.fdopen(descriptor, "wb", buffering=0) as file:
+                digest = hashlib.sha256()
+                for chunk in chunks:
+                    digest.update(chunk)
+                    with self._in_words():
+                        write_all(file.fileno(), chunk)
+            return self.keep(studio_id, Path(name), digest.hexdigest())
+        finally:
+            Path(name).unlink(missing_ok=True)
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
         """Store a copy of a file."""
@@ -129,18 +135,6 @@ class Store(ABC):
         return b"".join(self.stream(studio_id, sha256))
 
     @contextmanager
-    def _staged(self, prefix: str) -> Iterator[tuple[Path, BinaryIO]]:
-        """Give a new file below the staging root that is gone afterwards."""
-        with self._in_words():
-            self.staging_root.mkdir(parents=True, exist_ok=True)
-            descriptor, name = tempfile.mkstemp(prefix=prefix, dir=self.staging_root)
-            try:
-                with os.fdopen(descriptor, "wb") as file:
-                    yield Path(name), file
-            finally:
-                Path(name).unlink(missing_ok=True)
-
-    @contextmanager
     def _in_words(self) -> Iterator[None]:
         """Tell what this machine's disk refuses."""
         try:
@@ -149,6 +143,13 @@ class Store(ABC):
             raise StoreUnavailable(
                 f"the server could not write to its disk ({error.strerror})", fix="tell whoever runs this server"
             ) from error
+
+
+def write_all(file: int, content: bytes) -> None:
+    """Write all of it: the system may take less at once."""
+    left = memoryview(content)
+    while left:
+        left = left[os.write(file, left) :]
 
 
 def key_refused() -> StoreUnavailable:

@@ -21,7 +21,7 @@ from sqlalchemy import select
 from app.kit import clock, kill, metrics
 from app.kit.db import Database
 from app.kit.errors import Conflict
-from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync
+from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
 from app.kit.uploads.errors import (
     ChecksumMismatch,
     OffsetMismatch,
@@ -200,7 +200,10 @@ class Uploads:
         left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in (PUT_PREFIX, COPY_PREFIX)]
         for left_over in itertools.chain(*left_overs):
             if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
-                left_over.unlink(missing_ok=True)
+                if left_over.is_dir():
+                    shutil.rmtree(left_over, ignore_errors=True)
+                else:
+                    left_over.unlink(missing_ok=True)
                 gone += 1
         self._forget_rows_without_file({staging.stem for staging in staged})
         return gone + self._parts.sweep(clock.now() - KEPT_FOR) + self._store.sweep(clock.now() - LEFT_OVER_AFTER)
@@ -367,10 +370,8 @@ def _ensure_continues(here: int, offset: int) -> None:
 
 
 def _write(file: int, piece: bytes, also: Callable[[bytes], None] | None) -> None:
-    left = memoryview(piece)
     try:
-        while left:
-            left = left[os.write(file, left) :]
+        write_all(file, piece)
     except OSError as error:
         raise StoreFull(f"the server could not write: {error.strerror}", fix="tell whoever runs this server") from None
     if also is not None:

@@ -23,6 +23,7 @@ import audio_checks
 from app.accounts.endpoints import SESSION_COOKIE
 from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve
+from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues
 from tests.support.server import World
 
@@ -130,7 +131,7 @@ def test_an_accepted_sound_without_a_game_file_is_never_left_out_unsaid(world: W
 def blob_of(world: World, name: str) -> Path:
     with zipfile.ZipFile(io.BytesIO(download(world))) as archive:
         sha256 = hashlib.sha256(archive.read(name)).hexdigest()
-    return world.server.runtime.store.path(world.studio_id, sha256)
+    return blob_file(world.server.runtime.store, world.studio_id, sha256)
 
 
 def test_a_lost_blob_is_said_before_anything_is_sent(world: World) -> None:

@@ -16,6 +16,7 @@ from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state
 from app.kit import kill
 from tests.support import hostile
+from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues, checked, deliver
 from tests.support.server import World
 from tests.support.waves import join, silence, sine, wav_bytes
@@ -140,7 +141,7 @@ def test_a_check_that_works_at_the_third_try_counts(
 def test_a_missing_master_is_our_fault(world: World) -> None:
     take = deliver(world, "laser.wav", tone(hz=310))
     world.server.wait_for_jobs()
-    world.server.runtime.store.path(world.studio_id, take["master_sha256"]).unlink()
+    blob_file(world.server.runtime.store, world.studio_id, take["master_sha256"]).unlink()
 
     def again(session: Any) -> None:
         row = session.get(Take, UUID(take["id"]))

@@ -175,8 +175,8 @@ class TestBucket:
         store = self.bucket(s3, tmp_path)
         source = tmp_path / "large"
         source.write_bytes(LARGE)
-        store.multipart.send_file(store._key(STUDIO, LARGE_SHA256), source)
-        assert not store._sent(store._key(STUDIO, LARGE_SHA256), source)  # whoever looked before the other was done
+        store.multipart.send_file(store.key(STUDIO, LARGE_SHA256), source)
+        assert not store._sent(store.key(STUDIO, LARGE_SHA256), source)  # whoever looked before the other was done
         assert store.read(STUDIO, LARGE_SHA256) == LARGE
         assert list(store.multipart.unfinished("")) == []
 
