@@ -92,7 +92,8 @@ class FileReport:
     """All that is said of one file.
 
     Facts are None when the file cannot be read; measurements hold the figures that were asked for. By
-    `likeness_print` nearly equal sounds are known; see `measure.likeness`.
+    `likeness_print` nearly equal sounds are known; see `measure.likeness`. `loudness_presets` is information
+    on whole mixes, by preset.
     """
 
     path: str
@@ -105,6 +106,7 @@ class FileReport:
     judgements: dict[str, Any] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     likeness_print: str | None = None
+    loudness_presets: dict[str, Any] = field(default_factory=dict)
 
     def count(self, severity: Severity, *, waived: bool | None = None) -> int:
         """Return the number of findings of one severity; of those waived, or those not, when asked."""
@@ -123,6 +125,7 @@ class FileReport:
             "judgements": _plain(self.judgements),
             "findings": [finding.to_dict() for finding in self.findings],
             **({"likeness_print": self.likeness_print} if self.likeness_print else {}),
+            **({"loudness_presets": _plain(self.loudness_presets)} if self.loudness_presets else {}),
         }
 
     def to_measured(self) -> dict[str, Any]:
@@ -291,6 +294,7 @@ def schema() -> dict[str, Any]:
             "judgements": {"type": "object"},
             "findings": {"type": "array", "items": finding},
             "likeness_print": {"type": "string"},
+            "loudness_presets": {"type": "object"},
         },
     }
     spec = {

@@ -12,6 +12,7 @@ from audio_checks.audio import AudioFile
 from audio_checks.checks import Check, all_checks, placeholder
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
+from audio_checks.loudness_presets import PRESETS
 from audio_checks.sets import Judged, with_set_findings
 from audio_checks.severity import crash, graded, ordered
 from audio_checks.sound_list import SoundList
@@ -107,15 +108,28 @@ def check_files(
     return report_on(entries, [spec] if spec else [], [task.spec for task in tasks if task.spec])
 
 
-def measure_file(path: PathLike, *, category: str | None = None, name: str | None = None) -> FileReport:
+def measure_file(
+    path: PathLike, *, category: str | None = None, name: str | None = None, presets: Iterable[str] = ()
+) -> FileReport:
     """Measure everything in one file and judge nothing: its entry has no findings, and is `unjudged`.
+
+    Parameters
+    ----------
+    path : path
+        A WAV or FLAC file.
+    category, name : str, optional
+        For the entry: the category, and the name as delivered.
+    presets : iterable of str
+        Loudness presets of whole mixes to set its figures beside: ebu-r128, aswg-home, aswg-portable.
 
     Raises
     ------
     Unreadable
         The file breaks a rule of structure.
     """
+    wanted = {one: PRESETS[one] for one in presets}
     with AudioFile(path, name=name) as file:
+        measurements = file.measurements.to_dict()
         return FileReport(
             path=legible(path) if name is None else name,
             verdict="unjudged",
@@ -123,7 +137,8 @@ def measure_file(path: PathLike, *, category: str | None = None, name: str | Non
             pcm_sha256=file.pcm_sha256,
             category=category,
             facts=file.facts.to_dict(),
-            measurements=file.measurements.to_dict(),
+            measurements=measurements,
+            loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
         )
 
 

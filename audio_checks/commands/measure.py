@@ -6,6 +6,7 @@ from audio_checks import reporters
 from audio_checks.arguments import FOUND, OK, add_paths, found_files
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport
+from audio_checks.loudness_presets import PRESETS
 from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.terminal import say
 
@@ -16,6 +17,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Take paths and formats."""
     add_paths(parser)
     parser.add_argument("--category", metavar="NAME", help="name of the category, for the record")
+    parser.add_argument(
+        "--preset",
+        metavar="NAME",
+        action="append",
+        choices=PRESETS,
+        default=[],
+        help=f"set a whole mix beside {', '.join(PRESETS)}; may be repeated",
+    )
     parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
 
 
@@ -28,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     for one in found_files(options):
         shown = runner.legible(one.path)
         try:
-            entries.append(runner.measure_file(one.path, category=options.category))
+            entries.append(runner.measure_file(one.path, category=options.category, presets=options.preset))
         except Unreadable as error:
             say(f"{shown}: {error}; {error.fix}")
             entries.append(FileReport(shown, "unreadable", category=options.category))

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from audio_checks.check_names import Severity
 from audio_checks.findings import FileReport, Finding, Report, printable
+from audio_checks.loudness_presets import in_words
 from audio_checks.reporters import Style
 from audio_checks.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
 
@@ -166,6 +167,8 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         words, unit = named[name]
         shown = _value(value, unit)
         yield f"  {ink(f'{words:<{columns}}', DIM)}{shown}{f' {unit}' if unit and value is not None else ''}"
+    for name, stands in entry.loudness_presets.items():
+        yield f"  {in_words(name, stands)}"
 
 
 def _words(name: str) -> tuple[str, str]:
