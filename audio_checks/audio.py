@@ -16,13 +16,18 @@ from numpy.typing import NDArray
 from audio_checks import wav
 from audio_checks.hashes import Hashes
 from audio_checks.measure.bits import effective_bits
+from audio_checks.measure.clicks import Click
+from audio_checks.measure.cuts import Cuts, Edge
+from audio_checks.measure.dropouts import Dropout
 from audio_checks.measure.edges import Edges
-from audio_checks.measure.flat_tops import FlatTops
+from audio_checks.measure.faults import Faults
+from audio_checks.measure.flat_tops import FlatTop
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.likeness import Likeness
 from audio_checks.measure.loudness import Loudness, channel_weights
 from audio_checks.measure.mono_sum import MonoSum
 from audio_checks.measure.phase import Phase
+from audio_checks.measure.repeats import Repeat
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.spectrum import Spectrum
 from audio_checks.measure.steps import Steps
@@ -49,7 +54,8 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "true_peak": TruePeak.FIGURES,
     "loudness": Loudness.FIGURES,
     "edges": Edges.FIGURES,
-    "flat_tops": FlatTops.FIGURES,
+    "cuts": Cuts.FIGURES,
+    "faults": Faults.FIGURES,
     "phase": Phase.FIGURES,
     "mono_sum": MonoSum.FIGURES,
     "steps": Steps.FIGURES,
@@ -58,6 +64,22 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "seam": Seam.FIGURES,
 }
 """Families of figures; each family has one accumulator."""
+
+PLACES = frozenset(
+    {
+        "clipped_spans",
+        "click_places",
+        "dropout_places",
+        "edges",
+        "end_edge",
+        "likeness_print",
+        "mono_loss_spans",
+        "repeat_places",
+        "soft_spans",
+        "start_edge",
+    }
+)
+"""Figures that only checks read; reports list plain numbers."""
 
 FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
@@ -279,7 +301,8 @@ class AudioFile:
             "true_peak": TruePeak,
             "loudness": partial(Loudness, weights=channel_weights(layout.channels, layout.channel_mask)),
             "edges": Edges,
-            "flat_tops": partial(FlatTops, step=step),
+            "cuts": partial(Cuts, step=step),
+            "faults": partial(Faults, step=step),
             "phase": Phase,
             "mono_sum": MonoSum,
             "steps": partial(Steps, step=step),
@@ -298,8 +321,7 @@ class Measurements:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the measured figures by name; levels of silence are -inf still."""
-        hidden = ("edges", "clipped_spans", "mono_loss_spans", "likeness_print")
-        return {name: value for name, value in self._file.measured().items() if name not in hidden}
+        return {name: value for name, value in self._file.measured().items() if name not in PLACES}
 
     @property
     def is_silence(self) -> bool:
@@ -367,13 +389,83 @@ class Measurements:
 
     @property
     def clipped_runs(self) -> int:
-        """Runs of three or more samples at full scale in one channel."""
+        """Crests that are cut off, at full scale or at a lower ceiling."""
         return int(self._file.figure("clipped_runs"))
 
     @property
-    def clipped_spans(self) -> tuple[tuple[float, float, int], ...]:
-        """The first of these runs: start and end in seconds, and the channel (1 is the first)."""
+    def clipped_spans(self) -> tuple[FlatTop, ...]:
+        """The first of these flat tops."""
         return tuple(self._file.figure("clipped_spans"))
+
+    @property
+    def soft_tops(self) -> int:
+        """Crests flattened softly, where most of the highest are."""
+        return int(self._file.figure("soft_tops"))
+
+    @property
+    def soft_spans(self) -> tuple[FlatTop, ...]:
+        """The first of these soft tops."""
+        return tuple(self._file.figure("soft_spans"))
+
+    @property
+    def clicks(self) -> int:
+        """Moments far sharper than all that lies around them."""
+        return int(self._file.figure("clicks"))
+
+    @property
+    def click_places(self) -> tuple[Click, ...]:
+        """The first of these clicks."""
+        return tuple(self._file.figure("click_places"))
+
+    @property
+    def dropouts(self) -> int:
+        """Holes in a sound that goes on before and after them."""
+        return int(self._file.figure("dropouts"))
+
+    @property
+    def dropout_places(self) -> tuple[Dropout, ...]:
+        """The first of these holes."""
+        return tuple(self._file.figure("dropout_places"))
+
+    @property
+    def repeats(self) -> int:
+        """Buffers that play again bit by bit."""
+        return int(self._file.figure("repeats"))
+
+    @property
+    def repeat_places(self) -> tuple[Repeat, ...]:
+        """The first of these repeats."""
+        return tuple(self._file.figure("repeat_places"))
+
+    @property
+    def start_edge(self) -> Edge | None:
+        """How the sound starts; None for silence."""
+        edge: Edge | None = self._file.figure("start_edge")
+        return edge
+
+    @property
+    def end_edge(self) -> Edge | None:
+        """How the sound ends; None for silence."""
+        edge: Edge | None = self._file.figure("end_edge")
+        return edge
+
+    @property
+    def hum_dbfs(self) -> float | None:
+        """RMS of the mains' steady lines; -inf where there are none, None for a sound too short to tell."""
+        value = self._file.figure("hum_dbfs")
+        return None if value is None else float(value)
+
+    @property
+    def hum_hz(self) -> float | None:
+        """50 or 60; None where there is no hum."""
+        value = self._file.figure("hum_hz")
+        return None if value is None else float(value)
+
+    @property
+    def noise_floor_dbfs(self) -> float | None:
+        """RMS of the quietest pause in the noisiest channel; None for a sound that does not pause."""
+        value = self._file.figure("noise_floor_dbfs")
+        return None if value is None else float(value)
 
     @property
     def channel_correlation(self) -> float | None:

@@ -195,8 +195,6 @@ class DeliverySpec:
     def not_run(self) -> tuple[str, ...]:
         """The checks that the spec asks for and this version lacks, in the format's order."""
         asked = {name for name, level in self.checks.items() if level != "off"}
-        if self.limits.noise_floor_dbfs is not None and self.checks.get("noise-floor") != "off":
-            asked.add("noise-floor")
         if "reverb" in self.engine.adds and self.checks.get("baked-reverb") != "off":
             asked.add("baked-reverb")
         here = check_names.present()

@@ -155,6 +155,7 @@ class WavLayout:
     warnings: tuple[StructureWarning, ...]
     loops: tuple[SampleLoop, ...]
     file_size: int
+    loops_outside: tuple[SampleLoop, ...] = ()
     ambisonic: bool = False
 
     @property
@@ -272,7 +273,7 @@ class _Reading:
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
-        loops = self.loops(chunks, frames)
+        loops, outside = self.loops(chunks, frames)
         return WavLayout(
             container=container,
             encoding="pcm" if tag == PCM else "float",
@@ -289,6 +290,7 @@ class _Reading:
             chunks=tuple(chunks),
             warnings=tuple(self.warnings),
             loops=loops,
+            loops_outside=outside,
             file_size=self.size,
             ambisonic=ambisonic,
         )
@@ -596,29 +598,29 @@ class _Reading:
             EXPORT_WAV,
         )
 
-    def loops(self, chunks: list[Chunk], frames: int) -> tuple[SampleLoop, ...]:
-        """Read the loops of the `smpl` chunk; a damaged one is a warning, never a refusal."""
+    def loops(self, chunks: list[Chunk], frames: int) -> tuple[tuple[SampleLoop, ...], tuple[SampleLoop, ...]]:
+        """Read the loops of the `smpl` chunk, inside the file and outside; a damaged one is a warning, no refusal."""
         samplers = [chunk for chunk in chunks if chunk.id == "smpl"]
         if not samplers:
-            return ()
+            return (), ()
         content = self.read(samplers[0].offset, min(samplers[0].size, 36 + 24 * MAX_LOOPS))
         if len(content) < 36:
             self.warn("smpl", f'the "smpl" chunk has {samplers[0].size} bytes; 36 or more are wanted')
-            return ()
+            return (), ()
         (count,) = struct.unpack("<I", content[28:32])
-        loops = []
+        inside: list[SampleLoop] = []
+        outside: list[SampleLoop] = []
         for number in range(min(count, (len(content) - 36) // 24)):
             kind, start, end = struct.unpack("<III", content[36 + 24 * number + 4 :][:12])
-            if not start <= end < frames:
-                self.warn(
-                    "smpl", f"loop {number + 1} runs from frame {start} to {end}, but the file has {frames} frames"
-                )
+            if start > end:
+                self.warn("smpl", f"loop {number + 1} runs backwards, from frame {start} to {end}")
                 continue
             kinds: tuple[Literal["forward", "alternating", "backward"], ...] = ("forward", "alternating", "backward")
-            loops.append(SampleLoop(start, end, kinds[kind] if kind < 3 else "other"))
+            loop = SampleLoop(start, end, kinds[kind] if kind < 3 else "other")
+            (inside if end < frames else outside).append(loop)
         if count > (len(content) - 36) // 24:
             self.warn("smpl", f'the "smpl" chunk announces {count} loops, more than it holds')
-        return tuple(loops)
+        return tuple(inside), tuple(outside)
 
 
 def _stream() -> Unreadable:

@@ -1,14 +1,17 @@
-"""`clipping`: the waveform has no runs of flat tops.
+"""`clipping`: no crests are cut off.
 
-Why: a run of samples pressed against one level usually means that something clipped before the
-file was made. Lowering the level afterwards leaves the flat tops in. In guns and explosions they
-can be style, so this warns, and is for an ear to judge.
+Why: crests pressed flat against one level mean that something clipped: at full scale, or under it
+when the level was lowered afterwards, or softly in a saturator. In guns and explosions they can be
+style, so this warns, and is for an ear to judge.
 How to fix: listen at the marked places. If it is a fault, lower the gain before the stage that
-clips, and export again.
-Source: practice in the field; levels after gain cannot be told from the peak alone.
+clips, and export again; lowering the file's level leaves the flat tops in.
+Source: practice in the field. At full scale three samples in a row count. Under it, three crests at
+the file's own ceiling, each with three samples or more on one level and a corner at both ends. Soft
+tops count where most of the highest crests, and eight or more, are half as round as a wave's.
+Square waves are flat by nature, and left alone.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
@@ -16,27 +19,33 @@ from audio_checks.spec import DeliverySpec
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
+    from audio_checks.measure.flat_tops import FlatTop
 
-FIGURES = ("clipped_runs", "clipped_spans")
+FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
 PLACES_NAMED = 3
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
-    """Yield one `clipping:flat-tops` for the file, at its first run, when there is any."""
-    runs = file.measurements.clipped_runs
-    if not runs:
-        return
-    spans = sorted(file.measurements.clipped_spans)
-    places = ", ".join(f"{start_s:.3f} s" for start_s, _, _ in spans[:PLACES_NAMED])
-    more = ", ..." if runs > PLACES_NAMED else ""
-    start_s, end_s, _ = spans[0]
-    yield Finding(
-        code="clipping:flat-tops",
-        message=f"{runs} {'run' if runs == 1 else 'runs'} of flat tops ({places}{more})",
+    """Yield `clipping:flat-tops` for crests that are cut off, else `clipping:soft-tops` for flattened ones."""
+    figures = file.measurements
+    if figures.clipped_runs:
+        yield _finding("flat-tops", "run", " of flat tops", figures.clipped_runs, figures.clipped_spans)
+    elif figures.soft_tops:
+        yield _finding("soft-tops", "crest", " flattened softly", figures.soft_tops, figures.soft_spans)
+
+
+def _finding(condition: str, unit: str, what: str, count: int, spans: "Sequence[FlatTop]") -> Finding:
+    level = max(span.level_dbfs for span in spans)
+    places = ", ".join(f"{span.start_s:.3f} s" for span in spans[:PLACES_NAMED])
+    more = ", ..." if count > PLACES_NAMED else ""
+    plural = "" if count == 1 else "s"
+    return Finding(
+        code=f"clipping:{condition}",
+        message=f"{count} {unit}{plural}{what} at {level:.1f} dBFS ({places}{more})",
         fix="listen there: if it is not meant, lower the gain before the stage that clips and export again",
-        measured=float(runs),
+        measured=float(count),
         limit=0.0,
-        unit="runs",
-        start_s=start_s,
-        end_s=end_s,
+        unit=f"{unit}s",
+        start_s=spans[0].start_s,
+        end_s=spans[0].end_s,
     )

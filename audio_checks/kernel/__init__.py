@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 try:
     from audio_checks.kernel._kernel import (
+        cells,
         convert,
+        crests,
         decode_float,
         decode_pcm,
         fourier,
@@ -23,6 +25,7 @@ try:
         levels,
         products,
         records,
+        recurrences,
         stereo_products,
         true_peak,
     )
@@ -34,7 +37,9 @@ except ImportError as error:
 
 __all__ = [
     "by_channel",
+    "cells",
     "convert",
+    "crests",
     "decode_float",
     "decode_pcm",
     "fourier",
@@ -48,6 +53,7 @@ __all__ = [
     "levels",
     "products",
     "records",
+    "recurrences",
     "stereo_products",
     "true_peak",
 ]

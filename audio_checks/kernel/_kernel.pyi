@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 
+def cells(block: _Floats, first: int, size: int, out: _Floats, /) -> None: ...
 def convert(
     stream: _Floats,
     out: _Floats,
@@ -18,6 +19,7 @@ def convert(
     edge_out: int,
     /,
 ) -> None: ...
+def crests(samples: _Floats, first: int, shape: _Floats, out: _Floats, /) -> int: ...
 def decode_pcm(raw: bytes, container_bits: int, block: _Floats, /) -> int: ...
 def decode_float(raw: bytes, container_bits: int, block: _Floats, /) -> int: ...
 def fourier(real: _Floats, imaginary: _Floats, turns: _Floats, /) -> None: ...
@@ -52,6 +54,16 @@ def records(
     backward: bool,
     levels: _Floats,
     places: NDArray[np.int64],
+    /,
+) -> int: ...
+def recurrences(
+    samples: _Floats,
+    first: int,
+    spread: float,
+    shortest: int,
+    longest: int,
+    times: float,
+    out: NDArray[np.int64],
     /,
 ) -> int: ...
 def stereo_products(block: _Floats, figures: _Floats, /) -> None: ...

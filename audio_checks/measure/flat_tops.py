@@ -1,74 +1,130 @@
-"""Runs of samples at full scale: the flat tops that clipping leaves."""
+"""Flat tops: crests that something has cut off, at full scale, under it, or softly."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-SHORTEST_RUN = 3  # one or two samples at full scale are a normalised crest
-MAX_SPANS = 1_000  # kept with their times; the count goes on
-CLOSE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-bit sample
+from audio_checks import kernel
+from audio_checks.measure.decibels import decibels
+
+SHORTEST_RUN = 3  # one or two samples on one level are a crest
+FULL_SCALE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-bit sample
+GRAIN = 2.5  # steps of the bit depth: samples that close are on one level
+SHARE = 1e-4  # of the level: the same for float
+CORNER = 16.0  # of these: what the wave falls within two samples of a run's ends; a round crest does not
+CEILING = 1e-3  # share of the highest crest by which others on the ceiling may lie lower
+FEWEST = 3  # of them under full scale: two crests may be as high by chance
+SOFT_CEILING = 0.03  # the same for soft tops
+SOFT_FLAT = 0.98  # a soft top is what lies above this share of its crest
+SOFT_WIDE, SOFT_RATIO = 0.8, 1.7  # above this share a round crest is 3.2 times as wide, and a soft top at most this
+SOFT_S = 1e-4  # a soft top lasts that long, and five samples
+SOFT_FEWEST, SOFT_SHARE = 8, 0.6  # of the highest crests: what happens to fewer of them is not a ceiling
+SQUARE_RUN, SQUARE_EDGE = 8, 2  # a top of that many samples with an edge of so few is a square wave's
+MAX_AT_ONCE = 4_096  # crests of one stretch of samples
+MAX_KEPT = 20_000
+MAX_SPANS = 1_000
+START, TOP, RUN, FALL, FLAT, WIDE, AT_RAIL, CHANNEL, SIGN, FIGURES_KEPT = range(10)  # columns of the crests kept
+
+
+class FlatTop(NamedTuple):
+    """One flat top: from when to when, in which channel (1 is the first), and how high."""
+
+    start_s: float
+    end_s: float
+    channel: int
+    level_dbfs: float
 
 
 class FlatTops:
-    """Finds runs at full scale in blocks, per channel and per sign.
+    """Looks at the highest crests of each channel, above and below zero.
 
     Parameters
     ----------
-    sample_rate_hz, channels, frames : int
-        Of the whole signal.
+    sample_rate_hz, channels : int
     step : float
         The smallest step of the file's bit depth; 0 for float.
     """
 
-    FIGURES = ("clipped_runs", "clipped_spans")
+    FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(self, sample_rate_hz: int, channels: int, step: float) -> None:
         self._rate = sample_rate_hz
-        self._rail = 1 - max(step, CLOSE)
-        self._seen = 0
-        self._sign = [0] * channels
-        self._start = [0] * channels
-        self._count = 0
-        self._spans: list[tuple[float, float, int]] = []
+        self._grain = GRAIN * step
+        self._rail = 1 - max(step, FULL_SCALE)
+        self._extremes = np.zeros((channels, 2))  # above and below zero
+        self._crests = np.empty((0, FIGURES_KEPT))
+        self._found = np.empty((MAX_AT_ONCE, CHANNEL))
 
-    def add(self, block: NDArray[np.float64]) -> None:
-        """Take the next samples, shape (n, channels)."""
-        if not len(block):
-            return
-        highest, lowest = block.max(axis=0), block.min(axis=0)
-        for channel in range(block.shape[1]):
-            if highest[channel] >= self._rail or lowest[channel] <= -self._rail:
-                self._follow(block[:, channel], channel)
-            else:
-                self._end(channel, self._seen)
-        self._seen += len(block)
+    def add(self, samples: NDArray[np.float64], first: int, frame: int) -> None:
+        """Take the samples from `first` on, shape (channels, n); those before came already.
+
+        `frame` is where in the whole signal the first of all of them lies.
+        """
+        for channel, row in enumerate(samples):
+            highest, lowest = float(row[first:].max(initial=0.0)), float(row[first:].min(initial=0.0))
+            for side, new in enumerate((highest, -lowest)):
+                extreme = max(new, float(self._extremes[channel, side]))
+                self._extremes[channel, side] = extreme
+                if extreme > 0:
+                    self._look(row, first, frame, channel, 1.0 - 2.0 * side, extreme)
 
     def result(self) -> dict[str, Any]:
-        """Return the figures, by name; spans are (start_s, end_s, channel), channel 1 being the first."""
-        for channel in range(len(self._sign)):
-            self._end(channel, self._seen)
-        return {"clipped_runs": self._count, "clipped_spans": tuple(sorted(self._spans))}
+        """Return `clipped_runs` and `soft_tops`, how many there are, and the spans of the first 1,000 of each."""
+        hard: list[FlatTop] = []
+        soft: list[FlatTop] = []
+        for channel, extremes in enumerate(self._extremes):
+            for sign, extreme in zip((1.0, -1.0), extremes, strict=True):
+                crests = self._crests[(self._crests[:, CHANNEL] == channel) & (self._crests[:, SIGN] == sign)]
+                crests = crests[crests[:, TOP] >= extreme * (1 - SOFT_CEILING)]
+                cut_off, rounded = self._flat(crests, extreme)
+                hard += self._spans(crests[cut_off], RUN)
+                soft += self._spans(crests[rounded & ~cut_off], FLAT)
+        return {
+            "clipped_runs": len(hard),
+            "clipped_spans": tuple(sorted(hard)[:MAX_SPANS]),
+            "soft_tops": len(soft),
+            "soft_spans": tuple(sorted(soft)[:MAX_SPANS]),
+        }
 
-    def _follow(self, samples: NDArray[np.float64], channel: int) -> None:
-        signs = (samples >= self._rail).astype(np.int8) - (samples <= -self._rail)
-        changes = np.flatnonzero(np.diff(signs, prepend=np.int8(self._sign[channel])))
-        starts = np.concatenate(([self._start[channel]], changes + self._seen))
-        states = np.concatenate(([self._sign[channel]], signs[changes]))
-        runs = (states[:-1] != 0) & (np.diff(starts) >= SHORTEST_RUN)
-        self._count += int(runs.sum())
-        for run in np.flatnonzero(runs)[: MAX_SPANS - len(self._spans)]:
-            self._keep(int(starts[run]), int(starts[run + 1]), channel)
-        self._sign[channel], self._start[channel] = int(states[-1]), int(starts[-1])
+    def _look(
+        self, row: NDArray[np.float64], first: int, frame: int, channel: int, sign: float, extreme: float
+    ) -> None:
+        least = extreme * (1 - SOFT_CEILING)
+        shape = np.array([sign, least * SOFT_WIDE, least, self._rail, self._grain, SHARE, SOFT_FLAT, SOFT_WIDE])
+        found = kernel.crests(row, first, shape, self._found)
+        if not found or len(self._crests) >= MAX_KEPT:
+            return
+        crests = np.empty((found, FIGURES_KEPT))
+        crests[:, :CHANNEL] = self._found[:found]
+        crests[:, START] += frame
+        crests[:, CHANNEL], crests[:, SIGN] = channel, sign
+        self._crests = np.concatenate((self._crests, crests))
 
-    def _end(self, channel: int, frame: int) -> None:
-        if self._sign[channel] and frame - self._start[channel] >= SHORTEST_RUN:
-            self._count += 1
-            if len(self._spans) < MAX_SPANS:
-                self._keep(self._start[channel], frame, channel)
-        self._sign[channel], self._start[channel] = 0, frame
+    def _flat(self, crests: NDArray[np.float64], extreme: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which of the highest crests of one side are cut off, and which are flattened softly."""
+        square = (crests[:, RUN] >= SQUARE_RUN) & (crests[:, WIDE] - crests[:, RUN] <= SQUARE_EDGE)
+        hard = crests[:, AT_RAIL] >= SHORTEST_RUN
+        corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
+        under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square
+        under &= crests[:, TOP] >= extreme * (1 - CEILING)
+        if under.sum() >= FEWEST:
+            hard |= under
+        shortest = max(5, round(SOFT_S * self._rate))
+        soft = (crests[:, FLAT] >= shortest) & (crests[:, WIDE] <= SOFT_RATIO * crests[:, FLAT]) & ~square
+        if soft.sum() < max(SOFT_FEWEST, SOFT_SHARE * len(crests)):
+            soft[:] = False
+        return hard, soft
 
-    def _keep(self, start: int, end: int, channel: int) -> None:
-        self._spans.append((start / self._rate, end / self._rate, channel + 1))
+    def _spans(self, crests: NDArray[np.float64], length: int) -> list[FlatTop]:
+        return [
+            FlatTop(
+                crest[START] / self._rate,
+                (crest[START] + crest[length]) / self._rate,
+                int(crest[CHANNEL]) + 1,
+                decibels(crest[TOP]),
+            )
+            for crest in crests.tolist()
+        ]

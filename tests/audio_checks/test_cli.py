@@ -18,9 +18,9 @@ from audio_checks.findings import schema as report_schema
 from audio_checks.spec import new_spec, parse_spec
 from tests.support.waves import join, silence, sine, write_wav
 
-GOOD = sine(hz=997, dbfs=-6, seconds=0.2)
+GOOD = sine(hz=1_000, dbfs=-6, seconds=0.2)
 LATE = join(silence(seconds=0.02), GOOD)
-LOUD = sine(hz=997, dbfs=0.0, seconds=0.2)
+LOUD = sine(hz=1_000, dbfs=0.0, seconds=0.2)
 
 
 @pytest.fixture
@@ -129,7 +129,7 @@ class TestExitCodes:
             (["measure", "nowhere.wav"], "no such file"),
             (["render", "--out", "out", "laser.wav"], "--spec"),
             (["explain", "true-peek"], '"true-peak"'),
-            (["explain", "hum"], "this version lacks"),
+            (["explain", "baked-reverb"], "this version lacks"),
             (["schema", "sounds"], "sounds"),
             (["new-spec", "--preset", "96k"], "96k"),
         ],

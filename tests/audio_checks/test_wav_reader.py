@@ -241,10 +241,17 @@ def test_loops():
     ]
 
 
+def test_loops_beyond_the_end_are_kept_apart():
+    layout = layout_of(wav_bytes(noise(seconds=0.01), after=[smpl([(0, 480), (0, 479)])]))
+    assert [(loop.start, loop.end) for loop in layout.loops] == [(0, 479)]
+    assert [(loop.start, loop.end) for loop in layout.loops_outside] == [(0, 480)]
+    assert layout.warnings == ()
+
+
 @pytest.mark.parametrize(
     "broken",
-    [smpl([(0, 480)]), smpl([(9, 3)]), chunk(b"smpl", bytes(10)), chunk(b"smpl", smpl([(0, 9)])[8:-24])],
-    ids=["beyond the end", "backwards", "short", "announced but absent"],
+    [smpl([(9, 3)]), chunk(b"smpl", bytes(10)), chunk(b"smpl", smpl([(0, 9)])[8:-24])],
+    ids=["backwards", "short", "announced but absent"],
 )
 def test_a_damaged_loop_is_a_warning(broken):
     layout = layout_of(wav_bytes(noise(seconds=0.01), after=[broken]))

@@ -9,7 +9,7 @@ import pytest
 
 from app.demo.sounds import demo_sounds
 from audio_checks.measure.edges import Edges
-from audio_checks.measure.flat_tops import FlatTops
+from audio_checks.measure.faults import Faults
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.loudness import Loudness
 from audio_checks.measure.seam import Seam
@@ -47,7 +47,7 @@ def decoded(content):
 def measured(content):
     samples, rate = decoded(content)
     results = {"duration_s": len(samples) / rate, "channels": samples.shape[1]}
-    for family in (Levels, Edges, FlatTops, Seam, TruePeak, Loudness):
+    for family in (Levels, Edges, Faults, Seam, TruePeak, Loudness):
         accumulator = family(rate, samples.shape[1], len(samples))
         accumulator.add(samples)
         results |= accumulator.result()

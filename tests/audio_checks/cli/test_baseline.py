@@ -9,8 +9,8 @@ from audio_checks.commands import check
 from audio_checks.findings import FileReport, Finding
 from tests.support.waves import sine, write_wav
 
-GOOD = sine(hz=997, dbfs=-6, seconds=0.1)
-LOUD = sine(hz=997, dbfs=0.0, seconds=0.1)
+GOOD = sine(hz=1_000, dbfs=-6, seconds=0.1)
+LOUD = sine(hz=1_000, dbfs=0.0, seconds=0.1)
 SPEC = ("--spec", "../spec.toml")
 KEPT = ("--baseline", "audio-checks-baseline.json")
 
@@ -39,7 +39,7 @@ def test_it_goes_by_the_sound_not_by_the_name(folder, run):
     run("check", *SPEC, "--add-baseline", ".")
     path = path.rename(folder / "phaser.wav")
     assert run("check", *SPEC, *KEPT, ".")[0] == 0
-    write_wav(path, sine(hz=997, dbfs=0.0, seconds=0.2))
+    write_wav(path, sine(hz=1_000, dbfs=0.0, seconds=0.2))
     assert run("check", *SPEC, *KEPT, ".")[0] == 1
 
 

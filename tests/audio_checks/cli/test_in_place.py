@@ -10,7 +10,7 @@ import pytest
 from audio_checks import check_file, in_place, wav
 from tests.support.waves import chunk, fmt, pcm_bytes, riff, sine, wav_bytes, write_wav
 
-GOOD = sine(hz=997, dbfs=-6, seconds=0.1)
+GOOD = sine(hz=1_000, dbfs=-6, seconds=0.1)
 WHOLE = wav_bytes(GOOD)
 SPEC = ("--spec", "../spec.toml")
 OPEN = b"\xff\xff\xff\xff"

@@ -1,4 +1,4 @@
-"""Peak, RMS, offset, flat tops, correlation and bits, from theory."""
+"""Peak, RMS, offset, correlation and bits, from theory."""
 
 import math
 
@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from audio_checks.measure.bits import effective_bits
-from audio_checks.measure.flat_tops import FlatTops
 from audio_checks.measure.levels import Levels, dc_offset_percent, rms_dbfs, sample_peak_dbfs
 from audio_checks.measure.phase import Phase
 from tests.support.waves import click, join, noise, silence, sine
@@ -81,43 +80,6 @@ def test_plain_functions_agree_with_blocks():
     assert figures["sample_peak_dbfs"] == pytest.approx(sample_peak_dbfs(samples), abs=1e-12)
     assert figures["rms_dbfs"] == pytest.approx(rms_dbfs(samples), abs=1e-9)
     assert figures["dc_offset_percent"] == pytest.approx(dc_offset_percent(samples), abs=1e-9)
-
-
-def flat_tops(samples, size=1_000, step=2.0**-23):
-    return measured(FlatTops(1_000, samples.shape[1], len(samples), step=step), samples, size)
-
-
-@pytest.mark.parametrize("size", [1, 2, 3, 5, 100])
-def test_runs_at_full_scale_are_found_whatever_the_blocks(size):
-    samples = np.zeros((100, 2))
-    samples[10:13, 0] = 1.0
-    samples[20:22, 0] = 1.0  # two are a crest
-    samples[30:40, 1] = -1.0
-    samples[40:43, 1] = 1.0  # the other rail is another run
-    samples[97:, 0] = -1.0
-    figures = flat_tops(samples, size)
-    assert figures["clipped_runs"] == 4
-    assert figures["clipped_spans"] == ((0.010, 0.013, 1), (0.030, 0.040, 2), (0.040, 0.043, 2), (0.097, 0.100, 1))
-
-
-@pytest.mark.parametrize(("step", "level", "runs"), [(2.0**-7, 127 / 128, 1), (2.0**-15, 127 / 128, 0), (0.0, 1.2, 1)])
-def test_full_scale_is_the_largest_sample_of_the_depth(step, level, runs):
-    assert flat_tops(np.full((10, 1), level), step=step)["clipped_runs"] == runs
-
-
-def test_a_normalised_sine_is_not_clipped():
-    assert flat_tops(sine(hz=997, dbfs=0))["clipped_runs"] == 0
-
-
-def test_a_driven_sine_is_clipped_twice_a_period():
-    assert flat_tops(np.clip(sine(hz=100, dbfs=6), -1, 1))["clipped_runs"] == 200
-
-
-def test_many_runs_are_counted_and_the_first_kept():
-    samples = np.tile(np.array([1.0, 1.0, 1.0, 0.0]), 3_000)[:, np.newaxis]
-    figures = flat_tops(samples)
-    assert figures["clipped_runs"] == 3_000
-    assert len(figures["clipped_spans"]) == 1_000
 
 
 def correlation(samples):

@@ -65,7 +65,7 @@ def codes_left(mended):
 
 class TestGain:
     def test_one_factor_of_exactly_the_excess(self, tmp_path, out):
-        master = write_wav(tmp_path / "laser.wav", sine(hz=997, dbfs=0.0, seconds=0.2))
+        master = write_wav(tmp_path / "laser.wav", sine(hz=1_000, dbfs=0.0, seconds=0.2))
         mended = mend_master(master, spec(without="true_peak"), out)
         assert (mended.path, mended.conforms, kinds(mended)) == (out / "laser.wav", True, ["gain"])
         loud = samples_of(master)
@@ -219,7 +219,7 @@ class TestDepthAndHeader:
         assert "never raises the depth" in mended.left[0].why
 
     def test_sizes_and_padding(self, tmp_path, out):
-        content = wav_bytes(sine(hz=997, seconds=0.1)) + bytes(512)
+        content = wav_bytes(sine(hz=1_000, seconds=0.1)) + bytes(512)
         master = tmp_path / "laser.wav"
         master.write_bytes(content)
         mended = mend_master(master, spec(), out)
@@ -227,7 +227,7 @@ class TestDepthAndHeader:
         assert mended.path.read_bytes() == content[:-512]
 
     def test_a_header_left_open_by_a_pipe(self, tmp_path, out):
-        sound = pcm_bytes(sine(hz=997, dbfs=0.0, seconds=0.1), 24)
+        sound = pcm_bytes(sine(hz=1_000, dbfs=0.0, seconds=0.1), 24)
         data = b"data" + struct.pack("<I", 0xFFFFFFFF) + sound
         master = tmp_path / "laser.wav"
         master.write_bytes(riff(chunk(b"fmt ", fmt(bits=24)), data, size=0xFFFFFFFF))

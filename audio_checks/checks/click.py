@@ -1,0 +1,46 @@
+"""`click`: no moment is far sharper than all that lies around it.
+
+Why: a splice between two waves, a lost sample, a plug-in that starts late or a scratched recording
+leave a step of one or a few samples. It is heard as a tick, in a game a thousand times.
+How to fix: go to the named places and draw the samples anew, use a declicker, or move the edit to
+where both waves meet and fade across it. Crackle that is meant may stay: say so, or turn this off.
+Source: Godsill and Rayner, Digital Audio Restoration (1998), chapter 5: what is sudden stands out of
+its surroundings once what moves slowly is taken away, here by a sixth difference.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("clicks", "click_places")
+PLACES_NAMED = 3
+AROUND_S = 0.0005
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+    """Yield one `click:isolated` for the file, at its sharpest click, when there is any."""
+    places = file.measurements.click_places
+    if not places:
+        return
+    count = file.measurements.clicks
+    sharpest = max(places, key=lambda click: click.level_dbfs)
+    named = ", ".join(f"{click.at_s:.3f} s" for click in places[:PLACES_NAMED])
+    more = ", ..." if count > PLACES_NAMED else ""
+    yield Finding(
+        code="click:isolated",
+        message=(
+            f"{count} {'click' if count == 1 else 'clicks'} ({named}{more}),"
+            f" the sharpest like one sample at {sharpest.level_dbfs:.1f} dBFS"
+        ),
+        fix="repair the samples there, or move the edit to where both waves meet and fade across it",
+        measured=float(count),
+        limit=0.0,
+        unit="clicks",
+        start_s=max(0.0, sharpest.at_s - AROUND_S),
+        end_s=min(file.facts.duration_s, sharpest.at_s + 2 * AROUND_S),
+    )

@@ -1,0 +1,43 @@
+"""`cut-tail`: the sound does not end in the middle of its wave.
+
+Why: where the last samples stand far from zero, the sound stops with a click, and its tail is
+missing. Most often the selection was too short, or a limit of length cut it. Loops rightly end in
+mid-wave, so they are left alone.
+How to fix: export up to the end of the tail, or fade out over its last part.
+Source: practice in the field. The last sample reaches a fifth of the largest one in the 10 ms before
+it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
+zero there. Digital silence around the sound does not hide its edge.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from audio_checks.findings import Finding
+from audio_checks.spec import CueFacts, DeliverySpec
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("end_edge",)
+AROUND_S = 0.01
+
+
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+    """Not for a loop."""
+    return not (cue is not None and cue.loop)
+
+
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+    """Yield `cut-tail:mid-wave` when the sound ends far from zero."""
+    edge = file.measurements.end_edge
+    if edge is None or not edge.cut or file.layout.loops:
+        return
+    yield Finding(
+        code="cut-tail:mid-wave",
+        message=f"the sound ends in mid-wave: its last sample is at {edge.level_dbfs:.1f} dBFS",
+        fix="export up to the end of the tail, or fade out",
+        measured=edge.level_dbfs,
+        unit="dBFS",
+        start_s=max(0.0, edge.at_s - AROUND_S),
+        end_s=edge.at_s,
+    )

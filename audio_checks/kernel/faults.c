@@ -1,0 +1,239 @@
+/* What detectors of short faults look at: cells, crests, and stretches that come twice. */
+#include "kernel.h"
+
+#include <stdlib.h>
+
+enum { CELL_FIGURES = 4, HISTORY = 6, LANES = 4, REGISTERS = LANES / TOGETHER };
+
+static inline together differences(const double *at) {
+    const together far = neighbours(at) + neighbours(at - 6), near = neighbours(at - 1) + neighbours(at - 5);
+    const together close = neighbours(at - 2) + neighbours(at - 4);
+    return (far - BOTH(6, 6) * near) + (BOTH(15, 15) * close - BOTH(20, 20) * neighbours(at - 3));
+}
+
+static inline double difference(const double *at) {
+    return (at[0] + at[-6] - 6 * (at[-1] + at[-5])) + (15 * (at[-2] + at[-4]) - 20 * at[-3]);
+}
+
+static inline double larger_of(double one, double other) { return one > other ? one : other; }
+
+/* Sum, sum of squares, largest step and largest sixth difference of one cell. */
+static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double *RESTRICT figures) {
+    together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
+    together steps[REGISTERS] = {BOTH(0, 0)}, sharp[REGISTERS] = {BOTH(0, 0)};
+    Py_ssize_t at = 0;
+    for (; at + LANES <= size; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            const double *here = samples + at + which * TOGETHER;
+            const together both = neighbours(here);
+            sums[which] += both;
+            squares[which] += both * both;
+            steps[which] = larger(sizes(both - neighbours(here - 1)), steps[which]);
+            sharp[which] = larger(sizes(differences(here)), sharp[which]);
+        }
+    }
+    double lanes[CELL_FIGURES][LANES];
+    memcpy(lanes[0], sums, sizeof lanes[0]);
+    memcpy(lanes[1], squares, sizeof lanes[1]);
+    memcpy(lanes[2], steps, sizeof lanes[2]);
+    memcpy(lanes[3], sharp, sizeof lanes[3]);
+    for (int figure = 0; figure < CELL_FIGURES; figure++) figures[figure] = 0;
+    for (int lane = 0; lane < LANES; lane++) {
+        figures[0] += lanes[0][lane];
+        figures[1] += lanes[1][lane];
+        figures[2] = larger_of(lanes[2][lane], figures[2]);
+        figures[3] = larger_of(lanes[3][lane], figures[3]);
+    }
+    for (; at < size; at++) {
+        figures[0] += samples[at];
+        figures[1] += samples[at] * samples[at];
+        figures[2] = larger_of(fabs(samples[at] - samples[at - 1]), figures[2]);
+        figures[3] = larger_of(fabs(difference(samples + at)), figures[3]);
+    }
+}
+
+PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block, out;
+    if (arguments("cells", count, 4) < 0) return NULL;
+    const Py_ssize_t first = PyLong_AsSsize_t(args[1]), size = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 || take_planar(&held, args[3], &out, 1) < 0) {
+        let_go(&held);
+        return NULL;
+    }
+    if (first < HISTORY || size < 1 || out.channels != CELL_FIGURES * block.channels ||
+        out.frames > (block.frames - first) / size) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "six frames of history and whole cells are wanted, four figures of each channel");
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+        for (Py_ssize_t cell = 0; cell < out.frames; cell++) {
+            double figures[CELL_FIGURES];
+            measure_cell(block.samples + channel * block.row + first + cell * size, size, figures);
+            for (int figure = 0; figure < CELL_FIGURES; figure++) {
+                out.samples[(figure * block.channels + channel) * out.row + cell] = figures[figure];
+            }
+        }
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
+}
+
+/* A crest is what a wave does between rising over `floor` and falling below it; seven figures tell its shape. */
+enum { CREST_FIGURES = 7, SHAPE_FIGURES = 8 };
+
+typedef struct {
+    double sign, floor, least, rail, grain, share, flat, wide;
+} shape;
+
+/* The longest run of samples at or above `level`; its length, and where it starts. */
+static Py_ssize_t longest_run(const double *samples, Py_ssize_t start, Py_ssize_t end, double sign, double level,
+                              Py_ssize_t *place) {
+    Py_ssize_t longest = 0, run = 0;
+    for (Py_ssize_t at = start; at < end; at++) {
+        run = sign * samples[at] >= level ? run + 1 : 0;
+        if (run > longest) {
+            longest = run;
+            *place = at - run + 1;
+        }
+    }
+    return longest;
+}
+
+static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t end, Py_ssize_t frames, double top,
+                          const shape *wanted, double *figures) {
+    const double grain = larger_of(wanted->grain, wanted->share * top);
+    Py_ssize_t place = start, flat_place = start;
+    const Py_ssize_t hard = longest_run(samples, start, end, wanted->sign, top - grain, &place);
+    const Py_ssize_t flat = longest_run(samples, start, end, wanted->sign, top * wanted->flat, &flat_place);
+    Py_ssize_t from = flat_place, to = flat_place + flat;
+    while (from > start && wanted->sign * samples[from - 1] >= top * wanted->wide) from--;
+    while (to < end && wanted->sign * samples[to] >= top * wanted->wide) to++;
+    const double before = place >= 2 ? wanted->sign * samples[place - 2] : 0;
+    const double after = place + hard + 1 < frames ? wanted->sign * samples[place + hard + 1] : 0;
+    figures[0] = (double)place;
+    figures[1] = top;
+    figures[2] = (double)hard;
+    figures[3] = top - larger_of(before, after);
+    figures[4] = (double)flat;
+    figures[5] = (double)(to - from);
+    figures[6] = (double)longest_run(samples, start, end, wanted->sign, wanted->rail, &place);
+}
+
+PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    double *samples, *wanted_figures, *out;
+    if (arguments("crests", count, 4) < 0) return NULL;
+    const Py_ssize_t first = PyLong_AsSsize_t(args[1]);
+    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(wanted_figures = TAKE_DOUBLES(&held, args[2], SHAPE_FIGURES, 0)) || !(out = TAKE_DOUBLES(&held, args[3], -1, 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t most = held.views[2].len / (Py_ssize_t)sizeof(double) / CREST_FIGURES;
+    shape wanted;
+    memcpy(&wanted, wanted_figures, sizeof wanted);
+    Py_ssize_t found = 0;
+    Py_BEGIN_ALLOW_THREADS
+    Py_ssize_t at = first;
+    while (at > 0 && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that the last block left open */
+    while (at < frames && found < most) {
+        while (at < frames && wanted.sign * samples[at] < wanted.floor) at++;
+        const Py_ssize_t start = at;
+        double top = 0;
+        while (at < frames && wanted.sign * samples[at] >= wanted.floor) {
+            top = larger_of(wanted.sign * samples[at], top);
+            at++;
+        }
+        if (at < frames && at >= first && top >= wanted.least) {
+            measure_crest(samples, start, at, frames, top, &wanted, out + found * CREST_FIGURES);
+            found++;
+        }
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
+}
+
+/* Stretches that come twice are looked for by words of six samples. Which words are looked up depends on what they
+ * hold, so that a second coming chooses the same. */
+enum { WORD = 6, ONE_IN_BITS = 4, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
+
+static inline uint64_t bits_of(double sample) {
+    uint64_t bits;
+    memcpy(&bits, &sample, sizeof bits);
+    return bits;
+}
+
+static inline uint64_t scattered(uint64_t bits) { return bits * UINT64_C(0x9E3779B97F4A7C15); }
+
+static int spread_out(const double *word, double spread) {
+    double low = word[0], high = word[0];
+    for (int place = 1; place < WORD; place++) {
+        low = word[place] < low ? word[place] : low;
+        high = word[place] > high ? word[place] : high;
+    }
+    return high - low >= spread;
+}
+
+typedef struct {
+    uint64_t key;
+    Py_ssize_t place;
+} slot;
+
+PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    double *samples;
+    int64_t *out;
+    slot *slots;
+    if (arguments("recurrences", count, 7) < 0) return NULL;
+    const Py_ssize_t first = PyLong_AsSsize_t(args[1]);
+    const double spread = PyFloat_AsDouble(args[2]), times = PyFloat_AsDouble(args[5]);
+    const Py_ssize_t shortest = PyLong_AsSsize_t(args[3]), longest = PyLong_AsSsize_t(args[4]);
+    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(out = take_row(&held, args[6], -1, sizeof(int64_t), 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    if (!(slots = calloc(SLOTS, sizeof *slots))) {
+        let_go(&held);
+        return PyErr_NoMemory();
+    }
+    const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t most = held.views[1].len / (Py_ssize_t)sizeof(int64_t) / 3;
+    Py_ssize_t found = 0, known_until = 0;
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t at = 0; at + WORD <= frames && found < most; at++) {
+        uint64_t key = scattered(bits_of(samples[at]));
+        if (key >> (64 - ONE_IN_BITS) || !spread_out(samples + at, spread)) continue;
+        for (int place = 1; place < WORD; place++) key = scattered(key ^ key >> 29 ^ bits_of(samples[at + place]));
+        slot *here = slots + (key >> (64 - SLOT_BITS));
+        const Py_ssize_t lag = at - here->place;
+        const int again = here->key == key;
+        here->key = key;
+        here->place = at;
+        if (!again || lag < shortest || lag > longest || at < known_until) continue;
+        const Py_ssize_t reach = (Py_ssize_t)(times * (double)lag) + 1;
+        Py_ssize_t start = at, end = at;
+        while (end < frames && samples[end] == samples[end - lag] && end - start <= reach) end++;
+        while (start > lag && samples[start - 1] == samples[start - 1 - lag] && end - start <= reach) start--;
+        known_until = end;
+        if (end > first && end < frames && end - start >= lag && end - start <= reach - 1) {
+            out[found * 3] = start;
+            out[found * 3 + 1] = end;
+            out[found * 3 + 2] = lag;
+            found++;
+        }
+    }
+    Py_END_ALLOW_THREADS
+    free(slots);
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
+}

@@ -1,0 +1,108 @@
+"""Cut edges: sounds that start or end in the middle of their wave."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.decibels import decibels
+
+SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
+GRAIN = 2.0  # steps of the bit depth that still are silence
+NEAR_S = 0.01  # of the sound, which its outermost sample is compared with
+EDGE_SHARE = 0.2  # of the largest sample nearby, which an edge in mid-wave reaches and a fade does not
+BELOW_PEAK = 1e-2  # 40 dB: an edge that quiet, under the file's peak, does not matter
+
+
+class Edge(NamedTuple):
+    """How a sound starts or ends: where, at which level, in which channel (1 is the first), and whether it is cut."""
+
+    at_s: float
+    level_dbfs: float
+    channel: int
+    cut: bool
+
+
+class Cuts:
+    """Remembers how a sound starts and ends; digital silence around it does not belong to it.
+
+    Parameters
+    ----------
+    sample_rate_hz, channels, frames : int
+        Of the whole signal.
+    step : float
+        The smallest step of the file's bit depth; 0 for float.
+    """
+
+    FIGURES = ("start_edge", "end_edge")
+
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:  # noqa: ARG002 - all accumulators are made alike
+        self._rate = sample_rate_hz
+        self._silent = max(SILENT, GRAIN * step)
+        self._length = max(1, round(NEAR_S * sample_rate_hz))
+        self._head = np.empty((channels, 0))
+        self._head_at = -1  # the frame that the sound starts with
+        self._tail = np.empty((channels, 0))  # what the sound ends with, as far as is known
+        self._after: list[NDArray[np.float64]] = []  # silence that came after it
+        self._seen = 0
+        self._tail_end = 0
+        self._peak = 0.0
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (n, channels)."""
+        if not len(block):
+            return
+        planar = block.T
+        self._peak = max(self._peak, float(block.max()), -float(block.min()))
+        if self._head_at < 0:
+            loud = np.flatnonzero(np.abs(planar).max(axis=0) > self._silent)
+            if len(loud):
+                self._head_at = self._seen + int(loud[0])
+                self._head = planar[:, loud[0] : loud[0] + self._length].copy()
+        elif self._head.shape[1] < self._length:
+            self._head = np.concatenate((self._head, planar[:, : self._length - self._head.shape[1]]), axis=1)
+        last = self._last_loud(planar)
+        if last >= 0:
+            before = (
+                np.concatenate((self._tail, *self._after), axis=1) if last + 1 < self._length else self._tail[:, :0]
+            )
+            self._tail = np.concatenate((before, planar[:, max(0, last + 1 - self._length) : last + 1]), axis=1)
+            self._tail = self._tail[:, -self._length :]
+            self._tail_end = self._seen + last + 1
+            self._after = []
+        if sum(piece.shape[1] for piece in self._after) < self._length:
+            self._after.append(planar[:, last + 1 :][:, : self._length].copy())
+        self._seen += len(block)
+
+    def result(self) -> dict[str, Any]:
+        """Return `start_edge` and `end_edge`, each an Edge; None for silence."""
+        if self._head_at < 0:
+            return {"start_edge": None, "end_edge": None}
+        return {
+            "start_edge": self._judge(self._head, self._head_at),
+            "end_edge": self._judge(self._tail[:, ::-1], self._tail_end),
+        }
+
+    def _last_loud(self, planar: NDArray[np.float64]) -> int:
+        for end in range(planar.shape[1], 0, -self._length):
+            start = max(0, end - self._length)
+            loud = np.flatnonzero(np.abs(planar[:, start:end]).max(axis=0) > self._silent)
+            if len(loud):
+                return start + int(loud[-1])
+        return -1
+
+    def _judge(self, samples: NDArray[np.float64], at: int) -> Edge:
+        """Return the most conspicuous channel's edge; `samples` run from the edge into the sound."""
+        sizes = np.abs(samples)
+        channel = int(sizes[:, 0].argmax())
+        edge, nearby = float(sizes[channel, 0]), float(sizes[channel].max())
+        cut = _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= BELOW_PEAK * self._peak
+        return Edge(at / self._rate, decibels(edge), channel + 1, cut)
+
+
+def _jumps(samples: NDArray[np.float64], least: float) -> bool:
+    """Tell whether a wave, followed back beyond its edge by a line or by a parabola, is far from zero."""
+    first, second, third = (*samples[:3].tolist(), 0.0, 0.0)[:3]
+    return bool(abs(first) >= least and max(abs(2 * first - second), abs(3 * first - 3 * second + third)) >= least)

@@ -1,0 +1,77 @@
+"""The noise floor: the level that is left when the sound pauses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.cells import Cells
+from audio_checks.measure.decibels import power_decibels
+
+CELLS = 20  # of one step: 10 ms
+PAUSE = 20  # steps: a pause lasts 0.2 s
+DEEP = 100.0  # in power: a pause lies 20 dB under the loudest 0.2 s
+STEADY_DB = 6.0  # by which the steps of a pause may differ between their lower and upper quarter
+NEAR = 4.0  # in power, 6 dB: what lies around the quietest 0.2 s and is no louder belongs to the pause
+LEVEL = 1.6  # in power, 2 dB: by which the halves of a pause may differ; a sound that dies away is none
+
+
+class NoiseFloor:
+    """Finds the quietest pause in cells.
+
+    Parameters
+    ----------
+    channels : int
+    cell_frames : int
+        Frames of each cell.
+    """
+
+    FIGURES = ("noise_floor_dbfs",)
+
+    def __init__(self, channels: int, cell_frames: int) -> None:
+        self._frames = CELLS * cell_frames
+        self._kept = np.empty((channels, 0))
+        self._steps: list[NDArray[np.float32]] = []
+
+    def add(self, cells: Cells) -> None:
+        """Take the next cells."""
+        kept = np.concatenate((self._kept, cells.squares), axis=1)
+        count = kept.shape[1] // CELLS
+        steps = kept[:, : count * CELLS].reshape(len(kept), count, CELLS).sum(axis=2) / self._frames
+        self._steps.append(steps.astype(np.float32))
+        self._kept = kept[:, count * CELLS :]
+
+    def result(self) -> dict[str, Any]:
+        """Return `noise_floor_dbfs`, the RMS of the quietest pause in the noisiest channel; None without a pause.
+
+        -inf where a pause is digital silence.
+        """
+        steps = np.concatenate(self._steps, axis=1)
+        floors = [floor for floor in map(_floor, steps) if floor is not None]
+        return {"noise_floor_dbfs": power_decibels(max(floors)) if floors else None}
+
+
+def _floor(steps: NDArray[np.float32]) -> float | None:
+    """Return the power of the quietest pause of one channel."""
+    if len(steps) < 2 * PAUSE:
+        return None
+    sums = np.concatenate(([0.0], np.cumsum(steps, dtype=np.float64)))
+    means = (sums[PAUSE:] - sums[:-PAUSE]) / PAUSE
+    quietest = int(means.argmin())
+    pause = steps[quietest : quietest + PAUSE].astype(np.float64)
+    floor = float(pause.mean())
+    if floor * DEEP > means.max():
+        return None
+    if not floor:
+        return 0.0
+    lower, upper = np.quantile(pause, (0.25, 0.75))
+    louder = np.flatnonzero(means > floor * NEAR)
+    first = int(louder[louder < quietest].max(initial=-1)) + 1
+    last = int(louder[louder > quietest].min(initial=len(means))) - 1 + PAUSE
+    middle = (first + last) // 2
+    halves = sorted((float(steps[first:middle].mean()), float(steps[middle:last].mean())))
+    if upper > lower * 10 ** (STEADY_DB / 10) or halves[1] > halves[0] * LEVEL:
+        return None
+    return floor

@@ -1,0 +1,61 @@
+"""Repeated buffers: a stretch of samples that comes twice in a row, bit by bit, in the middle of a sound."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import kernel
+
+SHORTEST_S, LONGEST_S = 0.0013, 0.047  # buffers of 64 frames at 48 kHz to 2048 at 44.1 kHz
+MOST_TIMES = 4.5  # repeated more often it is a period, or a stutter that is meant
+HISTORY_S = (MOST_TIMES + 1.5) * LONGEST_S  # of samples that came before: what the longest repeat needs
+SPREAD = 16.0  # steps of the bit depth between the samples of a word: quieter ones come again by chance
+LEAST_SPREAD = 1e-4
+MAX_AT_ONCE, MAX_KEPT = 256, 1_000
+
+
+class Repeat(NamedTuple):
+    """One repeat: from when to when a stretch plays again, how long after the first time, and in which channel."""
+
+    start_s: float
+    end_s: float
+    lag_s: float
+    channel: int
+
+
+class Repeats:
+    """Finds repeated buffers.
+
+    Parameters
+    ----------
+    sample_rate_hz : int
+    step : float
+        The smallest step of the file's bit depth; 0 for float.
+    """
+
+    FIGURES = ("repeats", "repeat_places")
+
+    def __init__(self, sample_rate_hz: int, step: float) -> None:
+        self._rate = sample_rate_hz
+        self._spread = max(SPREAD * step, LEAST_SPREAD)
+        self._lags = (round(SHORTEST_S * sample_rate_hz), round(LONGEST_S * sample_rate_hz))
+        self._out = np.empty((MAX_AT_ONCE, 3), np.int64)
+        self._found: list[Repeat] = []
+
+    def add(self, samples: NDArray[np.float64], first: int, frame: int) -> None:
+        """Take the samples from `first` on, shape (channels, n); those before came already.
+
+        `frame` is where in the whole signal the first of all of them lies.
+        """
+        for channel, row in enumerate(samples, 1):
+            count = kernel.recurrences(row, first, self._spread, *self._lags, MOST_TIMES, self._out)
+            for start, end, lag in self._out[: min(count, MAX_KEPT - len(self._found))].tolist():
+                start_s, end_s = (frame + start) / self._rate, (frame + end) / self._rate
+                self._found.append(Repeat(start_s, end_s, lag / self._rate, channel))
+
+    def result(self) -> dict[str, Any]:
+        """Return `repeats`, how many there are, and `repeat_places`."""
+        return {"repeats": len(self._found), "repeat_places": tuple(sorted(self._found))}
