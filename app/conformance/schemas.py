@@ -124,9 +124,11 @@ class MendRead(Schema):
     says: str = Field(description="What the mend does, or did; else why there is none.")
     repairs: list[RepairRead]
     left: list[LeftRead]
+    is_our_fault: bool = Field(description="It could not be made because our mender broke; asking again may help.")
     before: dict[str, Any] = Field(description="Figures of the take, by name.")
     after: dict[str, Any] = Field(description="The same figures of the mended copy.")
-    cut_s: tuple[float, float] = Field(description="Taken from start and end.")
+    cut_head_s: float = Field(description="Taken from the start.")
+    cut_tail_s: float = Field(description="Taken from the end.")
     duration_s: float | None = Field(description="Of the mended copy.")
     file_name: str | None
     spots: list[SpotRead]

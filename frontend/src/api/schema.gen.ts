@@ -3757,6 +3757,11 @@ export interface components {
             /** Left */
             left: components["schemas"]["LeftRead"][];
             /**
+             * Is Our Fault
+             * @description It could not be made because our mender broke; asking again may help.
+             */
+            is_our_fault: boolean;
+            /**
              * Before
              * @description Figures of the take, by name.
              */
@@ -3771,13 +3776,15 @@ export interface components {
                 [key: string]: unknown;
             };
             /**
-             * Cut S
-             * @description Taken from start and end.
+             * Cut Head S
+             * @description Taken from the start.
              */
-            cut_s: [
-                number,
-                number
-            ];
+            cut_head_s: number;
+            /**
+             * Cut Tail S
+             * @description Taken from the end.
+             */
+            cut_tail_s: number;
             /**
              * Duration S
              * @description Of the mended copy.

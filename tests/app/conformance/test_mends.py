@@ -51,7 +51,7 @@ def test_what_came_back_finds_its_mend_made(world: World, take: dict[str, Any]) 
     assert [repair["kind"] for repair in mend["repairs"]] == ["head", "gain"]
     assert mend["before"]["sample_peak_dbfs"] == pytest.approx(0.0, abs=0.01)
     assert mend["after"]["true_peak_dbtp"] == pytest.approx(-1.0, abs=0.06)
-    assert mend["cut_s"] == [pytest.approx(0.045), 0.0]
+    assert (mend["cut_head_s"], mend["cut_tail_s"]) == (pytest.approx(0.045), 0.0)
     assert mend["duration_s"] == pytest.approx(0.205)
     [head, gain] = mend["spots"]
     assert (head["kind"], gain["kind"]) == ("head", "gain")
@@ -226,7 +226,7 @@ def test_when_its_mender_dies_three_times_that_is_our_fault(world: World, monkey
         broken.setattr(jobs, "_mended", lambda *_: None)
         take = returned(world)
         mend = mend_of(world, take)
-        assert (mend["state"], mend["says"]) == ("refused", OUR_FAULT)
+        assert (mend["state"], mend["says"], mend["is_our_fault"]) == ("refused", OUR_FAULT, True)
     asked = world.designer.post(f"/v1/takes/{take['id']}/mend")
     assert asked.json()["state"] == "making"
     world.server.wait_for_jobs()
