@@ -4,13 +4,13 @@ import { csrfToken, problemOf } from '@/api'
 
 import type { Transport, TransportEvents, Upload } from './queue'
 
-interface TusOptions {
+export interface TusOptions {
   endpoint: string
   /** Sent once with the creation of each upload: what the server binds it to. */
   metadata: (upload: Upload) => Record<string, string>
 }
 
-function bodyOf(text: string): unknown {
+export function bodyOf(text: string): unknown {
   try {
     return JSON.parse(text)
   } catch {

@@ -1,6 +1,6 @@
 import type { QueryClient } from '@tanstack/react-query'
 
-import { type Picked, tusTransport, type Upload, UploadQueue } from '@/uploads'
+import { partsTransport, type Picked, tusTransport, type Upload, UploadQueue } from '@/uploads'
 
 import {
   acceptedKindsQuery,
@@ -27,12 +27,13 @@ export class DeliveryUploads {
   constructor(client: QueryClient, projectId: string, accepts: UploadQueueAccepts) {
     this.#client = client
     this.#projectId = projectId
+    const where = {
+      endpoint: '/v1/uploads',
+      metadata: ({ file }: Upload) => ({ delivery_id: this.#deliveryOf.get(file) ?? '', file_name: file.name }),
+    }
     this.queue = new UploadQueue({
       accepts,
-      transport: tusTransport({
-        endpoint: '/v1/uploads',
-        metadata: ({ file }) => ({ delivery_id: this.#deliveryOf.get(file) ?? '', file_name: file.name }),
-      }),
+      transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
       onFinished: (upload, uploadId) => this.#arrived(upload, uploadId),
     })
   }

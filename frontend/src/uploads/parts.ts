@@ -1,0 +1,189 @@
+import { answered, api, ApiProblem, csrfToken, lineLost, problemOf } from '@/api'
+
+import type { Transport, TransportEvents, Upload } from './queue'
+import { bodyOf, type TusOptions, uploadIdOf } from './tus'
+
+/** Below this a file is one request anyway, and the server takes it as it comes. */
+export const PARTS_FROM_BYTES = 16 * 2 ** 20
+const EXTENSION = 'soundlist-parts'
+const LINKS_AT_ONCE = 8
+/** So often a store that was never reached is tried before bytes go through the server instead. */
+const STRIKES = 3
+
+/** Puts bytes at an address of the store; resolves with the status, 0 where the line dropped. */
+export type Put = (
+  url: string,
+  bytes: Blob,
+  onProgress: (sentBytes: number) => void,
+  stop: AbortSignal,
+) => Promise<number>
+
+interface PartsOptions extends TusOptions {
+  /** What carries a file where the store takes no parts. */
+  otherwise: Transport
+  put?: Put
+}
+
+/** Sends large files to the store itself, in parts, where the server says that it takes them. */
+export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }: PartsOptions): Transport {
+  let offered: Promise<boolean> | null = null
+  let strikes = 0
+
+  const isOffered = (): Promise<boolean> => {
+    offered ??= takesParts(endpoint).catch((error: unknown) => {
+      offered = null
+      throw error
+    })
+    return offered
+  }
+
+  const send = async (upload: Upload, events: TransportEvents, place: Place, stop: AbortSignal): Promise<void> => {
+    const id = place.known() ?? place.keep(await create(endpoint, metadata(upload), upload.file, stop))
+    const standing = await ask(id, [])
+    const lengthOf = (number: number) =>
+      Math.min(standing.part_bytes, upload.file.size - (number - 1) * standing.part_bytes)
+    const here = new Set(standing.here)
+    let sent = [...here].reduce((sum, number) => sum + lengthOf(number), 0)
+    if (sent > 0) events.onResumed(sent)
+    const missing = Array.from({ length: standing.parts }, (_, index) => index + 1).filter(
+      (number) => !here.has(number),
+    )
+    for (let first = 0; first < missing.length; first += LINKS_AT_ONCE) {
+      const { links } = await ask(id, missing.slice(first, first + LINKS_AT_ONCE))
+      for (const { url, start, length } of links) {
+        stop.throwIfAborted()
+        const before = sent
+        const tell = (some: number) => events.onProgress(before + some)
+        const status = await put(url, upload.file.slice(start, start + length), tell, stop)
+        stop.throwIfAborted()
+        if (status < 200 || status >= 300) {
+          strikes += 1
+          throw lineLost() // also a link that expired: the next try asks for new ones
+        }
+        strikes = Number.NEGATIVE_INFINITY
+        sent += length
+        events.onProgress(sent)
+      }
+    }
+    const finished = await answered(api.POST('/v1/uploads/{upload_id}/finish', { params: { path: { upload_id: id } } }))
+    place.forget()
+    events.onFinished(finished.upload_id)
+  }
+
+  return {
+    start(upload, events) {
+      const stopping = new AbortController()
+      const place = placeOf(endpoint, metadata(upload), upload)
+      let halt = (forget: boolean) => {
+        const id = place.known()
+        if (!forget || id === null) return
+        place.forget()
+        giveUp(id)
+      }
+      const run = async () => {
+        if (upload.file.size < PARTS_FROM_BYTES || !(await isOffered()) || strikes >= STRIKES) {
+          if (stopping.signal.aborted) return
+          halt(true)
+          halt = otherwise.start(upload, events)
+          return
+        }
+        await send(upload, events, place, stopping.signal)
+      }
+      run().catch((error: unknown) => {
+        if (stopping.signal.aborted) return
+        const problem = error instanceof ApiProblem ? error : lineLost()
+        if (problem.code === 'parts-not-taken') offered = null
+        fail(problem, place, events)
+      })
+      return (forget) => {
+        stopping.abort()
+        halt(forget)
+      }
+    },
+  }
+}
+
+/** What the next try mends: it asks for new links, begins anew, or finds that the server takes the bytes itself. */
+const PASSING = ['upload-not-found', 'upload-unfinished', 'upload-busy', 'parts-not-taken', 'checksum-mismatch']
+
+function fail(problem: ApiProblem, place: Place, events: TransportEvents): void {
+  if (['upload-not-found', 'parts-not-taken'].includes(problem.code)) place.forget()
+  const passes = problem.status === 0 || problem.status >= 500 || [408, 429].includes(problem.status)
+  if (passes || PASSING.includes(problem.code)) events.onLost()
+  else events.onRefused(problem.detail)
+}
+
+async function takesParts(endpoint: string): Promise<boolean> {
+  const answer = await asked(endpoint, { method: 'OPTIONS' })
+  return (answer.headers.get('Tus-Extension') ?? '').split(',').includes(EXTENSION)
+}
+
+async function create(
+  endpoint: string,
+  given: Record<string, string>,
+  file: File,
+  signal: AbortSignal,
+): Promise<string> {
+  const pairs = Object.entries(given).map(([name, value]) => `${name} ${base64(value)}`)
+  const headers = { 'Tus-Resumable': '1.0.0', 'Upload-Length': String(file.size), 'Upload-Metadata': pairs.join(',') }
+  const answer = await asked(endpoint, { method: 'POST', headers, signal })
+  return uploadIdOf(answer.headers.get('Location'))
+}
+
+function giveUp(id: string): void {
+  const request = { method: 'DELETE', headers: { 'Tus-Resumable': '1.0.0' } }
+  asked(`/v1/uploads/${id}`, request).catch(() => undefined) // what stays expires by itself
+}
+
+const ask = (id: string, numbers: number[]) =>
+  answered(api.POST('/v1/uploads/{upload_id}/parts', { params: { path: { upload_id: id } }, body: { numbers } }))
+
+async function asked(url: string, request: RequestInit & { headers?: Record<string, string> }): Promise<Response> {
+  const token = csrfToken()
+  const headers = { ...request.headers, ...(token === undefined ? {} : { 'X-CSRF-Token': token }) }
+  const answer = await fetch(url, { ...request, headers, credentials: 'same-origin' }).catch(() => {
+    throw lineLost()
+  })
+  if (!answer.ok) throw problemOf(answer.status, bodyOf(await answer.text()))
+  return answer
+}
+
+function base64(text: string): string {
+  return btoa(String.fromCharCode(...new TextEncoder().encode(text)))
+}
+
+/** Where the id of an upload that was begun is kept, so that it goes on after the page was closed. */
+interface Place {
+  known: () => string | null
+  keep: (id: string) => string
+  forget: () => void
+}
+
+function placeOf(endpoint: string, given: Record<string, string>, { file, path }: Upload): Place {
+  const key = ['soundlist-parts', endpoint, JSON.stringify(given), path, file.size, file.lastModified].join('|')
+  return {
+    known: () => localStorage.getItem(key),
+    keep: (id) => {
+      localStorage.setItem(key, id)
+      return id
+    },
+    forget: () => localStorage.removeItem(key),
+  }
+}
+
+/** By XMLHttpRequest: fetch does not tell how much of a body has gone. */
+function putByXhr(
+  url: string,
+  bytes: Blob,
+  onProgress: (sentBytes: number) => void,
+  stop: AbortSignal,
+): Promise<number> {
+  return new Promise((resolve) => {
+    const request = new XMLHttpRequest()
+    request.open('PUT', url)
+    request.upload.onprogress = (event) => onProgress(event.loaded)
+    request.onloadend = () => resolve(request.status)
+    stop.addEventListener('abort', () => request.abort())
+    request.send(bytes)
+  })
+}
