@@ -34,6 +34,7 @@ WAIT_S = 1.0  # for another run that is writing
 SETTLED_NS = 50_000_000  # a file touched this recently may change again within one tick of its clock
 COARSE_NS = 2_000_000_000  # a tick where times are kept in whole or even seconds, as on FAT
 DAY_S = 86_400
+MAPPED_BYTES = 256 << 20
 CODE_SUFFIXES = frozenset({".py", ".so", ".pyd", ".json"})
 NEVER_KEPT = frozenset({"container:cannot-open", "container:not-a-file"})  # facts of the moment, not of the bytes
 TABLES = (
@@ -81,6 +82,7 @@ class VerdictCache:
         self._today = int(time.time() // DAY_S)
         self._prints: dict[str, _Print] = {}  # as they were before the file was read, by path
         self._hashes: dict[str, bytes] = {}
+        self._folders: dict[str, str] = {}  # as the system knows them, by how they were given
         self._database = self._opened()
 
     @property
@@ -142,7 +144,7 @@ class VerdictCache:
             self._prints[task.path] = printed
             row = database.execute(
                 "SELECT sha256 FROM seen WHERE place = ? AND size = ? AND mtime = ? AND ctime = ? AND inode = ?",
-                (_place(task.path), *printed),
+                (self._place(task.path), *printed),
             ).fetchone()
             if row is not None:
                 self._hashes[task.path] = row[0]
@@ -160,6 +162,13 @@ class VerdictCache:
         found = (task.path for task, entry in zip(tasks, recalled, strict=True) if entry is not None)
         self._note(database, [path for path in found if path not in noted])
         return recalled
+
+    def _place(self, path: str) -> bytes:
+        """Return where a file stands, whatever folder it was named from."""
+        folder, name = os.path.split(path)
+        if folder not in self._folders:
+            self._folders[folder] = os.path.abspath(folder)
+        return os.fsencode(os.path.join(self._folders[folder], name))
 
     def _verdict(self, database: sqlite3.Connection, task: Task, sha256: bytes) -> FileReport | None:
         key = _key(task, sha256)
@@ -197,7 +206,7 @@ class VerdictCache:
         """Note which bytes stand where, of files that have been left alone for a moment."""
         now = time.time_ns()
         rows = [
-            (_place(path), *self._prints[path], self._hashes[path])
+            (self._place(path), *self._prints[path], self._hashes[path])
             for path in paths
             if _is_settled(self._prints[path], now)
         ]
@@ -211,6 +220,7 @@ def _connected(path: Path) -> sqlite3.Connection:
     database = sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)
     try:
         database.execute("PRAGMA synchronous = NORMAL")
+        database.execute(f"PRAGMA mmap_size = {MAPPED_BYTES}")
         (made,) = database.execute("PRAGMA user_version").fetchone()
         if made == 0:
             with _one_step(database):
@@ -240,10 +250,6 @@ def _may_be_known(database: sqlite3.Connection, task: Task, size: int) -> bool:
     """Tell whether there is any verdict in this context on a file of this size: only then is its hash worth reading."""
     found = database.execute("SELECT 1 FROM verdicts WHERE context = ? AND size = ? LIMIT 1", (_context(task), size))
     return found.fetchone() is not None
-
-
-def _place(path: str) -> bytes:
-    return os.fsencode(os.path.abspath(path))
 
 
 def _print_of(path: str) -> _Print | None:

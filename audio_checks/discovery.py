@@ -59,9 +59,10 @@ def _below(path: str) -> Iterator[Found]:
     start = unlimited(path)
     for folder, folders, names in os.walk(start, onerror=_refuse):
         folders[:] = sorted(one for one in folders if not one.startswith("."))
+        below = "" if folder == start else os.path.relpath(folder, start)
         for name in sorted(names):
             if not name.startswith(".") and os.path.splitext(name)[1].lower() in AUDIO_SUFFIXES:
-                relative = os.path.relpath(os.path.join(folder, name), start)
+                relative = os.path.join(below, name)
                 yield Found(os.path.join(path, relative), relative)
 
 

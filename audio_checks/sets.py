@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from audio_checks.checks import all_checks
+from audio_checks.checks import all_checks, variation_set
 from audio_checks.findings import FileReport, Finding
 from audio_checks.severity import crash, graded, ordered
-from audio_checks.sound_list import parse_file_name
 from audio_checks.spec import CueFacts, DeliverySpec
 
 
@@ -30,22 +29,20 @@ class Judged:
         The cue it is for.
     variation : int
         Which of the cue's variations; 1 for a single file.
+    is_alternate : bool
+        Whether it is another take for a place that one has already.
     """
 
     report: FileReport
     spec: DeliverySpec
     cue: CueFacts | None = None
     variation: int = 1
+    is_alternate: bool = False
 
     @property
     def path(self) -> str:
         """Where it is, as the report has it."""
         return self.report.path
-
-    @property
-    def is_alternate(self) -> bool:
-        """Whether its name marks it as another take for the same place."""
-        return parse_file_name(self.path).alternate is not None
 
 
 def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
@@ -62,7 +59,7 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
         In the order of the files; empty for a file that nothing was found in.
     """
     found: list[list[Finding]] = [[] for _ in files]
-    for check in all_checks().values():
+    for check in [one for one in all_checks().values() if one.is_over_sets]:
         places = [
             place
             for place, one in enumerate(files)
@@ -75,6 +72,13 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
             for place in places:
                 found[place].append(crash(check.name, error))
     return [tuple(_graded(findings, one.spec)) for findings, one in zip(found, files, strict=True)]
+
+
+def off_its_set_lu(files: Sequence[Judged]) -> list[float | None]:
+    """Return how much louder each file of one cue is than its other variations, in LU; None where it is not known."""
+    readable = [one for one in files if one.report.facts is not None]
+    off = iter(variation_set.off_its_set_lu(readable))
+    return [next(off) if one.report.facts is not None else None for one in files]
 
 
 def _graded(findings: Sequence[Finding], spec: DeliverySpec) -> Iterator[Finding]:

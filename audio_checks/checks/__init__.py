@@ -65,10 +65,13 @@ class Check:
         found: Iterator[Finding] = self.module.check(file, spec, *([cue] if wants_cue else []))
         return found
 
+    @property
+    def is_over_sets(self) -> bool:
+        """Whether it finds anything over files together."""
+        return hasattr(self.module, "check_set")
+
     def run_set(self, files: Sequence["Judged"]) -> Iterator[tuple[int, Finding]]:
         """Yield what it finds over files together, each with the place of its file."""
-        if not hasattr(self.module, "check_set"):
-            return iter(())
         found: Iterator[tuple[int, Finding]] = self.module.check_set(files)
         return found
 
