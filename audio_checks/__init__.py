@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.sandbox import Sandbox
+    from audio_checks.sets import Judged, off_its_set_lu, set_findings
     from audio_checks.sound_list import (
         SoundList,
         TakeName,
@@ -55,6 +56,7 @@ __all__ = [
     "DeliverySpec",
     "FileReport",
     "Finding",
+    "Judged",
     "MendRefused",
     "Mended",
     "Offer",
@@ -82,12 +84,14 @@ __all__ = [
     "mend_master",
     "mendable",
     "new_spec",
+    "off_its_set_lu",
     "parse_file_name",
     "parse_spec",
     "preview",
     "read_sound_list",
     "render_master",
     "repair_spots",
+    "set_findings",
     "slug",
     "stems_of",
     "wave_shapes",
@@ -116,6 +120,7 @@ _HOMES = {
     "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
     "audio_checks.sandbox": ("Sandbox",),
+    "audio_checks.sets": ("Judged", "off_its_set_lu", "set_findings"),
     "audio_checks.sound_list": (
         "SoundList",
         "TakeName",

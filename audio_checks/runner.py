@@ -15,7 +15,7 @@ from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
 from audio_checks.loudness_presets import PRESETS
 from audio_checks.sets import Judged, with_set_findings
 from audio_checks.severity import crash, graded, ordered
-from audio_checks.sound_list import SoundList
+from audio_checks.sound_list import SoundList, parse_file_name
 from audio_checks.spec import CueFacts, DeliverySpec
 from audio_checks.version import TOOL_VERSION
 
@@ -188,12 +188,16 @@ def task_for(
 def together(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
     """Return what is said of files, with what is found over all of them together."""
     judged = {
-        place: Judged(entry, task.spec, task.cue, task.variation)
+        place: Judged(entry, task.spec, task.cue, task.variation, is_alternate=_is_alternate(task))
         for place, (task, entry) in enumerate(zip(tasks, entries, strict=True))
         if task.spec is not None
     }
     found = dict(zip(judged, with_set_findings(list(judged.values())), strict=True))
     return [found.get(place, entry) for place, entry in enumerate(entries)]
+
+
+def _is_alternate(task: Task) -> bool:
+    return task.cue is not None and parse_file_name(task.path).alternate is not None
 
 
 def judge(tasks: list[Task], *, jobs: int = 1, done: Callable[[FileReport], None] | None = None) -> list[FileReport]:

@@ -47,26 +47,42 @@ def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
         if one.cue is not None and one.cue.variations > 1:
             by_cue[one.cue.number].append(place)
     for places in by_cue.values():
-        chosen: Set = {}
-        for place in sorted(places, key=lambda place: files[place].is_alternate):
-            chosen.setdefault(files[place].variation, place)
+        chosen = _chosen(files, places)
         cue = files[places[0]].cue
         if cue is not None and len(chosen) == cue.variations:
             yield from _of_one_set(files, places, chosen)
 
 
+def off_its_set_lu(files: "Sequence[Judged]") -> list[float | None]:
+    """Return how much louder each file of one cue is than the other variations that are there, in LU.
+
+    None for a file that no other stands beside, and for silence.
+    """
+    places = range(len(files))
+    off = _off(_levels(files, places), files, places, _chosen(files, places))
+    return [off.get(place) for place in places]
+
+
+def _chosen(files: "Sequence[Judged]", places: Sequence[int]) -> Set:
+    """Return the file that stands for each variation: an alternate only where there is nothing else."""
+    chosen: Set = {}
+    for place in sorted(places, key=lambda place: files[place].is_alternate):
+        chosen.setdefault(files[place].variation, place)
+    return chosen
+
+
 def _of_one_set(files: "Sequence[Judged]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
-    levels, lengths = _levels(files, places), _lengths(files, places)
+    levels, lengths = _levels(files, places), {place: _duration_s(files[place]) for place in places}
     levels_off = _off(levels, files, places, chosen)
     most_off = _most_off(levels, levels_off, chosen, files[places[0]].spec.limits.tolerance_db)
     lengths_off = _off(lengths, files, places, chosen)
     for place in places:
         off = levels_off.get(place)
         if off is not None and most_off is not None and abs(off) > most_off:
-            yield place, _level(off, levels[place])
+            yield place, _level(off, levels[place], files[place])
         off = lengths_off.get(place)
         if off is not None and abs(off) > MOST_LENGTH_OFF * (lengths[place] - off):
-            yield place, _length(off, lengths[place])
+            yield place, _length(off, lengths[place], files[place])
     yield from _alike(files, list(chosen.values()))
 
 
@@ -76,10 +92,6 @@ def _levels(files: "Sequence[Judged]", places: Sequence[int]) -> dict[int, float
     figure = "short_loudness_lufs" if short else "integrated_lufs"
     told = {place: files[place].report.measurements.get(figure) for place in places}
     return {place: level for place, level in told.items() if level is not None and level > float("-inf")}
-
-
-def _lengths(files: "Sequence[Judged]", places: Sequence[int]) -> dict[int, float]:
-    return {place: _duration_s(files[place]) for place in places}
 
 
 def _duration_s(one: "Judged") -> float:
@@ -113,11 +125,11 @@ def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set
     return limit if farthest > limit or max(told) - min(told) <= limit else farthest - A_HAIR
 
 
-def _level(off: float, level: float) -> Finding:
+def _level(off: float, level: float, one: "Judged") -> Finding:
     turn, where = ("lower", "over") if off > 0 else ("raise", "under")
     return Finding(
         code="variation-set:level",
-        message=f"{abs(off):.1f} dB {where} its set, limit {MOST_SPREAD_LU:g} LU",
+        message=f"_{one.variation:02} stands {abs(off):.1f} dB {where} its set, limit {MOST_SPREAD_LU:g} LU",
         fix=f"{turn} its level by {abs(off):.1f} dB, to {level - off:.1f} LUFS",
         measured=off,
         limit=MOST_SPREAD_LU,
@@ -125,12 +137,12 @@ def _level(off: float, level: float) -> Finding:
     )
 
 
-def _length(off: float, length_s: float) -> Finding:
+def _length(off: float, length_s: float, one: "Judged") -> Finding:
     wanted_s = length_s - off
     turn = "shorten" if off > 0 else "lengthen"
     return Finding(
         code="variation-set:length",
-        message=f"{length_s:.2f} s, its set {wanted_s:.2f} s, limit {100 * MOST_LENGTH_OFF:.0f} %",
+        message=f"_{one.variation:02} lasts {length_s:.2f} s, its set {wanted_s:.2f} s, limit {MOST_LENGTH_OFF:.0%}",
         fix=f"{turn} the sound by {abs(off):.2f} s, or say on the cue why it differs",
         measured=length_s,
         limit=wanted_s,
@@ -152,9 +164,10 @@ def _alike(files: "Sequence[Judged]", places: Sequence[int]) -> Iterator[tuple[i
 
 
 def _two_alike(apart_db: float, before: "Judged", same: "Judged") -> Finding:
+    both = f"_{same.variation:02} is like _{before.variation:02}"
     return Finding(
         code="variation-set:alike",
-        message=f"{apart_db:.1f} dB apart from _{before.variation:02} of its set, limit {LEAST_UNLIKE_DB:g} dB",
+        message=f"{both}, {apart_db:.1f} dB apart, limit {LEAST_UNLIKE_DB:g} dB",
         fix="replace one of the two by another take",
         measured=apart_db,
         limit=LEAST_UNLIKE_DB,

@@ -9,8 +9,8 @@ from audio_checks import sets as sets_module
 from audio_checks.checks import naming
 from audio_checks.cli import main
 from audio_checks.findings import FileReport
-from audio_checks.sets import Judged, set_findings, with_set_findings
-from audio_checks.spec import parse_spec
+from audio_checks.sets import Judged, off_its_set_lu, set_findings, with_set_findings
+from audio_checks.spec import CueFacts, parse_spec
 from tests.support.waves import noise, write_wav
 
 SPEC = parse_spec("format = 1\nnaming.portable = true")
@@ -84,6 +84,18 @@ def test_a_check_that_breaks_leaves_its_files_unjudged(monkeypatch):
     assert {report.verdict for report in reports} == {"unjudged"}
     assert [finding.code for finding in reports[1].findings] == ["naming:crashed"]
     assert "nothing is known to be wrong with the file" in reports[1].findings[0].message
+
+
+def test_how_far_each_file_is_from_its_set():
+    def step(variation, level, **more):
+        cue = CueFacts("SW-1", variations=4)
+        report = FileReport("a.wav", "conforming", facts={"duration_s": 1.0}, measurements={"integrated_lufs": level})
+        return Judged(report, SPEC, cue, variation, **more)
+
+    files = [step(1, -20.0), step(2, -20.5), step(3, -16.0), step(3, -19.0, is_alternate=True), step(4, None)]
+    unreadable = Judged(FileReport("b.wav", "unreadable"), SPEC)
+    assert off_its_set_lu([*files, unreadable]) == [-1.75, -2.5, 4.25, 1.25, None, None]
+    assert off_its_set_lu(files[:1]) == [None]
 
 
 def test_processes_say_the_same_as_one(tmp_path):
