@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.errors import Unreadable
+from audio_checks.windows import reachable
 
 BLOCK_FRAMES = 65_536
 MAX_BLOCK_BYTES = 4 << 20  # of float64, so that a header of many channels cannot ask for much memory
@@ -178,7 +179,9 @@ def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
         R11, for anything that is not a regular file which may be read.
     """
     try:
-        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+        descriptor = os.open(
+            reachable(os.fspath(path)), os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+        )
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise Unreadable(
