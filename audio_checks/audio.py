@@ -67,6 +67,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
 
 PLACES = frozenset(
     {
+        "channel_peaks_dbfs",
         "clipped_spans",
         "click_places",
         "dropout_places",
@@ -367,6 +368,11 @@ class Measurements:
     def silent_channels(self) -> tuple[int, ...]:
         """Channels of nothing but zeros; 1 is the first."""
         return tuple(self._file.figure("silent_channels"))
+
+    @property
+    def channel_peaks_dbfs(self) -> tuple[float, ...]:
+        """The largest sample of each channel, in dBFS."""
+        return tuple(self._file.figure("channel_peaks_dbfs"))
 
     @property
     def head_silence_ms(self) -> float:

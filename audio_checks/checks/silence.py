@@ -15,7 +15,7 @@ from audio_checks.spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
 
-FIGURES = ("sample_peak_dbfs", "silent_channels")
+FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
@@ -24,7 +24,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield `silence:file` for a file that never exceeds the limit, else `silence:channel` for a dead channel."""
+    """Yield `silence:file` for a file that never exceeds the limit, else `silence:channel` for channels that do not."""
     limit = spec.limits.silence_below_dbfs
     if limit is None:
         return
@@ -42,7 +42,8 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
             end_s=file.facts.duration_s,
         )
         return
-    dead = list(file.measurements.silent_channels)
+    channels = enumerate(file.measurements.channel_peaks_dbfs, start=1)
+    dead = [channel for channel, level in channels if level < limit - spec.limits.tolerance_db]
     if dead:
         named = ", ".join(map(str, dead))
         yield Finding(

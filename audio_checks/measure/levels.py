@@ -79,6 +79,7 @@ class Levels:
         "crest_db",
         "dc_offset_percent",
         "silent_channels",
+        "channel_peaks_dbfs",
     )
 
     def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
@@ -109,4 +110,5 @@ class Levels:
             "crest_db": peak - rms if highest else 0.0,
             "dc_offset_percent": 100 * max(abs(one) for one in sums) / seen,
             "silent_channels": tuple(channel for channel, one in enumerate(peaks, 1) if one == 0),
+            "channel_peaks_dbfs": tuple(decibels(one) for one in peaks),
         }

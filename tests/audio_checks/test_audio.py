@@ -103,7 +103,7 @@ def test_only_prepared_families_are_measured(tmp_path, monkeypatch):
     file = AudioFile(write_wav(tmp_path / "tick.wav", sine(hz=997)))
     file.prepare(["true_peak_dbtp"])
     file.prepare(["rms_dbfs"])
-    assert set(file.measurements.to_dict()) == {*FIGURES["true_peak"], *FIGURES["levels"]}
+    assert set(file.measurements.to_dict()) == {*FIGURES["true_peak"], *FIGURES["levels"]} - PLACES
     assert file.measurements.true_peak_dbtp == pytest.approx(-6, abs=0.01)
     assert sorted(made) == ["levels", "true_peak"]
     assert file.measurements.clipped_runs == 0  # not prepared: another pass

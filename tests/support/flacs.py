@@ -9,7 +9,9 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 import soundfile
 
-from tests.support.waves import Samples
+from tests.support import chunks
+from tests.support.mutants import damaged
+from tests.support.waves import Samples, noise, smpl
 
 SUBTYPES = {8: "PCM_S8", 16: "PCM_16", 24: "PCM_24"}
 
@@ -79,3 +81,18 @@ def with_info(
     packed = fields[0] << 44 | fields[1] << 41 | fields[2] << 36 | fields[3]
     info = info[:10] + packed.to_bytes(8, "big") + (info[18:] if md5 is None else md5)
     return b"fLaC" + block(0, info, last=True) + sound
+
+
+def flac_mutant(rng: np.random.Generator) -> bytes:
+    """A FLAC file with metadata in it, with one to three damages."""
+    return damaged(rng, SEEDS[rng.integers(len(SEEDS))])
+
+
+SEEDS = [
+    flac_bytes(
+        noise(seconds=0.01, channels=2),
+        blocks=[comments({"TITLE": "Laser"}), riff(chunks.bext(originator="Mara Lind")), riff(smpl([(3, 99)]))],
+    ),
+    flac_bytes(noise(seconds=0.01), bits=16),
+    flac_bytes(noise(seconds=0.005, channels=6), bits=8),
+]

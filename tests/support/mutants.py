@@ -6,6 +6,7 @@ import struct
 
 import numpy as np
 
+from tests.support.chunks import bext, cue, info, inst, ixml, labels
 from tests.support.waves import chunk, extensible, fmt, noise, pcm_bytes, riff, sine, smpl, wav_bytes
 
 SOUND = pcm_bytes(sine(hz=440, seconds=0.01), 16)  # 480 frames, 960 bytes
@@ -33,6 +34,18 @@ SEEDS = [
     riff(chunk(b"fmt ", extensible(channels=2)), chunk(b"data", pcm_bytes(noise(seconds=0.005, channels=2), 32))),
     rf64(),
     wav_bytes(noise(seconds=0.005), bits=8),
+    wav_bytes(
+        noise(seconds=0.005),
+        bits=16,
+        before=[
+            bext(originator="Mara Lind"),
+            ixml("<PROJECT>Shield Wing</PROJECT><ASWG><catId>GUNAuto</catId></ASWG>"),
+            info(ICMT="layered"),
+            labels({1: "hit"}),
+            cue({1: 48}),
+            inst(),
+        ],
+    ),
 ]
 EXTREMES = [0, 1, 7, 8, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF]
 

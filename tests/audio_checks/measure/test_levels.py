@@ -68,6 +68,15 @@ def test_silence(samples):
     assert figures["crest_db"] == figures["dc_offset_percent"] == figures["sample_peak_s"] == 0
 
 
+def test_each_channel_has_its_peak():
+    samples = np.hstack([sine(hz=1_000, dbfs=-6), sine(hz=1_000, dbfs=-20), silence()])
+    assert levels(samples)["channel_peaks_dbfs"] == (
+        pytest.approx(-6, abs=0.01),
+        pytest.approx(-20, abs=0.01),
+        -math.inf,
+    )
+
+
 def test_no_frames_at_all():
     nothing = np.zeros((0, 2))
     assert sample_peak_dbfs(nothing) == rms_dbfs(nothing) == -math.inf
