@@ -26,7 +26,7 @@ from audio_checks.processes import CORES, worth
 from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
 from audio_checks.spec import DeliverySpec
-from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, say
+from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, say, width
 
 if TYPE_CHECKING:
     from audio_checks.in_place import Change
@@ -89,9 +89,14 @@ def run(options: argparse.Namespace) -> int:
     report = runner.report_on(entries, judging.specs, [task.spec for task in tasks if task.spec])
     if report.not_run:
         say(f"not run, because this version lacks them: {', '.join(report.not_run)}")
-    outputs.write(lambda name, colour: reporters.judged_as(name, report, reporters.Style(colour, options.fail_level)))
+    outputs.write(lambda name, colour: reporters.judged_as(name, report, _style(options, colour=colour)))
     _offer_baseline(report, options)
     return max(_exit_code(entries, options.fail_level), FOUND if left else OK)
+
+
+def _style(options: argparse.Namespace, *, colour: bool) -> reporters.Style:
+    on_terminal = colour and sys.stdout.isatty()
+    return reporters.Style(colour, options.fail_level, width() if on_terminal else None)
 
 
 class _Judging:

@@ -17,10 +17,14 @@ from audio_checks.findings import Report
 
 @dataclass(frozen=True)
 class Style:
-    """How a report is shown: coloured or not, and the mildest severity that fails."""
+    """How a report is shown: coloured or not, the mildest severity that fails, and where lines for people break.
+
+    Without `columns` no line is broken: whoever searches a log finds a sentence whole.
+    """
 
     colour: bool = False
     fail_level: Severity = "error"
+    columns: int | None = None
 
     @property
     def failing(self) -> tuple[Severity, ...]:

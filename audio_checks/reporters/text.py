@@ -1,5 +1,6 @@
 """The report for people: grouped by file, the worst first, the figure before the limit before the fix."""
 
+import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
@@ -26,7 +27,8 @@ UNITS = {
     "s": "s",
 }
 DECIMALS = {"s": 3, "ms": 1, "Hz": 0}
-FIX_INDENT = " " * 11
+INDENT = " " * 11
+FIX = "fix: "
 MANY_FILES = 5  # from here on, what was found most is summed up too
 MOST_FOUND = 5
 LFS_POINTER = "container:git-lfs-pointer"
@@ -39,7 +41,7 @@ def judged(report: Report, style: Style) -> str:
     """
     ink = Ink(style.colour)
     shown = sorted((entry for entry in report.files if _counting(entry)), key=_badness)
-    blocks = ["\n".join(_file(entry, ink)) + "\n" for entry in shown]
+    blocks = ["\n".join(_file(entry, ink, style.columns)) + "\n" for entry in shown]
     return "\n".join([*blocks, "\n".join(_summary(report, ink)) + "\n"])
 
 
@@ -61,22 +63,38 @@ def _badness(entry: FileReport) -> tuple[int, int, int]:
     )
 
 
-def _file(entry: FileReport, ink: Ink) -> Iterator[str]:
+def _file(entry: FileReport, ink: Ink, columns: int | None) -> Iterator[str]:
     verdict = ink(entry.verdict, VERDICT_COLOURS[entry.verdict], BOLD)
     about = ink(", ".join(_facts(entry)), DIM)
     yield "  ".join(part for part in (ink(printable(entry.path), BOLD), verdict, about) if part)
     for finding in entry.findings:
-        yield from _finding(finding, ink)
+        yield from _finding(finding, ink, columns)
 
 
-def _finding(finding: Finding, ink: Ink) -> Iterator[str]:
+def _finding(finding: Finding, ink: Ink, columns: int | None) -> Iterator[str]:
     severity = finding.severity or "warning"
-    code = ink(printable(finding.code), DIM)
-    if finding.waived:
-        yield f"  {ink(f'{severity:<7}  {printable(finding.sentence)}', DIM)}  {code}  {ink('waived', DIM)}"
-        return
-    yield f"  {ink(f'{severity:<7}', SEVERITY_COLOURS[severity])}  {printable(finding.sentence)}  {code}"
-    yield f"{FIX_INDENT}{ink('fix:', DIM)} {printable(finding.fix)}"
+    dim = (DIM,) if finding.waived else ()
+    code = printable(finding.code) + ("  waived" if finding.waived else "")
+    lines = _lines(printable(finding.sentence), columns)
+    shown = [ink(line, *dim) for line in lines]
+    if columns is None or len(INDENT) + len(lines[-1]) + 2 + len(code) <= columns:
+        shown[-1] += f"  {ink(code, DIM)}"
+    else:
+        shown.append(ink(code, DIM))
+    label = ink(f"{severity:<7}", *(dim or (SEVERITY_COLOURS[severity],)))
+    yield f"  {label}  {shown[0]}"
+    yield from (f"{INDENT}{line}" for line in shown[1:])
+    if not finding.waived:
+        first, *rest = _lines(printable(finding.fix), None if columns is None else columns - len(FIX))
+        yield f"{INDENT}{ink(FIX, DIM)}{first}"
+        yield from (f"{INDENT}{' ' * len(FIX)}{line}" for line in rest)
+
+
+def _lines(text: str, columns: int | None) -> list[str]:
+    """Return text in lines that fit behind the indent; in one where there are no columns."""
+    if columns is None:
+        return [text]
+    return textwrap.wrap(text, columns - len(INDENT), break_on_hyphens=False) or [""]
 
 
 def _facts(entry: FileReport) -> Iterator[str]:

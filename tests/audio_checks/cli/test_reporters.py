@@ -238,6 +238,17 @@ class TestText:
         out = judged_as("text", report(*files), Style())
         assert "  error    6 files  true-peak:over\n  warning  6 files  head-silence:over" in out
 
+    @pytest.mark.parametrize("columns", [40, 60, 100])
+    def test_lines_break_where_a_terminal_ends_and_only_there(self, columns):
+        waived = Finding("true-peak:over", "m " * 40, "f", "error", waived=True)
+        many = entry("a.wav", OVER, Finding("naming:pattern", "word " * 60, "do it " * 50, "error"), waived)
+        shown, whole = (
+            judged_as("text", report(many), style).split("\n\n")[0] for style in (Style(columns=columns), Style())
+        )
+        assert max(len(line) for line in shown.splitlines()[1:]) <= columns
+        assert shown.split() == whole.split()
+        assert len(whole.splitlines()) == 6
+
     def test_what_is_waived_is_counted_apart(self):
         waived = Finding("true-peak:over", "m", "f", "error", waived=True)
         out = judged_as("text", report(entry("a.wav", waived), entry("b.wav", LATE)), Style())
