@@ -21,7 +21,7 @@ from tests.support.waves import join, silence, sine, wav_bytes
 def loud(hz: float = 440.0, *, rate: int = 48_000) -> bytes:
     """A sound that starts late, peaks at full scale, and 0.1 dB over it where it begins: a mend is enough."""
     return wav_bytes(
-        join(silence(seconds=0.05, rate=rate), sine(hz=hz, dbfs=0.0, seconds=0.2, rate=rate, phase=1.0)), rate=rate
+        join(silence(seconds=0.05, rate=rate), sine(hz=hz, dbfs=0.0, seconds=0.2, rate=rate, phase=0.15)), rate=rate
     )
 
 
@@ -47,7 +47,7 @@ def take(world: World) -> dict[str, Any]:
 def test_what_came_back_finds_its_mend_made(world: World, take: dict[str, Any]) -> None:
     mend = mend_of(world, take)
     assert (mend["state"], mend["left"], mend["becomes"]) == ("made", [], 2)
-    assert mend["says"] == "45.0 ms trimmed from the start, level lowered by 1.10 dB."
+    assert mend["says"] == "45.0 ms trimmed from the start, level lowered by 1.01 dB."
     assert [repair["kind"] for repair in mend["repairs"]] == ["head", "gain"]
     assert mend["before"]["sample_peak_dbfs"] == pytest.approx(0.0, abs=0.01)
     assert mend["after"]["true_peak_dbtp"] == pytest.approx(-1.0, abs=0.06)
@@ -104,7 +104,7 @@ def test_who_agreed_and_to_what_stays_on_record(world: World, take: dict[str, An
     assert (origin["take_id"], origin["number"], origin["used_by"]["name"]) == (take["id"], 1, "Sound designer")
     assert [repair["words"] for repair in origin["repairs"]] == [
         "45.0 ms trimmed from the start",
-        "level lowered by 1.10 dB",
+        "level lowered by 1.01 dB",
     ]
     history = world.decider.get(f"/v1/takes/{new['id']}/history").json()
     assert "mend of version 1" in history[0]["text"]
@@ -147,7 +147,7 @@ def test_a_mend_that_is_not_enough_is_not_made(world: World) -> None:
 
 def test_a_warning_is_mended_when_asked(world: World) -> None:
     add_cues(world, {"name": "Door"})
-    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
     take = returned(world, late, "door.wav")
     assert mend_of(world, take)["state"] == "offered"
     assert mend_of(world, take)["says"] == "Trims 45.0 ms from the start."
@@ -162,7 +162,7 @@ def test_a_warning_is_mended_when_asked(world: World) -> None:
 
 def test_a_take_that_is_decided_upon_is_not_mended(world: World) -> None:
     add_cues(world, {"name": "Door"})
-    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
     take = returned(world, late, "door.wav")
     given = world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"})
     assert given.status_code in (200, 201), given.text
@@ -213,7 +213,7 @@ def test_a_new_spec_makes_a_new_mend(world: World, take: dict[str, Any]) -> None
     body = {"toml": stricter, "note": "", "based_on_version": now["version"]}
     assert world.producer.put(path, json=body).status_code == 200
     world.server.wait_for_jobs()
-    assert "level lowered by 3.10 dB" in mend_of(world, take)["says"]
+    assert "level lowered by 3.01 dB" in mend_of(world, take)["says"]
 
 
 def test_when_its_mender_dies_three_times_that_is_our_fault(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -283,14 +283,14 @@ def test_a_mend_made_twice_of_the_same_sound_is_one_version(world: World, take: 
 def test_a_cut_that_would_click_is_faded(world: World) -> None:
     add_cues(world, {"name": "Rain"})
     # At 0.295 s, where it is cut, the hum is at its crest.
-    rain = join(sine(hz=50, dbfs=-70.0, seconds=0.3), sine(hz=440, dbfs=0.0, seconds=0.3, phase=1.0))
+    rain = join(sine(hz=50, dbfs=-70.0, seconds=0.3), sine(hz=440, dbfs=0.0, seconds=0.3, phase=0.15))
     mend = mend_of(world, returned(world, wav_bytes(rain), "rain.wav"))
     assert "with a fade of 5.0 ms" in mend["says"]
 
 
 def test_what_a_mend_would_answer_is_listed_for_its_designer_and_the_team(world: World, take: dict[str, Any]) -> None:
     add_cues(world, {"name": "Door"}, {"name": "Laser"}, {"name": "Fine"})
-    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
     warned = returned(world, late, "door.wav")
     returned(world, loud(rate=32_000), "laser.wav")
     returned(world, wav_bytes(sine(hz=440, seconds=0.2)), "fine.wav")
@@ -311,7 +311,7 @@ def test_what_a_mend_would_answer_is_listed_for_its_designer_and_the_team(world:
 
 def test_the_review_room_says_what_a_mend_would_do(world: World) -> None:
     [cue] = add_cues(world, {"name": "Door"})
-    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=1.0)))
+    late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
     returned(world, late, "door.wav")
     [shown] = world.decider.get(f"/v1/cues/{cue['id']}/review").json()["takes"]
     assert [finding["mend"] for finding in shown["findings"]] == ["trims 45.0 ms from the start"]
