@@ -1,17 +1,35 @@
 """Alembic's entry: one history for SQLite and PostgreSQL, over every room's tables."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import sqlalchemy as sa
 from alembic import context
 
 from app.kit.db import Base
 from app.tables import is_ours
 
-connectable = context.config.attributes["engine"]
 
-with connectable.connect() as connection:
-    if connection.dialect.name == "sqlite":
-        connection.execute(sa.text("PRAGMA foreign_keys=OFF"))
-        connection.rollback()
+@contextmanager
+def without_foreign_keys(connection: sa.Connection) -> Iterator[None]:
+    """Let SQLite put a new table in an old one's place: dropping the old one would look for rows that refer to it.
+
+    SQLite takes no heed of this setting inside a transaction, and SQLAlchemy begins one before it executes anything.
+    """
+    if connection.dialect.name != "sqlite":
+        yield
+        return
+    driver = connection.connection.dbapi_connection
+    driver.execute("PRAGMA foreign_keys=OFF")
+    try:
+        yield
+        if broken := driver.execute("PRAGMA foreign_key_check").fetchmany(5):
+            raise RuntimeError(f"after the migration rows refer to others that are not there: {broken}")
+    finally:
+        driver.execute("PRAGMA foreign_keys=ON")
+
+
+with context.config.attributes["engine"].connect() as connection, without_foreign_keys(connection):
     context.configure(
         connection=connection,
         target_metadata=Base.metadata,

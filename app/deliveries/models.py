@@ -41,11 +41,16 @@ class Take(Base):
         UniqueConstraint("archive_id", "archive_entry"),
         CheckConstraint("master_bytes >= 0", name="master_size_known"),
         CheckConstraint("(cue_id is null) = (number is null)", name="numbered_when_matched"),
-        Index("ix_deliveries_takes_queue", "project_id", "state", "cue_id"),
+        # What waits is read in order of waiting, in one project or in all of a studio's.
+        Index("ix_deliveries_takes_project_waiting", "project_id", "state", "state_since", "cue_id"),
+        Index("ix_deliveries_takes_studio_waiting", "studio_id", "state", "state_since", "cue_id"),
+        # Everything that is summed up of a list's takes, so that no take itself is read.
+        Index("ix_deliveries_takes_sums", "project_id", "cue_id", "variation", "state", "number", "designer_id"),
+        Index("ix_deliveries_takes_project_id_id", "project_id", "id"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
@@ -53,7 +58,7 @@ class Take(Base):
     archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
     archive_entry: Mapped[int | None]  # its place in there
     mend_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # made from it by us
-    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)  # None: unmatched
+    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # None: unmatched
     variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
     number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on
     alternate: Mapped[int | None]  # 2 for _altB or __alt2; None for a file without such an ending

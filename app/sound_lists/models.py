@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.engine.default import DefaultExecutionContext
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
@@ -25,6 +25,7 @@ class Cue(Base):
     __tablename__ = "sound_lists_cues"
     __table_args__ = (
         UniqueConstraint("project_id", "number"),
+        Index("ix_sound_lists_cues_order", "project_id", "position", "number"),
         CheckConstraint("variations between 1 and 99", name="variations_in_range"),
         CheckConstraint("duration_s is null or duration_s > 0", name="duration_positive"),
         CheckConstraint("(state = 'cut') = (cut_at is not null)", name="cut_is_dated"),
@@ -32,7 +33,7 @@ class Cue(Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     number: Mapped[int]  # shown as SW-014
     position: Mapped[int]
     name: Mapped[str]
@@ -107,6 +108,15 @@ class Question(Base):
     """What a designer asks on a cue; the answer becomes part of the cue."""
 
     __tablename__ = "sound_lists_questions"
+    __table_args__ = (
+        Index(
+            "ix_sound_lists_questions_open",
+            "project_id",
+            "cue_id",
+            sqlite_where=text("answered_at is null"),
+            postgresql_where=text("answered_at is null"),
+        ),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)

@@ -9,6 +9,8 @@ from alembic import command
 from app.kit import queue
 from app.kit.db import Base, Database
 from app.migrate import alembic_config, migrate
+from benchmarks.bulk import filling
+from benchmarks.studios import ProjectMaker, make_team
 from tests.support.postgres import Postgres
 
 ROOMS = ("accounts", "builds", "conformance", "deliveries", "kit", "notifications", "projects", "renders", "reviews")
@@ -43,6 +45,28 @@ def test_down_and_up_again(database: Database):
     assert not tables_of(database) & set(Base.metadata.tables)
     migrate(database)
     assert tables_of(database) == full
+
+
+def test_rows_live_through_every_step_down_and_up(database: Database):
+    migrate(database)
+    with filling(database) as bulk:
+        ProjectMaker(bulk, make_team(bulk, "Team"), takes=60, seed=1).make()
+    before = rows_in(database)
+    command.downgrade(alembic_config(database), "0001")
+    migrate(database)
+    assert rows_in(database) == before
+    assert before["deliveries_takes"] >= 60
+    if database.is_sqlite:
+        with database.engine.connect() as connection:
+            assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+
+
+def rows_in(database: Database) -> dict[str, int]:
+    with database.engine.connect() as connection:
+        return {
+            name: connection.scalar(sa.select(sa.func.count()).select_from(table)) or 0
+            for name, table in Base.metadata.tables.items()
+        }
 
 
 def test_no_table_of_ours_is_one_of_the_queue(database: Database):

@@ -1,0 +1,105 @@
+"""The server as an operator runs it, for benchmarks: processes of their own on a database that is there."""
+
+import os
+import secrets
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import httpx
+
+from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token
+from app.kit.runtime import Runtime
+from app.migrate import migrate
+from app.settings import Settings
+
+ALIVE_WITHIN_S = 60.0
+SECRET_KEY = secrets.token_hex(16)
+
+
+@dataclass
+class Place:
+    """Where a benchmark's server keeps its data, and on which database."""
+
+    folder: Path
+    database_url: str = ""
+    environment: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def settings(self) -> Settings:
+        """The settings that the processes read from their environment."""
+        return Settings(data_dir=self.folder, database_url=self.database_url, secret_key=SECRET_KEY)  # type: ignore[arg-type]
+
+    def runtime(self) -> Runtime:
+        """Open what the processes use, with the tables of this version."""
+        runtime = Runtime.of(self.settings)
+        migrate(runtime.database)
+        return runtime
+
+    @contextmanager
+    def running(self, *command: str, name: str, **environment: str) -> Iterator[subprocess.Popen[bytes]]:
+        """Run a command of the server for the length of a block; its log is kept in the folder."""
+        variables = {
+            "SOUNDLIST_DATA_DIR": str(self.folder),
+            "SOUNDLIST_DATABASE_URL": self.database_url,
+            "SOUNDLIST_SECRET_KEY": SECRET_KEY,
+            "SOUNDLIST_LOG_LEVEL": "WARNING",
+        }
+        with (self.folder / f"{name}.log").open("ab") as log:
+            process = subprocess.Popen(
+                [sys.executable, "-m", "app", *command],
+                env=os.environ | variables | self.environment | environment,
+                stdout=log,
+                stderr=log,
+            )
+        try:
+            yield process
+        finally:
+            process.send_signal(signal.SIGTERM)
+            try:
+                process.wait(30)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+    @contextmanager
+    def serving(self) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
+        """Give the address of a web process that answers."""
+        port = free_port()
+        with self.running("serve", "--port", str(port), name="web") as process:
+            address = f"http://127.0.0.1:{port}"
+            wait_until_alive(address, process)
+            yield address, process
+
+
+def free_port() -> int:
+    """Return a port that nobody listens on."""
+    with socket.socket() as asked:
+        asked.bind(("127.0.0.1", 0))
+        return int(asked.getsockname()[1])
+
+
+def wait_until_alive(address: str, process: subprocess.Popen[bytes]) -> None:
+    """Return once the server answers; fail when it ends or takes too long."""
+    deadline = time.monotonic() + ALIVE_WITHIN_S
+    while time.monotonic() < deadline:
+        if process.poll() is not None:
+            raise SystemExit(f"the server ended with {process.returncode}; its log is beside its data")
+        try:
+            if httpx.get(f"{address}/healthz", timeout=2).status_code == httpx.codes.OK:
+                return
+        except httpx.TransportError:
+            time.sleep(0.1)
+    raise SystemExit("the server did not answer in time")
+
+
+def headers_for(secret: str) -> dict[str, str]:
+    """Return what the browser of whoever holds this sign-in sends."""
+    settings = Settings(secret_key=SECRET_KEY)  # type: ignore[arg-type]
+    return {"Cookie": f"{SESSION_COOKIE}={secret}", CSRF_HEADER: csrf_token(settings, secret)}
