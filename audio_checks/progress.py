@@ -1,14 +1,16 @@
 """A line on the terminal that says how far the work is; nothing where there is no terminal."""
 
+import shutil
 import sys
 import time
 from typing import Self
 
 from audio_checks.findings import printable
-from audio_checks.terminal import DIM, Ink, in_colour, width
+from audio_checks.terminal import DIM, Ink, in_colour
 
 EVERY_S = 0.05  # more often than the eye can follow costs more than it tells
-CELLS = 24
+CELLS, FEWEST_CELLS = 24, 8
+SHORTEST_NAME = 8
 CLEAR = "\r\x1b[K"
 
 
@@ -45,21 +47,25 @@ class Progress:
             self._draw(path, now_s - self._began_s)
 
     def _draw(self, path: str, passed_s: float) -> None:
+        """Draw what fits of bar, count, time left and name; a line that breaks could not be taken back."""
         counted = f"{self._done:>{len(str(self._total))}}/{self._total}"
         left_s = passed_s / self._done * (self._total - self._done)
         left = f"  {_time(left_s)} left" if passed_s > 1 else ""
+        room = shutil.get_terminal_size().columns - 1 - len(counted) - len(left)
+        cells = min(CELLS, room - 1) if room > FEWEST_CELLS else 0
+        bar = f"{self._bar(cells)} " if cells else ""
         name = printable(path)
-        room = width() - len(f"{self._bar()} {counted}{left}  ") - 1
+        room -= len(bar) + 2
         if len(name) > room:
-            name = f"...{name[len(name) - max(0, room - 3) :]}" if room > 8 else ""
-        self._stream.write(f"{CLEAR}{self._bar()} {counted}{left}  {self._ink(name, DIM)}")
+            name = f"...{name[len(name) - room + 3 :]}" if room >= SHORTEST_NAME else ""
+        self._stream.write(f"{CLEAR}{bar}{counted}{left}{self._ink(f'  {name}', DIM) if name else ''}")
         self._stream.flush()
         self._line = True
 
-    def _bar(self) -> str:
+    def _bar(self, cells: int) -> str:
         full, empty = ("█", "░") if _can_draw(self._stream.encoding) else ("#", ".")
-        cells = CELLS * self._done // self._total
-        return full * cells + empty * (CELLS - cells)
+        done = cells * self._done // self._total
+        return full * done + empty * (cells - done)
 
 
 def _can_draw(encoding: str | None) -> bool:
