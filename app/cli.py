@@ -1,11 +1,11 @@
-"""The server's command line: serve, worker, migrate, demo, token, openapi, jobs."""
+"""The server's command line: serve, worker, migrate, backup, restore, demo, token, openapi, jobs."""
 
 import json
 import sys
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 from uuid import UUID
 
 import typer
@@ -13,8 +13,12 @@ from rich.console import Console
 from rich.table import Table
 
 from app import logs
+from app.kit.errors import Refused
 from app.kit.runtime import Runtime
 from app.settings import Settings, SettingsWrong, read_settings
+
+if TYPE_CHECKING:
+    from app.backup import Copied
 
 cli = typer.Typer(
     no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help="The Soundlist server."
@@ -122,6 +126,52 @@ def migrate() -> None:
     except CannotGuardRows as error:
         raise _refusal([str(error)]) from None
     runtime.close()
+
+
+@cli.command()
+def backup(
+    folder: Annotated[Path, typer.Argument(help="Where the copies go; blobs that are there are not copied again.")],
+    keep: Annotated[int, typer.Option(min=1, help="How many copies of the database stay, the newest.")] = 14,
+) -> None:
+    """Copy database and blobs into a folder, while the server runs."""
+    from app.backup import BackupRefused, back_up
+
+    runtime = _opened(_settings())
+    try:
+        _tell_copied("backed up", back_up(runtime, folder, keep=keep))
+    except (BackupRefused, Refused) as error:
+        raise _refusal([str(error)]) from None
+    finally:
+        runtime.close()
+
+
+@cli.command()
+def restore(
+    folder: Annotated[Path, typer.Argument(help="A folder that `soundlist backup` wrote to.")],
+    database: Annotated[Path | None, typer.Option(help="A copy of the database in it; the newest if left out.")] = None,
+) -> None:
+    """Fill an empty database and a store, whichever the settings name, from a backup."""
+    from app.backup import BackupRefused
+    from app.backup import restore as put_back
+
+    runtime = _opened(_settings())
+    try:
+        _tell_copied("restored", put_back(runtime, folder, database))
+    except (BackupRefused, Refused) as error:
+        raise _refusal([str(error)]) from None
+    finally:
+        runtime.close()
+
+
+def _tell_copied(done: str, copied: "Copied") -> None:
+    typer.echo(
+        f"{done}: {copied.database.name}, {copied.blobs} blobs of {copied.size_bytes} bytes; "
+        f"{copied.there_before} were there before"
+    )
+    for blob in copied.damaged:
+        typer.echo(f"left out, for its bytes are not what its name says: {blob}", err=True)
+    if copied.damaged:
+        raise typer.Exit(1)
 
 
 @cli.command()

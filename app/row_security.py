@@ -65,7 +65,7 @@ def guard_rows(database: Database) -> None:
     if database.is_sqlite:
         return
     with database.engine.begin() as connection:
-        _make_role(connection)
+        make_request_role(connection)
     with database.engine.begin() as connection:
         for statement in _functions():
             connection.exec_driver_sql(statement)
@@ -101,7 +101,7 @@ def ensure_rows_are_guarded(runtime: Runtime) -> None:
             raise NotReady("row security does not hold the requests; run: soundlist migrate")
 
 
-def _make_role(connection: sa.Connection) -> None:
+def make_request_role(connection: sa.Connection) -> None:
     role = sa.text("select pg_has_role(oid, 'member') from pg_roles where rolname = :name")
     is_member = connection.scalar(role, {"name": REQUEST_ROLE})
     try:

@@ -1,0 +1,155 @@
+"""A new server out of a backup serves the same, whatever the database, and whichever store it goes to."""
+
+import io
+import zipfile
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from anyio.from_thread import start_blocking_portal
+from typer.testing import CliRunner
+
+from app import cli
+from app.backup import BackupRefused, back_up, restore
+from app.conformance.jobs import check_take
+from app.kit.db import new_id
+from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import ensure_at_head, migrate
+from app.renders.jobs import draw_take, make_renders
+from app.settings import Settings
+from tests.support.blobs import blob_file
+from tests.support.deliver import add_cues, deliver
+from tests.support.s3 import S3Server
+from tests.support.server import RunningServer, World
+from tests.support.waves import sine, wav_bytes
+
+SECRET_KEY = "only for tests, and only here"
+Opened = Callable[..., AbstractContextManager[RunningServer]]
+
+
+@pytest.fixture
+def opened(request: pytest.FixtureRequest, database_url: str, s3: S3Server, tmp_path: Path) -> Opened:
+    """Open a web process on a database of its own; no worker runs beside it."""
+
+    @contextmanager
+    def open_server(name: str, *, store: str = "folder") -> Iterator[RunningServer]:
+        settings: dict[str, Any] = s3.settings() if store == "s3" else {}
+        if database_url:
+            settings["database_url"] = request.getfixturevalue("postgres").new_database(f"{name}_{new_id().hex}")
+        runtime = Runtime.of(Settings(data_dir=tmp_path / name, secret_key=SECRET_KEY, **settings))
+        with start_blocking_portal() as portal:
+            yield RunningServer(runtime, create_app(runtime), portal)
+        runtime.close()
+
+    return open_server
+
+
+def lived_in(server: RunningServer) -> World:
+    """Return a studio in which a sound was delivered, checked, rendered and approved."""
+    migrate(server.runtime.database)
+    world = World(server)
+    [cue] = add_cues(world, {"name": "Laser fire"})
+    take = deliver(world, "laser_fire.wav", wav_bytes(sine(hz=997, seconds=0.2, rate=44_100), rate=44_100, bits=16))
+    payload = {"take_id": take["id"], "event_id": str(new_id()), "studio_id": str(world.studio_id)}
+    for job in (check_take, draw_take, make_renders):
+        job(server.runtime, payload)
+    verdict = world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve", "note": "Good."})
+    assert verdict.status_code in (200, 201), verdict.text
+    assert cue["id"]
+    return world
+
+
+def told(world: World, server: RunningServer) -> dict[str, Any]:
+    """Return what a server says of the studio, as the producer reads it."""
+    client = server.browser()
+    client.cookies = world.producer.cookies
+    project = f"/v1/projects/{world.project_id}"
+    takes = client.get(f"{project}/deliveries").json()["items"]
+    delivery = client.get(f"/v1/deliveries/{takes[0]['id']}").json()
+    [take] = delivery["takes"]
+    pack = client.get(f"{project}/pack.zip", params={"masters": True})
+    assert pack.status_code == 200, pack.text
+    return {
+        "list": client.get(f"{project}/sound-list.csv").text,
+        "delivery": delivery,
+        "check": client.get(f"/v1/takes/{take['id']}/check").json(),
+        "sounds": client.get(f"/v1/takes/{take['id']}/sounds").json(),
+        "master": client.get(f"/v1/takes/{take['id']}/master").content,
+        "pack": {entry.filename: entry.CRC for entry in zipfile.ZipFile(io.BytesIO(pack.content)).infolist()},
+    }
+
+
+@pytest.mark.parametrize(("before", "after"), [("folder", "s3"), ("s3", "folder")])
+def test_a_new_server_out_of_a_backup_serves_the_same(opened: Opened, tmp_path: Path, before: str, after: str):
+    folder = tmp_path / "backup"
+    with opened("old", store=before) as old:
+        world = lived_in(old)
+        copied = back_up(old.runtime, folder, keep=2)
+        blobs = sorted(old.runtime.store.blobs(), key=str)
+        assert (copied.blobs, copied.damaged) == (len(blobs), [])
+        known = told(world, old)
+        assert len(known["pack"]) == 4
+        with opened("new", store=after) as new:
+            assert restore(new.runtime, folder).blobs == len(blobs)
+            ensure_at_head(new.runtime)
+            assert told(world, new) == known
+            assert sorted(new.runtime.store.blobs(), key=str) == blobs
+
+
+def test_blobs_are_copied_once_and_old_databases_go(opened: Opened, tmp_path: Path):
+    folder = tmp_path / "backup"
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        world = World(old)
+        old.runtime.store.put(world.studio_id, [b"a sound"])
+        assert back_up(old.runtime, folder, keep=2).blobs == 1
+        old.runtime.store.put(world.studio_id, [b"another"])
+        second = back_up(old.runtime, folder, keep=2)
+        assert (second.blobs, second.size_bytes, second.there_before) == (1, 7, 1)
+        back_up(old.runtime, folder, keep=2)
+    assert len([path for path in folder.iterdir() if path.is_file()]) == 2
+
+
+def test_an_altered_blob_is_named_and_left_out(opened: Opened, tmp_path: Path):
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        world = World(old)
+        sha256 = old.runtime.store.put(world.studio_id, [b"a sound"]).sha256
+        file = blob_file(old.runtime.store, world.studio_id, sha256)
+        file.chmod(0o640)
+        file.write_bytes(b"a sOund")
+        copied = back_up(old.runtime, tmp_path / "backup", keep=1)
+    assert copied.damaged == [f"{world.studio_id}/{sha256}"]
+    assert not list((tmp_path / "backup").rglob(sha256))
+
+
+def test_nothing_is_put_over_what_is_there(opened: Opened, tmp_path: Path):
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        back_up(old.runtime, tmp_path / "backup", keep=1)
+        with pytest.raises(BackupRefused, match="tables already; name an empty one"):
+            restore(old.runtime, tmp_path / "backup")
+    with opened("new") as new:
+        with pytest.raises(BackupRefused, match="holds no backup"):
+            restore(new.runtime, tmp_path)
+        other = tmp_path / ("database-1.sqlite" if not new.runtime.database.is_sqlite else "database-1.dump")
+        with pytest.raises(BackupRefused, match="of another kind of database"):
+            restore(new.runtime, tmp_path, other)
+
+
+def test_the_commands_say_what_they_did(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def ran(*command: str) -> Any:
+        return CliRunner().invoke(cli.cli, [*command])
+
+    monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "old"))
+    assert ran("migrate").exit_code == 0
+    done = ran("backup", str(tmp_path / "backup"))
+    assert (done.exit_code, done.output.partition(":")[0]) == (0, "backed up"), done.output
+    refused = ran("restore", str(tmp_path / "backup"))
+    assert (refused.exit_code, "tables already" in refused.output) == (2, True)
+    monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "new"))
+    done = ran("restore", str(tmp_path / "backup"))
+    assert (done.exit_code, done.output.partition(":")[0]) == (0, "restored"), done.output
