@@ -34,6 +34,7 @@ WAIT_S = 1.0  # for another run that is writing
 SETTLED_NS = 50_000_000  # a file touched this recently may change again within one tick of its clock
 COARSE_NS = 2_000_000_000  # a tick where times are kept in whole or even seconds, as on FAT
 DAY_S = 86_400
+PASSING = ("SQLITE_BUSY", "SQLITE_LOCKED", "SQLITE_CANTOPEN", "SQLITE_READONLY", "SQLITE_FULL", "SQLITE_IOERR")
 MAPPED_BYTES = 256 << 20
 CODE_SUFFIXES = frozenset({".py", ".so", ".pyd", ".json"})
 NEVER_KEPT = frozenset({"container:cannot-open", "container:not-a-file"})  # facts of the moment, not of the bytes
@@ -82,6 +83,7 @@ class VerdictCache:
         self._today = int(time.time() // DAY_S)
         self._prints: dict[str, _Print] = {}  # as they were before the file was read, by path
         self._hashes: dict[str, bytes] = {}
+        self._used: list[bytes] = []  # keys of verdicts that nobody asked for yet today
         self._folders: dict[str, str] = {}  # as the system knows them, by how they were given
         self._database = self._opened()
 
@@ -96,8 +98,8 @@ class VerdictCache:
             return [None] * len(tasks)
         try:
             return self._recalled(self._database, tasks)
-        except (sqlite3.Error, ValueError, KeyError, TypeError):
-            self._forget()
+        except (sqlite3.Error, ValueError, KeyError, TypeError) as error:
+            self._give_up(error)
             return [None] * len(tasks)
 
     def remember(self, tasks: Sequence[Task], entries: Sequence[FileReport]) -> None:
@@ -106,8 +108,8 @@ class VerdictCache:
             return
         try:
             self._keep(self._database, tasks, entries)
-        except sqlite3.Error:
-            self._forget()
+        except sqlite3.Error as error:
+            self._give_up(error)
 
     def close(self) -> None:
         """Let go of the database."""
@@ -116,22 +118,23 @@ class VerdictCache:
             self._database = None
 
     def _opened(self) -> sqlite3.Connection | None:
-        with contextlib.suppress(OSError, sqlite3.OperationalError):  # no place to write to, or another run holds it
+        with contextlib.suppress(OSError, sqlite3.Error):
             self._path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
             try:
                 return _connected(self._path)
-            except sqlite3.OperationalError:
-                raise
-            except sqlite3.DatabaseError:  # damaged, or of another make
+            except sqlite3.DatabaseError as error:
+                if not _is_damage(error):
+                    return None
                 self._path.unlink(missing_ok=True)
                 return _connected(self._path)
         return None
 
-    def _forget(self) -> None:
-        """Do without: what is there cannot be trusted, and the next run starts anew."""
+    def _give_up(self, error: Exception) -> None:
+        """Do without; what is damaged goes, so that the next run starts anew."""
         self.close()
-        with contextlib.suppress(OSError):
-            self._path.unlink(missing_ok=True)
+        if _is_damage(error):
+            with contextlib.suppress(OSError):
+                self._path.unlink(missing_ok=True)
 
     def _recalled(self, database: sqlite3.Connection, tasks: Sequence[Task]) -> list[FileReport | None]:
         recalled: list[FileReport | None] = [None] * len(tasks)
@@ -159,6 +162,11 @@ class VerdictCache:
                 if sha256 is not None:
                     self._hashes[task.path] = sha256
                     recalled[place] = self._verdict(database, task, sha256)
+        if self._used:
+            with _one_step(database):
+                database.executemany(
+                    "UPDATE verdicts SET used_on = ? WHERE key = ?", [(self._today, key) for key in self._used]
+                )
         found = (task.path for task, entry in zip(tasks, recalled, strict=True) if entry is not None)
         self._note(database, [path for path in found if path not in noted])
         return recalled
@@ -178,7 +186,7 @@ class VerdictCache:
         if row[2] != _mark(key, row[0]):
             raise ValueError("damaged")
         if row[1] != self._today:
-            database.execute("UPDATE verdicts SET used_on = ? WHERE key = ?", (self._today, key))
+            self._used.append(key)
         return FileReport.from_dict({**json.loads(row[0]), "path": legible(task.path)})
 
     def _keep(self, database: sqlite3.Connection, tasks: Sequence[Task], entries: Sequence[FileReport]) -> None:
@@ -233,6 +241,12 @@ def _connected(path: Path) -> sqlite3.Connection:
         database.close()
         raise
     return database
+
+
+def _is_damage(error: Exception) -> bool:
+    """Tell a database that is no good from one that cannot be used now: held, full, read-only or out of reach."""
+    name = getattr(error, "sqlite_errorname", None) or ""
+    return not name.startswith(PASSING)
 
 
 @contextlib.contextmanager

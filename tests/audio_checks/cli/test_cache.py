@@ -159,6 +159,19 @@ class TestReading:
         monkeypatch.setattr(cache_module, "_sha256", lambda _: pytest.fail("it was read"))
         assert asked(tmp_path / "kept", [task(other)])[1] == 1
 
+    def test_what_is_used_is_kept_and_noted_in_one_step(self, tmp_path):
+        tasks = [task(str(write_wav(tmp_path / f"{name}.wav", GOOD))) for name in "abc"]
+        asked(tmp_path / "kept", tasks)
+        database = sqlite3.connect(tmp_path / "kept" / "verdicts.sqlite")
+        database.execute("UPDATE verdicts SET used_on = used_on - 20")
+        database.commit()
+        (before,) = database.execute("PRAGMA data_version").fetchone()
+        assert asked(tmp_path / "kept", tasks)[1] == 0
+        assert database.execute(
+            "SELECT count(*) FROM verdicts WHERE used_on > ?", (time.time() // 86_400 - 1,)
+        ).fetchone() == (3,)
+        assert database.execute("PRAGMA data_version").fetchone()[0] <= before + 2
+
     def test_old_verdicts_are_dropped(self, tmp_path):
         asked(tmp_path / "kept", [task(str(write_wav(tmp_path / "a.wav", GOOD)))])
         database = sqlite3.connect(tmp_path / "kept" / "verdicts.sqlite")
@@ -210,6 +223,29 @@ class TestDamage:
         assert asked(tmp_path / "kept", [task(path)])[0][0].verdict == "rejected"
         other.execute("ROLLBACK")
         assert asked(tmp_path / "kept", [task(path)])[1] == 0  # what the other kept is still there
+
+    def test_nor_one_that_another_run_writes_to_meanwhile(self, tmp_path, monkeypatch):
+        first, second = (str(write_wav(tmp_path / f"{name}.wav", LOUD)) for name in "ab")
+        asked(tmp_path / "kept", [task(first)])
+        monkeypatch.setattr(cache_module, "WAIT_S", 0.05)
+        cache = VerdictCache(tmp_path / "kept")
+        other = sqlite3.connect(tmp_path / "kept" / "verdicts.sqlite", isolation_level=None)
+        other.execute("BEGIN IMMEDIATE")
+        assert cache.recall([task(second)]) == [None]
+        cache.remember([task(second)], runner.judge([task(second)]))
+        other.execute("ROLLBACK")
+        assert not cache.usable
+        assert asked(tmp_path / "kept", [task(first)])[1] == 0
+
+    def test_nor_one_without_its_tables(self, tmp_path):
+        path = str(write_wav(tmp_path / "laser.wav", LOUD))
+        (tmp_path / "kept").mkdir()
+        database = sqlite3.connect(tmp_path / "kept" / "verdicts.sqlite")
+        database.execute(f"PRAGMA user_version = {cache_module.FORMAT}")
+        database.close()
+        for _ in range(2):
+            asked(tmp_path / "kept", [task(path)])
+        assert asked(tmp_path / "kept", [task(path)])[1] == 0
 
     def test_nor_a_folder_that_cannot_be_made(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
