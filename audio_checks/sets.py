@@ -59,7 +59,7 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
         In the order of the files; empty for a file that nothing was found in.
     """
     found: list[list[Finding]] = [[] for _ in files]
-    for check in all_checks().values():
+    for check in [one for one in all_checks().values() if one.is_over_sets]:
         places = [
             place
             for place, one in enumerate(files)
