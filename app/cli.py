@@ -228,7 +228,7 @@ def list_jobs(
     runtime = _opened(_settings())
     table = Table("id", "job", "state", "tries", "since")
     for job in runtime.queue.unfinished(only_failed=failed):
-        table.add_row(job.id, job.name, job.state, str(job.recoveries), job.since.isoformat(timespec="seconds"))
+        table.add_row(job.id, job.name, job.state, str(job.tries), job.since.isoformat(timespec="seconds"))
     console.print(table)
     runtime.close()
 

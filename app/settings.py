@@ -65,7 +65,9 @@ class Settings(BaseSettings):
     base_url: str = "http://127.0.0.1:8000"
     secret_key: SecretStr = SecretStr("")
     demo: bool = Field(False, description="Only `soundlist demo` sets this: the demo studio needs no sign-in.")
-    worker_id: str = Field("worker-1", description="One id per worker process; two processes never share one.")
+    worker_silent_s: float = Field(
+        15.0, ge=1, le=18, description="How long a worker is silent before others take its jobs over."
+    )
     worker_jobs: int = Field(2, ge=1, le=64, description="Jobs that one worker process runs at once.")
     operators: Annotated[frozenset[str], NoDecode] = Field(
         frozenset(), description="Addresses, with commas between, of the people who see the whole server's jobs."

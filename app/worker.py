@@ -34,7 +34,8 @@ def start_worker(runtime: Runtime) -> Worker:
     if missing := wanted - job_names():
         raise RuntimeError(f"nobody does the jobs {', '.join(sorted(missing))}")
     events.connect(rooms.SUBSCRIBERS)
-    worker = Worker(runtime, worker_id=runtime.settings.worker_id, jobs_at_once=runtime.settings.worker_jobs)
+    settings = runtime.settings
+    worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
     worker.start()
     return worker
 

@@ -1,5 +1,6 @@
 """The database: one engine, sessions for requests and jobs, ids, and the types that both databases share."""
 
+import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
@@ -28,12 +29,34 @@ WRITES = "soundlist_writes"  # execution option: this transaction takes SQLite's
 BUSY_TIMEOUT_MS = 15_000
 REQUEST_ROLE = "soundlist_request"  # on PostgreSQL: what a request's transaction runs as; it owns nothing
 PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row policies ask for
+AWAY_STATES = frozenset({"57P01", "57P02", "57P03", "53300"})  # shut down, crashed, not up yet, too many connections
+CONNECTION = {  # a host that is gone is noticed within half a minute
+    "connect_timeout": "10",
+    "keepalives_idle": "10",
+    "keepalives_interval": "5",
+    "keepalives_count": "3",
+    "tcp_user_timeout": "30000",
+}
 REACH = "reach"  # key in a session's info
 
 
 def new_id() -> UUID:
     """Return a UUIDv7: unique, and ordered by the time of its making."""
     return UUID(bytes=uuid7().bytes)
+
+
+def is_away(error: BaseException) -> bool:
+    """Whether an error says that the database cannot be reached, or has no room for us, just now."""
+    if isinstance(error, sa.exc.TimeoutError):  # every connection of the pool is in use
+        return True
+    if not isinstance(error, sa.exc.DBAPIError):
+        return False
+    if isinstance(error.orig, sqlite3.OperationalError):
+        return error.orig.sqlite_errorcode & 0xFF == sqlite3.SQLITE_BUSY
+    if error.connection_invalidated:
+        return True
+    state = getattr(error.orig, "sqlstate", None)
+    return isinstance(error, sa.exc.OperationalError) and (state is None or state[:2] == "08" or state in AWAY_STATES)
 
 
 class UtcDateTime(sa.types.TypeDecorator[datetime]):
@@ -89,7 +112,8 @@ class Database:
             event.listen(self.engine, "connect", _prepare_sqlite)
             event.listen(self.engine, "begin", _begin_sqlite)
         else:
-            self.engine = sa.create_engine(parsed, pool_size=10, max_overflow=20, pool_pre_ping=True)
+            parsed = parsed.set(query={**CONNECTION, **parsed.query})
+            self.engine = sa.create_engine(parsed, pool_size=10, max_overflow=20, pool_timeout=10, pool_pre_ping=True)
         self._writer = self.engine.execution_options(**{WRITES: True})
         self._reader = (
             self.engine

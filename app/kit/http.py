@@ -14,7 +14,8 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, ConfigDict
-from sqlalchemy.exc import IntegrityError
+from sqlalchemy.exc import DBAPIError, IntegrityError, SQLAlchemyError
+from sqlalchemy.exc import TimeoutError as PoolTimeout
 from sqlalchemy.orm import Mapped, Session, mapped_column
 from starlette.concurrency import run_in_threadpool
 from starlette.datastructures import Headers, MutableHeaders
@@ -23,7 +24,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import clock, metrics
-from app.kit.db import Base, Database, new_id, reach_further
+from app.kit.db import Base, Database, is_away, new_id, reach_further
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
@@ -33,6 +34,7 @@ METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
+AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
 
@@ -269,6 +271,20 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
     def _http(request: Request, error: HTTPException) -> JSONResponse:
         code = {404: "not-found", 405: "method-not-allowed", 413: "too-large"}.get(error.status_code, "http-error")
         return _problem(request, error.status_code, code, str(error.detail))
+
+    @app.exception_handler(DBAPIError)
+    @app.exception_handler(PoolTimeout)
+    def _away(request: Request, error: SQLAlchemyError) -> JSONResponse:
+        if not is_away(error):
+            raise error
+        log.warning("the database does not answer", error=str(error))
+        detail, fix = "the database does not answer just now", "try again in a few seconds"
+        if request.method not in SAFE_METHODS:  # the line may have dropped with the commit's answer on it
+            detail += "; whether what you sent was kept is not known"
+            fix = "look whether it is there before you send it again; under the same Idempotency-Key it is done once"
+        answer = _problem(request, 503, "database-away", detail, fix=fix)
+        answer.headers["Retry-After"] = str(AWAY_RETRY_S)
+        return answer
 
     @app.exception_handler(Exception)
     def _broken(request: Request, _error: Exception) -> JSONResponse:

@@ -1,15 +1,21 @@
-"""Durable jobs: written in the transaction of their row, run at least once by a worker, resumed after kill -9.
+"""Durable jobs: written in the transaction of their row, run at least once by one of any number of workers.
 
 Nothing else imports DBOS. Its tables live in the application's own database.
+
+Whose turn it is: a job's place in the line is a number, the lowest first. It stands as far behind the head of
+the line, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
+turns, urgent ones more often, and whoever comes with little never waits for all of whoever came with much.
 """
 
-import contextlib
+import os
+import secrets
+import socket
 import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from uuid import UUID
 
 import sqlalchemy as sa
@@ -20,7 +26,7 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
 from app.kit import clock, metrics
-from app.kit.db import Base, Database, beyond_reach
+from app.kit.db import Base, Database, beyond_reach, is_away
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
@@ -31,12 +37,12 @@ QUEUE = "queue"  # key in a session's info: the queue of the database that it is
 STEPS_VERSION = "1"
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
-ATTEMPTS = 4
-FIRST_RETRY_S = 0.5
-BACKOFF = 4.0
-RECOVERY_ATTEMPTS = 20
-URGENT, NORMAL, BULK = 1, 10, 100
-BEAT_EVERY_S = 5.0
+PAUSES_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
+RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
+URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones get the turns of one normal one
+LAST_PLACE = 2**31 - 1
+AWAY_PAUSE_S = 1.0
+BEATS_WHILE_SILENT = 3
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
 FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
 STATE_WORDS = {
@@ -49,8 +55,12 @@ STATE_WORDS = {
 }
 
 Payload = dict[str, Any]
+REASON_LENGTH = 500
+ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
+Result = TypeVar("Result")
+_stopping = threading.Event()  # the worker in this process ends
 _runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
 log = structlog.get_logger(__name__)
 
@@ -83,14 +93,15 @@ def job_names() -> frozenset[str]:
 
 @dataclass(frozen=True)
 class UnfinishedJob:
-    """A job that waits, runs or gave up."""
+    """A job that waits, runs or gave up, and why it failed last where it did."""
 
     id: str
     name: str
     studio_id: UUID | None
     state: str
-    recoveries: int
+    tries: int
     since: datetime
+    reason: str | None
 
 
 @dataclass(frozen=True)
@@ -114,6 +125,7 @@ class JobQueue:
             system_database_url=_system_url(database),
             application_name=APPLICATION,
             lazy=True,
+            retry_connection_errors=False,
         )
 
     def enqueue(
@@ -128,18 +140,59 @@ class JobQueue:
         delay_s: float = 0,
     ) -> None:
         """Write one job, to be run after the delay; a second with the same key is the same job."""
+        lane = f"{studio_id or 'nobody'}:{priority}"
+        self._write(session, key, Work(name, payload, logs.cause(), lane), delay_s=delay_s)
+
+    def _write(
+        self, session: Session, key: str, work: "Work", *, delay_s: float = 0, reason: str | None = None
+    ) -> None:
+        studio, _, cost = work.lane.partition(":")
         options: EnqueueOptions = {
             "workflow_name": RUN_JOB,
             "queue_name": JOB_QUEUE,
             "workflow_id": key,
             "app_version": STEPS_VERSION,
-            "priority": priority,
-            "attributes": {"job": name, "studio": str(studio_id) if studio_id else None},
+            "queue_partition_key": work.lane,
+            "attributes": {"job": work.name, "studio": None if studio == "nobody" else studio, "reason": reason},
         }
-        if delay_s:
-            options["delay_seconds"] = delay_s
         with beyond_reach(session):  # the jobs are the server's own
-            self._client.enqueue_in_transaction(session, options, name, payload, logs.cause())
+            if delay_s:
+                options["delay_seconds"] = delay_s
+                options["priority"] = int(cost)  # has waited: at the head, once it is due
+            else:
+                options["priority"] = self._place(session, work.lane, int(cost))
+            self._client.enqueue_in_transaction(session, options, *work)
+
+    def _place(self, session: Session, lane: str, cost: int) -> int:
+        """Return the place in the line of the next job of a lane: two reads at the ends of indices."""
+        jobs = self._workflows
+        waiting = sa.select(jobs.c.priority).where(
+            jobs.c.queue_name == JOB_QUEUE,
+            jobs.c.status == "ENQUEUED",
+            sa.literal_column("status in ('ENQUEUED', 'PENDING')"),  # as the indices say it
+        )
+        head = waiting.order_by(jobs.c.priority).limit(1).scalar_subquery()
+        last = (
+            waiting.where(jobs.c.queue_partition_key == lane)
+            .order_by(jobs.c.priority.desc())
+            .limit(1)
+            .scalar_subquery()
+        )
+        ahead = session.connection().execute(sa.select(head, last)).one()
+        return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
+
+    def try_again(self, job_id: str, work: "Work", error: Exception) -> bool:
+        """Write the next attempt at a job that failed; return False, and park it, where that was the last."""
+        reason = f"{type(error).__name__}: {error}"[:REASON_LENGTH]
+        if work.attempt > len(PAUSES_S):
+            self._client.update_workflow_attributes(job_id, {"reason": reason}, merge=True)
+            self._client.cancel_workflow(job_id)  # a cancelled job can be resumed, one in error cannot
+            return False
+        attempt = work.attempt + 1
+        key = f"{job_id.partition(ATTEMPT_MARK)[0]}{ATTEMPT_MARK}{attempt}"
+        with self._database.writing() as session:
+            self._write(session, key, work._replace(attempt=attempt), delay_s=PAUSES_S[work.attempt - 1], reason=reason)
+        return True
 
     def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
         """Return the jobs that wait, run or gave up, oldest first."""
@@ -151,8 +204,9 @@ class JobQueue:
                 name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
                 studio_id=UUID(studio) if (studio := (workflow.attributes or {}).get("studio")) else None,
                 state=STATE_WORDS[workflow.status],
-                recoveries=workflow.recovery_attempts or 0,
+                tries=_attempt(workflow.workflow_id) - 1 + (workflow.recovery_attempts or 0),
                 since=_instant(workflow.created_at),
+                reason=(workflow.attributes or {}).get("reason"),
             )
             for workflow in found
         ]
@@ -182,8 +236,18 @@ class JobQueue:
             ).all()
 
     def retry(self, job_id: str) -> None:
-        """Let a job run again that gave up."""
+        """Let a job run again that gave up, at the head of the line."""
+        jobs = self._workflows
+        with self._database.writing() as session:
+            session.execute(sa.update(jobs).where(jobs.c.workflow_uuid == job_id).values(priority=URGENT))
         self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
+
+    def owners(self) -> set[str]:
+        """Return the workers that have jobs in hand."""
+        jobs = self._workflows
+        running = sa.select(jobs.c.executor_id).where(jobs.c.queue_name == JOB_QUEUE, jobs.c.status == "PENDING")
+        with self._database.reading() as session:
+            return {owner for owner in session.scalars(running.distinct()) if owner}
 
     def close(self) -> None:
         """Close the client's own connections."""
@@ -202,10 +266,18 @@ def _workflows(database: Database) -> sa.TableClause:
         "workflow_status",
         sa.column("workflow_uuid", sa.Text),
         sa.column("status", sa.Text),
+        sa.column("queue_name", sa.Text),
+        sa.column("queue_partition_key", sa.Text),
+        sa.column("priority", sa.Integer),
+        sa.column("executor_id", sa.Text),
         sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
         sa.column("created_at", sa.BigInteger),
         schema=None if database.is_sqlite else "dbos",
     )
+
+
+def _attempt(job_id: str) -> int:
+    return int(job_id.partition(ATTEMPT_MARK)[2] or 1)
 
 
 def _instant(epoch_ms: int | None) -> datetime:
@@ -222,6 +294,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "system_database_url": _system_url(database),
         "application_version": STEPS_VERSION,
         "executor_id": worker_id,
+        "sys_db_pool_size": 5 + jobs_at_once,
         "max_executor_threads": max(8, jobs_at_once * 4),
         "log_level": "WARNING",
         "notification_listener_polling_interval_sec": 1.0,
@@ -233,12 +306,33 @@ def create_tables(database: Database) -> None:
     DBOS.migrate(system_database_url=_system_url(database))
 
 
-def _run_job(name: str, payload: Payload, cause: logs.Cause | None = None) -> None:
-    begun, outcome = time.perf_counter(), "parked"
-    with logs.bound(cause or {}, job=name, job_id=str(DBOS.workflow_id)):
+class Work(NamedTuple):
+    """The arguments of a job as they are stored; fields are only ever added, at the end and with a default."""
+
+    name: str
+    payload: Payload
+    cause: logs.Cause
+    lane: str
+    attempt: int = 1
+
+
+def _run_job(
+    name: str, payload: Payload, cause: logs.Cause | None = None, lane: str = f"nobody:{NORMAL}", attempt: int = 1
+) -> None:
+    work, job_id = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id)
+    begun, outcome = time.perf_counter(), "failed"
+    with logs.bound(work.cause, job=name, job_id=job_id):
         try:
-            _tried(name, payload)
+            _patiently(lambda: _handlers[name](_runs_in(), payload))
             outcome = "done"
+        except Exception as error:
+            metrics.JOB_FAILURES.labels(name).inc()
+            log.warning("job failed", attempt=attempt, attempts=len(PAUSES_S) + 1, exc_info=True)
+            failure = error
+            if not _patiently(lambda: _runs_in().queue.try_again(job_id, work, failure)):
+                outcome = "parked"
+                log.error("job is parked", error=str(error))
+                raise
         finally:
             taken_s = time.perf_counter() - begun
             metrics.JOBS.labels(name, outcome).inc()
@@ -246,44 +340,46 @@ def _run_job(name: str, payload: Payload, cause: logs.Cause | None = None) -> No
             log.info("job ended", outcome=outcome, seconds=round(taken_s, 3))
 
 
-def _tried(name: str, payload: Payload) -> None:
-    handler = _handlers[name]
-    runtime = _runtime
-    if runtime is None:
+def _runs_in() -> "Runtime":
+    if _runtime is None:
         raise RuntimeError("no worker was started in this process")
-    for attempt in range(1, ATTEMPTS + 1):
+    return _runtime
+
+
+def _patiently(call: Callable[[], Result]) -> Result:
+    """Return what a call gives; while the database is away wait for it, since that is no fault of the job."""
+    while True:
         try:
-            handler(runtime, payload)
-        except Exception:
-            metrics.JOB_FAILURES.labels(name).inc()
-            if attempt == ATTEMPTS:
-                log.exception("job is parked", attempts=ATTEMPTS)
-                DBOS.cancel_workflow(str(DBOS.workflow_id))  # a cancelled job can be resumed, one in error cannot
+            return call()
+        except Exception as error:
+            if not is_away(error) or _stopping.wait(AWAY_PAUSE_S):
                 raise
-            log.warning("job failed", attempt=attempt, attempts=ATTEMPTS, exc_info=True)
-            time.sleep(FIRST_RETRY_S * BACKOFF ** (attempt - 1))
-        else:
-            return
+            log.warning("the database does not answer; a job waits for it", error=str(error))
 
 
 class Worker:
-    """Runs jobs in this process until stopped."""
+    """Runs jobs in this process until stopped, and takes over what dead workers left half-done."""
 
-    def __init__(self, runtime: "Runtime", *, worker_id: str, jobs_at_once: int, poll_every_s: float = 0.05) -> None:
+    def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float, poll_every_s: float = 0.05) -> None:
+        # Unique for ever: two processes with one id would run a job twice.
+        self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
         self._runtime = runtime
         self._database = runtime.database
-        self._worker_id = worker_id
         self._jobs_at_once = jobs_at_once
+        self._silent_s = silent_s
         self._poll_every_s = poll_every_s
         self._stopped = threading.Event()
-        self._beating = threading.Thread(target=self._beat, name="heartbeat", daemon=True)
+        self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
+        self._beating = threading.Thread(target=self._live, name="heartbeat", daemon=True)
 
     def start(self) -> None:
-        """Take up what this worker id left half-done, then whatever waits."""
+        """Say that this worker lives, then take up whatever waits."""
         global _runtime  # noqa: PLW0603
         _runtime = self._runtime
+        _stopping.clear()
+        self._beat()
         DBOS.destroy(destroy_registry=True)
-        DBOS(config=_config(self._database, self._worker_id, self._jobs_at_once))
+        DBOS(config=_config(self._database, self.id, self._jobs_at_once))
         DBOS.workflow(name=RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
         DBOS.launch()
         DBOS.register_queue(
@@ -295,14 +391,52 @@ class Worker:
         self._beating.start()
 
     def stop(self, *, wait_s: int = 10) -> None:
-        """Let running jobs end, then stop; what is not done by then is taken up at the next start."""
+        """Let running jobs end, then stop; what is not done by then another worker takes over."""
+        _stopping.set()
+        DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
         self._stopped.set()
         self._beating.join(timeout=2)
-        DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
+        try:
+            self._forget(self.id)
+        except sa.exc.SQLAlchemyError as error:
+            log.warning("a worker stopped without saying so", error=str(error))
+
+    def _live(self) -> None:
+        while not self._stopped.wait(self._silent_s / BEATS_WHILE_SILENT):
+            try:
+                self._beat()
+                if not _stopping.is_set():
+                    self._take_over()
+            except Exception as error:
+                # Who could not listen cannot say who was silent: begin to watch anew.
+                self._watched.clear()
+                log.warning("a worker cannot say that it lives", error=str(error))
 
     def _beat(self) -> None:
-        while True:
-            with contextlib.suppress(sa.exc.SQLAlchemyError), self._database.writing() as session:
-                session.merge(Heartbeat(worker_id=self._worker_id, beat_at=clock.now()))
-            if self._stopped.wait(BEAT_EVERY_S):
-                return
+        with self._database.writing() as session:
+            session.merge(Heartbeat(worker_id=self.id, beat_at=clock.now()))
+
+    def _take_over(self) -> None:
+        """Put back into the line what workers hold that have been silent for too long; a job is put back once."""
+        for worker_id in self._silent():
+            log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
+            DBOS._recover_pending_workflows([worker_id])
+            self._forget(worker_id)
+            del self._watched[worker_id]
+
+    def _silent(self) -> list[str]:
+        """Return the others whose beat has stood still, by this process's own clock, for too long."""
+        with self._database.reading() as session:
+            beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
+        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.owners()) | beats
+        heard.pop(self.id, None)
+        now = time.monotonic()
+        self._watched = {
+            worker_id: known if (known := self._watched.get(worker_id)) and known[0] == beat else (beat, now)
+            for worker_id, beat in heard.items()
+        }
+        return [worker_id for worker_id, (_, since) in self._watched.items() if now - since >= self._silent_s]
+
+    def _forget(self, worker_id: str) -> None:
+        with self._database.writing() as session:
+            session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))

@@ -69,7 +69,8 @@ class RunningServer:
 def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
     """Run web application and worker in this process."""
     logs.configure()
-    runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests", **settings))  # type: ignore[arg-type]
+    settings = {"secret_key": "only for tests", "worker_silent_s": 1.5, **settings}
+    runtime = Runtime.of(Settings(data_dir=folder, **settings))
     migrate(runtime.database)
     application = create_app(runtime)
     worker = start_worker(runtime)

@@ -1,12 +1,16 @@
-"""Jobs are written with their row, run once in effect, parked when they keep failing, and retried by hand."""
+"""Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
 import time
 from collections.abc import Callable
 from typing import Any
+from uuid import UUID
 
 import pytest
+import sqlalchemy as sa
+from dbos import DBOSClient
 
 from app.kit import queue
+from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from tests.support.server import RunningServer
 
@@ -28,13 +32,14 @@ def fail_while_broken(_runtime: Runtime, payload: queue.Payload) -> None:
 
 @pytest.fixture
 def runtime(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Runtime:
-    """The running server's; its worker runs these jobs too, with short pauses between tries."""
-    monkeypatch.setattr(queue, "FIRST_RETRY_S", 0.01)
+    """The running server's; its worker runs these jobs too, with short pauses between attempts."""
+    monkeypatch.setattr(queue, "PAUSES_S", (0.01, 0.01))
+    server.wait_for_jobs()
     calls.clear()
     return server.runtime
 
 
-def until(condition: Callable[[], object], seconds: float = 20) -> None:
+def until(condition: Callable[[], object], seconds: float = 30) -> None:
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, "it did not come about"
@@ -44,6 +49,15 @@ def until(condition: Callable[[], object], seconds: float = 20) -> None:
 def enqueue(runtime: Runtime, job: str, word: str, **more: Any) -> None:
     with runtime.database.writing() as session:
         runtime.queue.enqueue(session, job, {"word": word}, key=f"key of {word}", studio_id=None, **more)
+
+
+def enqueue_many(runtime: Runtime, *jobs: tuple[UUID, int, str]) -> None:
+    """Write jobs in one transaction, so that they come into sight at once: studio, urgency, word."""
+    with runtime.database.writing() as session:
+        for studio_id, priority, word in jobs:
+            runtime.queue.enqueue(
+                session, "tests.note", {"word": word}, key=str(new_id()), studio_id=studio_id, priority=priority
+            )
 
 
 def parked(runtime: Runtime) -> list[queue.UnfinishedJob]:
@@ -78,14 +92,102 @@ def test_a_delayed_job_waits(runtime: Runtime):
     assert time.monotonic() - begun >= 1.0
 
 
-def test_what_keeps_failing_is_parked_and_runs_when_retried(runtime: Runtime):
+def test_what_keeps_failing_is_parked_with_its_reason_and_runs_when_retried(runtime: Runtime):
     broken["is"] = True
     enqueue(runtime, "tests.fail_while_broken", "stubborn")
     until(lambda: parked(runtime))
     (stuck,) = parked(runtime)
-    assert (stuck.name, stuck.state) == ("tests.fail_while_broken", "parked")
-    assert len(calls) == queue.ATTEMPTS
+    assert (stuck.name, stuck.state, stuck.tries) == ("tests.fail_while_broken", "parked", 3)
+    assert stuck.reason == "OSError: the disk is full"
+    assert len(calls) == 3
+
+    runtime.queue.retry(stuck.id)  # too early: it fails again, and is parked again
+    until(lambda: len(calls) == 4)
+    until(lambda: [each.state for each in parked(runtime)] == ["parked"])
+
     broken["is"] = False
     runtime.queue.retry(stuck.id)
-    until(lambda: len(calls) == queue.ATTEMPTS + 1)
+    until(lambda: len(calls) == 5)
     until(lambda: not parked(runtime))
+
+
+def test_a_job_that_failed_once_waits_without_holding_up_others(runtime: Runtime, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(queue, "PAUSES_S", (3600.0,))
+    broken["is"] = True
+    for number in range(4):  # more than run at once
+        enqueue(runtime, "tests.fail_while_broken", f"fails {number}")
+    enqueue(runtime, "tests.note", "goes on")
+    until(lambda: "goes on" in calls)
+    failed = "tests.fail_while_broken"
+    until(lambda: [each.state for each in runtime.queue.unfinished() if each.name == failed] == ["delayed"] * 4)
+    assert len(calls) == 5
+
+
+def test_a_few_files_do_not_wait_for_anothers_thousands(runtime: Runtime):
+    crowd, few = new_id(), new_id()
+    enqueue_many(
+        runtime,
+        *((crowd, queue.NORMAL, f"crowd {number}") for number in range(100)),
+        *((few, queue.NORMAL, f"few {number}") for number in range(10)),
+    )
+    until(lambda: sum(word.startswith("few") for word in calls) == 10)
+    assert len(calls) <= 30, "turn by turn: ten and ten, and what runs meanwhile"
+    enqueue_many(runtime, (few, queue.NORMAL, "one more"))  # and again while the crowd is still there
+    place = len(calls)
+    until(lambda: "one more" in calls)
+    assert calls.index("one more") - place <= 15
+    until(lambda: len(calls) == 111)
+
+
+def test_one_upload_goes_before_its_own_studios_thousands_of_renders(runtime: Runtime):
+    studio = new_id()
+    enqueue_many(
+        runtime,
+        *((studio, queue.BULK, f"render {number}") for number in range(40)),
+        (studio, queue.NORMAL, "upload"),
+        (studio, queue.URGENT, "click"),
+    )
+    until(lambda: len(calls) == 42)
+    assert calls.index("click") <= 5
+    assert calls.index("upload") <= 5
+
+
+def test_what_is_not_urgent_is_done_all_the_same(runtime: Runtime):
+    crowd, few = new_id(), new_id()
+    enqueue_many(
+        runtime,
+        *((crowd, queue.NORMAL, f"upload {number}") for number in range(60)),
+        (few, queue.BULK, "render"),
+    )
+    until(lambda: len(calls) == 61)
+    assert 5 <= calls.index("render") <= 20, "ten of one for one of the other"
+
+
+def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: RunningServer):
+    jobs = queue._workflows(runtime.database)
+    with runtime.database.writing() as session:
+        session.add(queue.Heartbeat(worker_id="dead", beat_at=queue.clock.now()))
+        for holder in ("dead", "never-beat"):
+            key = f"held by {holder}"
+            runtime.queue.enqueue(session, "tests.note", {"word": key}, key=key, studio_id=None, delay_s=3600)
+            held = sa.update(jobs).where(jobs.c.workflow_uuid == key)
+            session.execute(held.values(status="PENDING", executor_id=holder))
+    until(lambda: len(calls) == 2)
+    assert sorted(calls) == ["held by dead", "held by never-beat"]
+    until(lambda: "dead" not in {each.worker_id for each in runtime.queue.heartbeats(within=queue.timedelta(days=1))})
+    server.wait_for_jobs()
+
+
+def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
+    """What is stored only grows at its end; and every version claims jobs under the same constant."""
+    client = DBOSClient(system_database_url=queue._system_url(runtime.database), application_name=queue.APPLICATION)
+    options: Any = {
+        "workflow_name": queue.RUN_JOB,
+        "queue_name": queue.JOB_QUEUE,
+        "app_version": "1",
+        "priority": queue.NORMAL,
+    }
+    client.enqueue(options, "tests.note", {"word": "two arguments"})
+    client.enqueue(options, "tests.note", {"word": "three arguments"}, {"request_id": "long ago"})
+    client.destroy()
+    until(lambda: len(calls) == 2)

@@ -1,0 +1,110 @@
+"""While the database is away requests are told so in words, and nothing needs a restart when it is back."""
+
+from collections.abc import Iterator
+
+import psycopg
+import pytest
+import sqlalchemy as sa
+from anyio.from_thread import start_blocking_portal
+from sqlalchemy.orm import Session
+
+from app import logs
+from app.kit.db import Database, is_away
+from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import migrate
+from app.projects import queries
+from app.settings import Settings
+from tests.support.postgres import Postgres, running_postgres
+from tests.support.server import RunningServer, World
+
+
+@pytest.fixture(scope="module")
+def own_postgres() -> Iterator[Postgres]:
+    """A server that may be stopped without disturbing anybody."""
+    with running_postgres() as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def world(own_postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[World]:
+    settings = Settings(
+        data_dir=tmp_path_factory.mktemp("data"),
+        secret_key="only for tests",  # type: ignore[arg-type]
+        database_url=own_postgres.new_database("away"),
+    )
+    logs.configure()
+    runtime = Runtime.of(settings)
+    migrate(runtime.database)
+    with start_blocking_portal() as portal:
+        yield World(RunningServer(runtime, create_app(runtime), portal))
+    runtime.close()
+
+
+def test_a_line_that_drops_in_the_middle_is_told(world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch):
+    def cut(session: Session, *_: object, **__: object) -> None:
+        with own_postgres.superuser() as connection:
+            connection.execute("select pg_terminate_backend(pid) from pg_stat_activity where datname = 'away'")
+        session.execute(sa.text("select 1"))
+
+    with monkeypatch.context() as during:
+        during.setattr(queries, "projects_seen", cut)
+        asked = world.producer.get("/v1/projects")
+        during.setattr(queries, "project_by_id", cut)
+        sent = world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
+    assert (asked.status_code, asked.headers["retry-after"]) == (503, "5")
+    assert asked.headers["content-type"] == "application/problem+json"
+    assert asked.json()["code"] == sent.json()["code"] == "database-away"
+    assert asked.json()["detail"] == "the database does not answer just now"
+    assert sent.status_code == 503
+    assert "whether what you sent was kept is not known" in sent.json()["detail"]
+    assert world.producer.get("/v1/projects").status_code == 200
+
+
+def test_a_database_that_comes_back_is_used_again(world: World, own_postgres: Postgres):
+    assert world.producer.get("/v1/projects").status_code == 200
+    own_postgres.kill()
+    answer = world.producer.get("/v1/projects")
+    assert (answer.status_code, answer.json()["code"]) == (503, "database-away")
+    assert "does not answer" in world.nobody.get("/readyz").json()["database"]
+    own_postgres.start()
+    assert world.producer.get("/v1/projects").status_code == 200
+
+
+def test_what_is_our_own_fault_is_not_the_databases(world: World, monkeypatch: pytest.MonkeyPatch):
+    def stumble(session: Session, *_: object, **__: object) -> None:
+        session.execute(sa.text("select nothing from nowhere"))
+
+    monkeypatch.setattr(queries, "projects_seen", stumble)
+    answer = world.producer.get("/v1/projects")
+    assert (answer.status_code, answer.json()["code"]) == (500, "our-fault")
+
+
+@pytest.mark.parametrize(
+    ("raised", "away"),
+    [
+        (psycopg.errors.TooManyConnections("too many"), True),
+        (psycopg.errors.CannotConnectNow("starting up"), True),
+        (psycopg.errors.ConnectionException("lost"), True),
+        (psycopg.OperationalError("connection refused"), True),
+        (psycopg.errors.DiskFull("disk full"), False),
+        (psycopg.errors.QueryCanceled("too long"), False),
+        (psycopg.errors.DeadlockDetected("deadlock"), False),
+    ],
+)
+def test_which_errors_say_that_it_is_away(raised: psycopg.Error, away: bool):
+    assert is_away(sa.exc.OperationalError("select 1", {}, raised)) is away
+
+
+def test_a_locked_sqlite_database_is_away_too(tmp_path):
+    url = f"sqlite:///{tmp_path / 'busy.sqlite'}"
+    one, other = Database(url), Database(url)
+    with one.writing() as first:
+        first.execute(sa.text("create table t (x)"))
+        with other.engine.connect() as second:
+            second.exec_driver_sql("pragma busy_timeout = 1")
+            with pytest.raises(sa.exc.OperationalError) as busy:
+                second.exec_driver_sql("create table u (x)")
+    assert is_away(busy.value)
+    one.dispose()
+    other.dispose()
