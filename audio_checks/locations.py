@@ -4,8 +4,11 @@ Paths of Windows are understood on any system when they are asked about as such:
 shares, and the prefix of long paths (two backslashes, a question mark, a backslash).
 """
 
+import ntpath
 import os
-from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
+import posixpath
+from pathlib import Path, PurePath, PureWindowsPath
+from types import ModuleType
 from urllib.parse import quote
 
 from audio_checks.windows import without_long_prefix
@@ -16,7 +19,7 @@ SAFE = "/!$&'()+,;=@~"  # what a path segment of a URI may hold besides letters,
 def repository_root() -> Path:
     """Return GITHUB_WORKSPACE, or the nearest folder with a .git above the current one, or the current one."""
     if workspace := os.environ.get("GITHUB_WORKSPACE"):
-        return Path(workspace)
+        return Path(workspace).resolve()  # as the current folder is told
     here = Path.cwd()
     return next((one for one in (here, *here.parents) if (one / ".git").exists()), here)
 
@@ -31,8 +34,11 @@ def in_repository(path: str, root: PurePath, here: PurePath | None = None) -> st
     root, here : PurePath
         Absolute, of the system that the path is of; `here` is the current folder unless it is named.
     """
-    whole, above = _absolute(path, root, here), _absolute(str(root), root, here)
-    return whole.relative_to(above).as_posix() if whole.is_relative_to(above) else None
+    rules, whole = _absolute(path, root, here)
+    above = rules.join(_absolute(str(root), root, here)[1], "")
+    if not rules.normcase(whole).startswith(rules.normcase(above)):
+        return None
+    return whole[len(above) :].replace(rules.sep, "/")
 
 
 def uri_of(path: str, root: PurePath, here: PurePath | None = None) -> tuple[str, bool]:
@@ -40,22 +46,15 @@ def uri_of(path: str, root: PurePath, here: PurePath | None = None) -> tuple[str
     inside = in_repository(path, root, here)
     if inside is not None:
         return quote(inside, safe=SAFE, errors="surrogatepass"), True
-    whole = _absolute(path, root, here)
-    if isinstance(whole, PureWindowsPath):
-        return whole.as_uri(), False
-    return "file://" + quote(str(whole), safe=SAFE, errors="surrogatepass"), False
+    rules, whole = _absolute(path, root, here)
+    if rules is ntpath:
+        return PureWindowsPath(whole).as_uri(), False
+    return "file://" + quote(whole, safe=SAFE, errors="surrogatepass"), False
 
 
-def _absolute(path: str, root: PurePath, here: PurePath | None) -> PurePath:
-    """Return a path of the root's system, absolute and without `.` and `..`, by its text alone."""
+def _absolute(path: str, root: PurePath, here: PurePath | None) -> tuple[ModuleType, str]:
+    """Return the rules of the root's system, and a path by them: absolute, without `.` and `..`, by its text alone."""
+    above = str(here or os.getcwd())
     if isinstance(root, PureWindowsPath):
-        whole: PurePath = PureWindowsPath(here or Path.cwd()) / without_long_prefix(path)
-    else:
-        whole = PurePosixPath(here or Path.cwd()) / path
-    parts: list[str] = []
-    for part in whole.parts[1:]:
-        if part != "..":
-            parts.append(part)
-        elif parts:
-            parts.pop()
-    return type(whole)(whole.parts[0], *parts)
+        return ntpath, ntpath.normpath(ntpath.join(above, without_long_prefix(path)))
+    return posixpath, posixpath.normpath(posixpath.join(above, path))
