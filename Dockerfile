@@ -1,5 +1,5 @@
-# One image for web, worker and migrations; `soundlist` is on its PATH.
-FROM node:22-bookworm-slim AS page
+# One image for web, worker, migrations and backups; `soundlist` is on its PATH.
+FROM node:22-trixie-slim AS page
 WORKDIR /src/frontend
 COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
 RUN npm ci
@@ -7,20 +7,31 @@ COPY frontend ./
 COPY docs/checks /src/docs/checks
 RUN npm run build
 
-FROM python:3.13-slim-bookworm
+# The compiled kernel is built here, so that what runs has no compiler.
+FROM python:3.13-slim-trixie AS wheels
 RUN apt-get update && apt-get install -y --no-install-recommends gcc libc6-dev && rm -rf /var/lib/apt/lists/*
-WORKDIR /srv/soundlist
+WORKDIR /src
 COPY pyproject.toml setup.py MANIFEST.in constraints.txt README.md LICENSE ./
 COPY audio_checks ./audio_checks
-RUN pip install --no-cache-dir --constraint constraints.txt '.[server]' && rm -rf audio_checks build
+RUN pip wheel --no-cache-dir --wheel-dir /wheels --constraint constraints.txt '.[server]'
+
+FROM python:3.13-slim-trixie
+# pg_dump and pg_restore, for `soundlist backup` and `soundlist restore`: of no older version than the server.
+RUN apt-get update && apt-get install -y --no-install-recommends postgresql-client && rm -rf /var/lib/apt/lists/*
+RUN --mount=type=bind,from=wheels,source=/wheels,target=/wheels \
+    pip install --no-cache-dir --no-index --find-links /wheels 'audio-checks[server]'
+WORKDIR /srv/soundlist
 COPY app ./app
 COPY migrations ./migrations
 COPY --from=page /src/frontend/dist ./frontend/dist
 RUN printf '#!/bin/sh\ncd /srv/soundlist && exec python -m app "$@"\n' > /usr/local/bin/soundlist \
     && chmod +x /usr/local/bin/soundlist \
-    && useradd --system --create-home soundlist && mkdir /data && chown soundlist /data
-USER soundlist
-ENV SOUNDLIST_DATA_DIR=/data
+    && useradd --system --uid 10001 --create-home soundlist \
+    && mkdir /data /backups && chown soundlist /data /backups
+USER 10001
+ENV SOUNDLIST_DATA_DIR=/data PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
 VOLUME /data
 EXPOSE 8000
-CMD ["soundlist", "serve", "--host", "0.0.0.0"]
+HEALTHCHECK --interval=10s --timeout=5s --start-period=30s --retries=3 \
+    CMD ["python", "-c", "import urllib.request as r; r.urlopen('http://127.0.0.1:8000/healthz', timeout=3)"]
+CMD ["soundlist", "serve", "--host", "0.0.0.0", "--port", "8000"]

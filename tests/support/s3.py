@@ -1,13 +1,14 @@
 """A real S3 server for tests, and a line to it that can be made to fail."""
 
 import itertools
+import os
 import re
 import socket
 import socketserver
 import subprocess
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -64,42 +65,50 @@ class S3Server:
 @contextmanager
 def run_s3(folder: Path) -> Iterator[S3Server]:
     """Run the server that the set-up builds, with its files in a folder."""
-    program = subprocess.run([ROOT / ".ci/s3"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
     data, sidecar = folder / "data", folder / "sidecar"
     data.mkdir(parents=True)
     sidecar.mkdir()
     endpoint = f"http://127.0.0.1:{free_port()}"
-    listen = endpoint.removeprefix("http://")
-    command = [program, "--quiet", "--access", KEY.id, "--secret", KEY.secret, "--region", REGION, "--port", listen]
-    with (folder / "log").open("wb") as log:
-        process = subprocess.Popen(
-            [*command, "--health", "/health", "posix", "--sidecar", sidecar, data], stdout=log, stderr=log
-        )
+    options = ["--quiet", "--region", REGION, "--port", endpoint.removeprefix("http://"), "--health", "/health"]
+    command = [s3_program(), *options, "posix", "--sidecar", str(sidecar), str(data)]
+    keys = {"ROOT_ACCESS_KEY": KEY.id, "ROOT_SECRET_KEY": KEY.secret}
+    with run_program(command, f"{endpoint}/health", folder / "log", keys), httpx.Client() as client:
+        _folders[endpoint] = data
+        yield S3Server(endpoint, data, client)
+
+
+def s3_program() -> str:
+    """Return the server that the set-up builds; where it is being built, wait for it."""
+    return subprocess.run([ROOT / ".ci/s3"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+
+
+@contextmanager
+def run_program(command: list[str], health_url: str, log: Path, environment: dict[str, str]) -> Iterator[None]:
+    """Run a server from the time that it is well until the block ends."""
+    with log.open("wb") as said:
+        process = subprocess.Popen(command, stdout=said, stderr=said, env=os.environ | environment)
     try:
-        with httpx.Client() as client:
-            _folders[endpoint] = data
-            wait_for(lambda: client.get(f"{endpoint}/health").status_code == 200, process)
-            yield S3Server(endpoint, data, client)
+        deadline = time.monotonic() + STARTS_WITHIN_S
+        while not _answers(health_url):
+            assert process.poll() is None, f"it ended at once: {log.read_text()}"
+            assert time.monotonic() < deadline, f"it does not answer after {STARTS_WITHIN_S} s: {log.read_text()}"
+            time.sleep(0.02)
+        yield
     finally:
         process.kill()
         process.wait()
 
 
+def _answers(url: str) -> bool:
+    try:
+        return httpx.get(url).status_code == httpx.codes.OK
+    except httpx.TransportError:
+        return False
+
+
 def folder_of(endpoint: str) -> Path:
     """Return where a server keeps its buckets: an object is a file named by its key."""
     return _folders[endpoint]
-
-
-def wait_for(is_up: Callable[[], bool], process: subprocess.Popen[bytes]) -> None:
-    """Return once a process that was started answers."""
-    deadline = time.monotonic() + STARTS_WITHIN_S
-    while time.monotonic() < deadline:
-        assert process.poll() is None, "the S3 server ended at once; its log says why"
-        with suppress(httpx.TransportError):
-            if is_up():
-                return
-        time.sleep(0.02)
-    raise AssertionError(f"the S3 server does not answer after {STARTS_WITHIN_S} s")
 
 
 def free_port() -> int:

@@ -1,0 +1,296 @@
+"""What an operator starts from: each command runs, each setting is one, each health check works, outside containers."""
+
+import configparser
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import threading
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+import yaml
+from typer.testing import CliRunner
+
+from app.cli import cli
+from app.settings import Settings, bucket_address
+from tests.support.s3 import KEY, free_port, run_program, s3_program
+from tests.support.server import RunningServer
+
+ROOT = Path(__file__).resolve().parents[2]
+DEPLOY = ROOT / "deploy"
+UNITS = sorted((DEPLOY / "systemd").iterdir())
+SET = {"SOUNDLIST_DOMAIN": "sounds.example", "SOUNDLIST_FILES_DOMAIN": "files.sounds.example"}
+SECRETS = {"SOUNDLIST_SECRET_KEY", "POSTGRES_PASSWORD", "S3_ACCESS_KEY", "S3_SECRET_KEY"}
+
+
+def filled(written: Any, given: dict[str, str]) -> Any:
+    """Put values in the place of ${NAME}, ${NAME:-default} and ${NAME:?why}, as compose does."""
+    if isinstance(written, dict):
+        return {name: filled(value, given) for name, value in written.items()}
+    if isinstance(written, list):
+        return [filled(value, given) for value in written]
+    if not isinstance(written, str):
+        return written
+
+    def value(found: re.Match[str]) -> str:
+        name, how, rest = found.groups()
+        if given.get(name):
+            return given[name]
+        assert how != ":?", f"{name} {rest}"
+        return rest if how == ":-" else ""
+
+    return re.sub(r"\$\{([A-Z0-9_]+)(?:(:[-?])([^}]*))?\}", value, written)
+
+
+@pytest.fixture(scope="module")
+def compose() -> dict[str, Any]:
+    written = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
+    return dict(filled(written, SET | dict.fromkeys(SECRETS, "0123456789abcdef" * 2)))
+
+
+@pytest.fixture(scope="module")
+def ours(compose: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """The services that run our image."""
+    return {name: service for name, service in compose["services"].items() if service["image"] == "soundlist"}
+
+
+@pytest.mark.parametrize("name", sorted({"SOUNDLIST_DOMAIN", "SOUNDLIST_FILES_DOMAIN"} | SECRETS))
+def test_what_is_not_set_is_said_before_anything_starts(name: str):
+    given = SET | dict.fromkeys(SECRETS, "x" * 32) | {name: ""}
+    with pytest.raises(AssertionError, match=f"{name} is not set; (make|give)"):
+        filled(yaml.safe_load((ROOT / "docker-compose.yml").read_text()), given)
+
+
+def test_the_example_of_settings_names_all_that_is_asked_for():
+    asked = set(re.findall(r"\$\{([A-Z0-9_]+)", (ROOT / "docker-compose.yml").read_text()))
+    named = set(re.findall(r"^([A-Z0-9_]+)=", (DEPLOY / "env.example").read_text(), re.MULTILINE))
+    assert named == asked
+    settings = {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields}
+    assert {name for name in named if name.startswith("SOUNDLIST_")} - settings == set(SET)
+
+
+def test_every_setting_of_the_containers_is_one(ours: dict[str, dict[str, Any]], monkeypatch: pytest.MonkeyPatch):
+    for name, service in ours.items():
+        with monkeypatch.context() as patched:
+            for variable, value in service["environment"].items():
+                patched.setenv(variable, value)
+            settings = Settings()
+        known = {f"SOUNDLIST_{field.upper()}" for field in Settings.model_fields}
+        assert {each for each in service["environment"] if each.startswith("SOUNDLIST_")} <= known, name
+        assert settings.bucket is not None
+        assert settings.bucket.public_endpoint == "https://files.sounds.example"
+        assert (settings.store_direct, settings.base_url) == (True, "https://sounds.example")
+
+
+def test_web_worker_migration_and_backup_are_there(ours: dict[str, dict[str, Any]]):
+    assert set(ours) == {"web", "worker", "migrate", "backup"}
+    assert "container_name" not in ours["worker"], "a worker with a name of its own could not be scaled"
+    assert not ours["worker"].get("ports")
+
+
+def test_every_service_runs_a_command_that_there_is(ours: dict[str, dict[str, Any]]):
+    for name, service in ours.items():
+        program, command, *options = service["command"]
+        shown = CliRunner().invoke(cli, [command, "--help"])
+        assert (program, shown.exit_code) == ("soundlist", 0), name
+        for option in options:
+            assert not option.startswith("--") or option in shown.output, f"{name}: {option}"
+
+
+def test_every_service_that_lasts_says_whether_it_is_well(compose: dict[str, Any]):
+    for name, service in compose["services"].items():
+        lasts = service.get("restart") != "no"
+        assert ("test" in service.get("healthcheck", {})) is lasts, name
+
+
+def test_nothing_runs_with_more_rights_than_it_needs(compose: dict[str, Any]):
+    for name, service in compose["services"].items():
+        if name != "bucket":  # it gives a folder to the store's user, once, without a network
+            assert service["read_only"] is True, name
+            assert "no-new-privileges:true" in service["security_opt"], name
+        if name not in ("bucket", "postgres"):  # whose image begins as root and becomes its own user
+            assert service["cap_drop"] == ["ALL"], name
+        for port in service.get("ports", []):
+            assert name == "proxy" or port.startswith("127.0.0.1:"), f"{name} is open to everybody"
+
+
+def test_every_volume_and_every_service_waited_for_is_there(compose: dict[str, Any]):
+    for name, service in compose["services"].items():
+        for volume in service.get("volumes", []):
+            source = volume.partition(":")[0]
+            assert source in compose["volumes"] or (ROOT / source).exists(), f"{name}: {volume}"
+        for other, how in service.get("depends_on", {}).items():
+            waited_for = compose["services"][other]
+            one_shot = waited_for.get("restart") == "no"
+            assert (how["condition"] == "service_completed_successfully") is one_shot, f"{name} waits for {other}"
+
+
+@pytest.mark.parametrize("name", ["web", "worker"])
+def test_a_health_check_tells_well_from_ill(ours: dict[str, dict[str, Any]], name: str):
+    [how, *command] = ours[name]["healthcheck"]["test"]
+    assert how == "CMD"
+    [address] = re.findall(r"http://127\.0\.0\.1:[0-9]+(/[a-z]+)", command[-1])
+    for status, code in ((200, 0), (503, 1)):
+        with answering(address, status) as port:
+            here = [re.sub(r"127\.0\.0\.1:[0-9]+", f"127.0.0.1:{port}", part) for part in command]
+            assert subprocess.run([sys.executable, *here[1:]], capture_output=True).returncode == code
+    assert address in ("/healthz", "/metrics")
+
+
+class answering:  # noqa: N801
+    """A server that answers one path with one status."""
+
+    def __init__(self, path: str, status: int) -> None:
+        class Answer(BaseHTTPRequestHandler):
+            def do_GET(self) -> None:
+                self.send_response(status if self.path == path else 404)
+                self.end_headers()
+
+            def log_message(self, *_: object) -> None:
+                """Say nothing."""
+
+        self._server = HTTPServer(("127.0.0.1", 0), Answer)
+        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.01,))
+
+    def __enter__(self) -> int:
+        self._thread.start()
+        return self._server.server_port
+
+    def __exit__(self, *_: object) -> None:
+        self._server.shutdown()
+        self._thread.join()
+        self._server.server_close()
+
+
+def test_the_health_checks_ask_what_the_server_answers(server: RunningServer, ours: dict[str, dict[str, Any]]):
+    assert server.browser().get("/healthz").status_code == 200
+    assert "/healthz" in ours["web"]["healthcheck"]["test"][-1]
+    assert ours["worker"]["environment"]["SOUNDLIST_METRICS_PORT"] in ours["worker"]["healthcheck"]["test"][-1]
+
+
+def test_the_store_runs_as_it_is_told_to(compose: dict[str, Any], tmp_path: Path):
+    service, port = compose["services"]["s3"], free_port()
+    made = compose["services"]["bucket"]["entrypoint"][-1].partition(" && ")[0].replace("/store", str(tmp_path))
+    subprocess.run(shlex.split(made), check=True)
+    command = [
+        part.replace("/store", str(tmp_path)).replace(":7070", f"127.0.0.1:{port}") for part in service["command"]
+    ]
+    address = bucket_address(compose["services"]["web"]["environment"]["SOUNDLIST_STORE_URL"])
+    assert (tmp_path / "buckets" / address.bucket).is_dir()
+    environment = service["environment"] | {"ROOT_ACCESS_KEY": KEY.id, "ROOT_SECRET_KEY": KEY.secret}
+    endpoint = f"http://127.0.0.1:{port}"
+    with run_program([s3_program(), *command], f"{endpoint}/health", tmp_path / "log", environment):
+        asked = httpx.options(
+            f"{endpoint}/{address.bucket}/key",
+            headers={"Origin": "https://sounds.example", "Access-Control-Request-Method": "PUT"},
+        )
+        assert asked.headers["access-control-allow-origin"] == "https://sounds.example"
+        assert address.region == service["environment"]["VGW_REGION"]
+    assert service["healthcheck"]["test"][-1].endswith(":7070/health")
+
+
+@pytest.fixture(scope="module")
+def stages() -> list[list[str]]:
+    text = (ROOT / "Dockerfile").read_text().replace("\\\n", " ")
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    begins = [number for number, line in enumerate(lines) if line.startswith("FROM ")]
+    return [lines[start:end] for start, end in zip(begins, [*begins[1:], len(lines)], strict=True)]
+
+
+class TestImage:
+    def test_what_runs_has_no_compiler_and_is_not_root(self, stages: list[list[str]]):
+        last = "\n".join(stages[-1])
+        assert not re.search(r"\b(gcc|g\+\+|clang|make|libc6-dev)\b", last)
+        assert re.search(r"^USER 10001$", last, re.MULTILINE)
+        assert "postgresql-client" in last
+        assert any("gcc" in line for stage in stages[:-1] for line in stage)
+
+    def test_everything_that_is_copied_is_there(self, stages: list[list[str]]):
+        ignored = [line for line in (ROOT / ".dockerignore").read_text().splitlines() if "*" not in line]
+        for line in (line for stage in stages for line in stage if line.startswith("COPY ") and "--from" not in line):
+            for source in line.split()[1:-1]:
+                assert (ROOT / source).exists(), line
+                assert not any(source == each or source.startswith(f"{each}/") for each in ignored), line
+
+    def test_it_says_whether_it_is_well_as_compose_does(self, stages: list[list[str]], compose: dict[str, Any]):
+        [line] = [line for line in stages[-1] if line.startswith("HEALTHCHECK ")]
+        command = json.loads(line[line.index("[") :])
+        assert ["CMD", *command] == compose["services"]["web"]["healthcheck"]["test"]
+
+    def test_it_serves(self, stages: list[list[str]], compose: dict[str, Any]):
+        [line] = [line for line in stages[-1] if line.startswith("CMD ")]
+        assert json.loads(line.removeprefix("CMD ")) == compose["services"]["web"]["command"]
+
+
+class TestProxy:
+    def test_each_site_leads_to_a_service_that_is_there(self, compose: dict[str, Any]):
+        text = (DEPLOY / "Caddyfile").read_text()
+        assert text.count("{") == text.count("}")
+        sites = re.findall(r"^\{\$([A-Z_]+)\} \{$", text, re.MULTILINE)
+        assert set(sites) == compose["services"]["proxy"]["environment"].keys() == set(SET)
+        assert "dynamic a web 8000" in text
+        assert "8000" in compose["services"]["web"]["command"]
+        assert "reverse_proxy s3:7070" in text
+        assert ":7070" in compose["services"]["s3"]["command"]
+
+    def test_caddy_itself_takes_it_where_there_is_one(self):
+        caddy = shutil.which("caddy")
+        if caddy is not None:
+            command = [caddy, "validate", "--adapter", "caddyfile", "--config", str(DEPLOY / "Caddyfile")]
+            subprocess.run(command, env=os.environ | SET, check=True)
+
+
+class TestUnits:
+    def unit(self, path: Path) -> configparser.ConfigParser:
+        read = configparser.ConfigParser(strict=False, interpolation=None)
+        read.optionxform = str  # type: ignore[assignment,method-assign]
+        read.read_string(path.read_text())
+        return read
+
+    @pytest.mark.parametrize("path", [path for path in UNITS if path.suffix == ".service"], ids=lambda path: path.name)
+    def test_a_unit_runs_a_command_that_there_is(self, path: Path):
+        service = self.unit(path)["Service"]
+        program, command, *options = shlex.split(service["ExecStart"])
+        shown = CliRunner().invoke(cli, [command, "--help"])
+        assert (program, shown.exit_code) == ("/opt/soundlist/.venv/bin/soundlist", 0)
+        assert all(option in shown.output for option in options if option.startswith("--"))
+        assert (service["User"], service["NoNewPrivileges"], service["ProtectSystem"]) == (
+            "soundlist",
+            "true",
+            "strict",
+        )
+        named = re.findall(r"(SOUNDLIST_[A-Z_]+)=", path.read_text())
+        assert set(named) <= {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields}
+
+    def test_units_name_units_that_there_are(self):
+        names = {path.name for path in UNITS}
+        for path in UNITS:
+            for other in re.findall(r"soundlist-[a-z]+@?\.(?:service|timer)", path.read_text()):
+                assert other in names, f"{path.name}: {other}"
+        assert {f"{path.stem}.service" for path in UNITS if path.suffix == ".timer"} <= names
+
+    def test_systemd_itself_takes_them_where_there_is_one(self, tmp_path: Path):
+        analyze = shutil.which("systemd-analyze")
+        if analyze is None:
+            return
+        for path in UNITS:
+            text = path.read_text().replace("/opt/soundlist", str(ROOT)).replace("User=soundlist\n", "")
+            (tmp_path / path.name).write_text(text)
+        checked = subprocess.run(
+            [analyze, "verify", "--man=no", *sorted(tmp_path.iterdir())], capture_output=True, text=True
+        )
+        about_ours = [line for line in checked.stderr.splitlines() if "soundlist" in line]
+        assert about_ours == []
+
+
+def test_the_cors_rules_are_those_that_the_page_needs():
+    [rule] = json.loads((DEPLOY / "cors.json").read_text())["CORSRules"]
+    assert rule["AllowedOrigins"] == ["https://sounds.example"]
+    assert set(rule["AllowedMethods"]) == {"GET", "PUT"}
