@@ -27,7 +27,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: 
     holes = [(start_s, end_s) for start_s, end_s, _ in file.measurements.dropout_places]
     if holes:
         yield _finding("hole", "hole", file.measurements.dropouts, holes)
-    repeats = [(start_s, end_s) for start_s, end_s, _, _ in file.measurements.repeat_places]
+    repeats = [(start_s, end_s) for start_s, end_s, _ in file.measurements.repeat_places]
     if repeats:
         yield _finding("repeat", "repeated buffer", file.measurements.repeats, repeats)
 

@@ -28,6 +28,7 @@ try:
         recurrences,
         stereo_products,
         true_peak,
+        unforeseen,
     )
 except ImportError as error:
     raise ImportError(
@@ -56,6 +57,7 @@ __all__ = [
     "recurrences",
     "stereo_products",
     "true_peak",
+    "unforeseen",
 ]
 
 

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { CELL_FIGURES = 4, HISTORY = 6, LANES = 4, REGISTERS = LANES / TOGETHER };
+enum { CELL_FIGURES = 5, HISTORY = 6, LANES = 4, REGISTERS = LANES / TOGETHER };
 
 static inline together differences(const double *at) {
     const together far = neighbours(at) + neighbours(at - 6), near = neighbours(at - 1) + neighbours(at - 5);
@@ -17,10 +17,10 @@ static inline double difference(const double *at) {
 
 static inline double larger_of(double one, double other) { return one > other ? one : other; }
 
-/* Sum, sum of squares, largest step and largest sixth difference of one cell. */
+/* Sum, sum of squares, largest step, and of the sixth differences the largest and the sum of squares. */
 static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double *RESTRICT figures) {
     together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
-    together steps[REGISTERS] = {BOTH(0, 0)}, sharp[REGISTERS] = {BOTH(0, 0)};
+    together steps[REGISTERS] = {BOTH(0, 0)}, sharp[REGISTERS] = {BOTH(0, 0)}, edged[REGISTERS] = {BOTH(0, 0)};
     Py_ssize_t at = 0;
     for (; at + LANES <= size; at += LANES) {
         for (int which = 0; which < REGISTERS; which++) {
@@ -29,7 +29,9 @@ static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double
             sums[which] += both;
             squares[which] += both * both;
             steps[which] = larger(sizes(both - neighbours(here - 1)), steps[which]);
-            sharp[which] = larger(sizes(differences(here)), sharp[which]);
+            const together sixth = differences(here);
+            sharp[which] = larger(sizes(sixth), sharp[which]);
+            edged[which] += sixth * sixth;
         }
     }
     double lanes[CELL_FIGURES][LANES];
@@ -37,18 +39,22 @@ static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double
     memcpy(lanes[1], squares, sizeof lanes[1]);
     memcpy(lanes[2], steps, sizeof lanes[2]);
     memcpy(lanes[3], sharp, sizeof lanes[3]);
+    memcpy(lanes[4], edged, sizeof lanes[4]);
     for (int figure = 0; figure < CELL_FIGURES; figure++) figures[figure] = 0;
     for (int lane = 0; lane < LANES; lane++) {
         figures[0] += lanes[0][lane];
         figures[1] += lanes[1][lane];
         figures[2] = larger_of(lanes[2][lane], figures[2]);
         figures[3] = larger_of(lanes[3][lane], figures[3]);
+        figures[4] += lanes[4][lane];
     }
     for (; at < size; at++) {
         figures[0] += samples[at];
         figures[1] += samples[at] * samples[at];
         figures[2] = larger_of(fabs(samples[at] - samples[at - 1]), figures[2]);
-        figures[3] = larger_of(fabs(difference(samples + at)), figures[3]);
+        const double sixth = difference(samples + at);
+        figures[3] = larger_of(fabs(sixth), figures[3]);
+        figures[4] += sixth * sixth;
     }
 }
 
@@ -65,7 +71,7 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     if (first < HISTORY || size < 1 || out.channels != CELL_FIGURES * block.channels ||
         out.frames > (block.frames - first) / size) {
         let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "six frames of history and whole cells are wanted, four figures of each channel");
+        PyErr_SetString(PyExc_ValueError, "six frames of history and whole cells are wanted, five figures of each channel");
         return NULL;
     }
     Py_BEGIN_ALLOW_THREADS
@@ -79,6 +85,97 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         }
     }
     Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
+}
+
+/* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
+ * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
+enum { MOST_COEFFICIENTS = 64 };
+
+static double lagged_product(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
+    together sums[REGISTERS] = {BOTH(0, 0)};
+    double lanes[LANES], sum = 0;
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES) {
+        for (int which = 0; which < REGISTERS; which++) {
+            sums[which] += neighbours(one + at + which * TOGETHER) * neighbours(other + at + which * TOGETHER);
+        }
+    }
+    memcpy(lanes, sums, sizeof lanes);
+    for (int lane = 0; lane < LANES; lane++) sum += lanes[lane];
+    for (; at < count; at++) sum += one[at] * other[at];
+    return sum;
+}
+
+static void fit(const double *products, Py_ssize_t order, double *coefficients) {
+    double error = products[0], before[MOST_COEFFICIENTS];
+    for (Py_ssize_t at = 0; at < order; at++) {
+        double sum = products[at + 1];
+        for (Py_ssize_t place = 0; place < at; place++) sum -= coefficients[place] * products[at - place];
+        const double reflected = error > 0 ? sum / error : 0;
+        memcpy(before, coefficients, (size_t)at * sizeof *before);
+        for (Py_ssize_t place = 0; place < at; place++) coefficients[place] -= reflected * before[at - 1 - place];
+        coefficients[at] = reflected;
+        error *= 1 - reflected * reflected;
+    }
+}
+
+/* What is left of each sample. Several are worked on at once, because each takes one step after the other. */
+static void foretell(const double *RESTRICT samples, const double *RESTRICT coefficients, Py_ssize_t order,
+                     Py_ssize_t count, double *RESTRICT rests) {
+    enum { AT_ONCE = 4 };
+    Py_ssize_t at = 0;
+    for (; at + AT_ONCE * TOGETHER <= count; at += AT_ONCE * TOGETHER) {
+        together rest[AT_ONCE];
+        for (int which = 0; which < AT_ONCE; which++) rest[which] = neighbours(samples + at + which * TOGETHER);
+        for (Py_ssize_t place = 0; place < order; place++) {
+            const together coefficient = BOTH(coefficients[place], coefficients[place]);
+            const double *before = samples + at - 1 - place;
+            for (int which = 0; which < AT_ONCE; which++) rest[which] -= coefficient * neighbours(before + which * TOGETHER);
+        }
+        memcpy(rests + at, rest, sizeof rest);
+    }
+    for (; at < count; at++) {
+        rests[at] = samples[at];
+        for (Py_ssize_t place = 0; place < order; place++) rests[at] -= coefficients[place] * samples[at - 1 - place];
+    }
+}
+
+PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    double *samples, *window, *out, *faded;
+    if (arguments("unforeseen", count, 6) < 0) return NULL;
+    const Py_ssize_t first = PyLong_AsSsize_t(args[1]), order = PyLong_AsSsize_t(args[3]), size = PyLong_AsSsize_t(args[4]);
+    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(window = TAKE_DOUBLES(&held, args[2], -1, 0)) || !(out = TAKE_DOUBLES(&held, args[5], -1, 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t frames = held.views[1].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t cells_wanted = held.views[2].len / (Py_ssize_t)sizeof(double);
+    if (order < 1 || order > MOST_COEFFICIENTS || first < order || size < 1 || frames <= order || first + frames > length ||
+        cells_wanted * size > frames) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "1 to 64 coefficients, as many frames of history, and whole cells are wanted");
+        return NULL;
+    }
+    if (!(faded = malloc((size_t)frames * sizeof *faded))) {
+        let_go(&held);
+        return PyErr_NoMemory();
+    }
+    Py_BEGIN_ALLOW_THREADS
+    double products[MOST_COEFFICIENTS + 1], coefficients[MOST_COEFFICIENTS] = {0};
+    for (Py_ssize_t at = 0; at < frames; at++) faded[at] = samples[first + at] * window[at];
+    for (Py_ssize_t lag = 0; lag <= order; lag++) products[lag] = lagged_product(faded, faded + lag, frames - lag);
+    products[0] *= 1 + 1e-10;
+    fit(products, order, coefficients);
+    foretell(samples + first, coefficients, order, frames, faded);
+    for (Py_ssize_t cell = 0; cell < cells_wanted; cell++) out[cell] = highest_magnitude(faded + cell * size, size);
+    Py_END_ALLOW_THREADS
+    free(faded);
     let_go(&held);
     Py_RETURN_NONE;
 }
@@ -171,13 +268,23 @@ static inline uint64_t bits_of(double sample) {
     return bits;
 }
 
-static inline uint64_t scattered(uint64_t bits) { return bits * UINT64_C(0x9E3779B97F4A7C15); }
+static inline uint64_t scattered(double sample) { return bits_of(sample) * UINT64_C(0x9E3779B97F4A7C15); }
 
-static int spread_out(const double *word, double spread) {
+static inline uint64_t key_of(const double *word) {
+    static const uint64_t odd[WORD] = {
+        UINT64_C(0xBF58476D1CE4E5B9), UINT64_C(0x94D049BB133111EB), UINT64_C(0xC2B2AE3D27D4EB4F),
+        UINT64_C(0x165667B19E3779F9), UINT64_C(0xD6E8FEB86659FD93), UINT64_C(0xFF51AFD7ED558CCD),
+    };
+    uint64_t key = 0;
+    for (int place = 0; place < WORD; place++) key += (bits_of(word[place]) >> 21) * odd[place];
+    return key;
+}
+
+static inline int spread_out(const double *word, double spread) {
     double low = word[0], high = word[0];
     for (int place = 1; place < WORD; place++) {
         low = word[place] < low ? word[place] : low;
-        high = word[place] > high ? word[place] : high;
+        high = larger_of(word[place], high);
     }
     return high - low >= spread;
 }
@@ -211,9 +318,8 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
     Py_ssize_t found = 0, known_until = 0;
     Py_BEGIN_ALLOW_THREADS
     for (Py_ssize_t at = 0; at + WORD <= frames && found < most; at++) {
-        uint64_t key = scattered(bits_of(samples[at]));
-        if (key >> (64 - ONE_IN_BITS) || !spread_out(samples + at, spread)) continue;
-        for (int place = 1; place < WORD; place++) key = scattered(key ^ key >> 29 ^ bits_of(samples[at + place]));
+        if (scattered(samples[at]) >> (64 - ONE_IN_BITS) || !spread_out(samples + at, spread)) continue;
+        const uint64_t key = key_of(samples + at);
         slot *here = slots + (key >> (64 - SLOT_BITS));
         const Py_ssize_t lag = at - here->place;
         const int again = here->key == key;

@@ -103,7 +103,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
 
 /* What Python may call: each name stands here once. */
 #define FUNCTIONS(EACH) \
-    EACH(cells, "Measure cells one after the other: sum, sum of squares, largest step, largest sixth difference.") \
+    EACH(cells, "Measure cells one after the other: sum, sum of squares, largest step, sixth differences.") \
     EACH(convert, "Filter blocks of a stream and bring them to a lower rate.") \
     EACH(crests, "Measure the shape of each crest that rises high enough; return how many there are.") \
     EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0.") \
@@ -121,7 +121,8 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference.") \
-    EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.")
+    EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
+    EACH(unforeseen, "Foretell each sample from those before it; measure the largest error of each cell.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);
 FUNCTIONS(DECLARED)

@@ -25,12 +25,15 @@ class Cells(NamedTuple):
     sharpness : ndarray
         The largest sixth difference: a single sample gives 20 times its height, a step 10 times, and
         what moves slowly nearly nothing.
+    edges : ndarray
+        The sum of the sixth differences' squares.
     """
 
     sums: NDArray[np.float64]
     squares: NDArray[np.float64]
     steps: NDArray[np.float64]
     sharpness: NDArray[np.float64]
+    edges: NDArray[np.float64]
 
 
 def cell_frames(sample_rate_hz: int) -> int:
@@ -51,6 +54,6 @@ def cells_of(samples: NDArray[np.float64], first: int, frames: int) -> Cells:
         Of each cell.
     """
     channels, length = samples.shape
-    figures = np.empty((4 * channels, (length - first) // frames))
+    figures = np.empty((len(Cells._fields) * channels, (length - first) // frames))
     kernel.cells(samples, first, frames, figures)
-    return Cells(*figures.reshape(4, channels, -1))
+    return Cells(*figures.reshape(len(Cells._fields), channels, -1))

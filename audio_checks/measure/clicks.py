@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import decibels
 
@@ -14,11 +15,15 @@ STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before a
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
-GOES_ON = 10.0  # power may fall or rise tenfold across a click; more is a sound that starts or stops
+GOES_ON = 30.0  # power may fall or rise by 15 dB across a click; more is a sound that starts or stops
 BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothing
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
+STEADY = 3.0  # peak over RMS of the sixth differences; below that tones hide small clicks in them
+SEGMENT = 64  # cells of steady sound that are looked at together
+ORDER = 20  # samples that foretell the next one
+ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are done with
 MAX_KEPT = 1_000
 
 
@@ -31,75 +36,104 @@ class Click(NamedTuple):
 
 
 class Clicks:
-    """Finds clicks in cells.
+    """Finds clicks in cells; in steady sounds, in what cannot be foretold of them.
 
     Parameters
     ----------
     channels : int
+    cell_frames : int
+        Frames of each cell.
     cells_per_s : float
     step : float
         The smallest step of the file's bit depth; 0 for float.
     """
 
     FIGURES = ("clicks", "click_places")
+    LATE = SEGMENT + REACH  # cells of silence that must follow the sound, so that all of it is looked at
 
-    def __init__(self, channels: int, cells_per_s: float, step: float) -> None:
+    def __init__(self, channels: int, cell_frames: int, cells_per_s: float, step: float) -> None:
+        self._cell = cell_frames
         self._per_s = cells_per_s
         self._least = max(GRAIN * step, 1e-6)
-        self._sharp = np.zeros((channels, REACH))
-        self._squares = np.zeros((channels, REACH))
-        self._first = -REACH  # the cell that the first of those kept is
-        self._found: list[tuple[int, int, float, float]] = []  # cell, channel, sharpness, power of the sound around
+        self._recent = Cells(*np.zeros((len(Cells._fields), channels, REACH)))
+        self._first = -REACH  # the cell that the first of these is
+        self._segment = 0  # the cell that the next segment starts with
+        self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
+        self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
-    def add(self, cells: Cells) -> None:
-        """Take the next cells."""
-        sharp = np.concatenate((self._sharp, cells.sharpness), axis=1)
-        squares = np.concatenate((self._squares, cells.squares), axis=1)
-        count = sharp.shape[1] - 2 * REACH
+    def add(self, cells: Cells, samples: NDArray[np.float64], first: int) -> None:
+        """Take the next cells; they start at frame `first` of `samples`, shape (channels, n)."""
+        recent = Cells(*(np.concatenate(pair, axis=1) for pair in zip(self._recent, cells, strict=True)))
+        begun = self._first + recent.sums.shape[1] - cells.sums.shape[1]  # the first of the new cells
+        total = self._first + recent.sums.shape[1]
+        start = max(self._first + REACH, begun - REACH)
+        if total - start > REACH:
+            for channel in range(len(samples)):
+                near = slice(start - REACH - self._first, None)
+                self._keep(channel, start, recent.sharpness[channel, near] / IMPULSE, recent.squares[channel, near])
+        count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
-            self._search(sharp, squares)
-            self._first += count
-            sharp, squares = sharp[:, count:], squares[:, count:]
-        self._sharp, self._squares = sharp, squares
+            self._look_closer(recent, count, samples, first + (self._segment - begun) * self._cell)
+            self._segment += count * SEGMENT
+        kept = min(recent.sums.shape[1], SEGMENT + 3 * REACH)
+        self._recent = Cells(*(figures[:, -kept:] for figures in recent))
+        self._first = total - kept
 
-    def result(self, peak: float, cell_frames: int) -> dict[str, Any]:
+    def result(self, peak: float) -> dict[str, Any]:
         """Return `clicks`, how many there are, and `click_places`; `peak` is the file's largest sample."""
-        silence = np.zeros((len(self._sharp), REACH))
-        self.add(Cells(silence, silence, silence, silence))
-        least = max(self._least, peak * BELOW_PEAK) * IMPULSE
-        sound = peak**2 * SOUND_BELOW_PEAK * cell_frames
+        least = max(self._least, peak * BELOW_PEAK)
+        sound = peak**2 * SOUND_BELOW_PEAK * self._cell
         clicks: list[Click] = []
         last: dict[int, int] = {}
-        for cell, channel, sharp, power in sorted(self._found):
-            if sharp < least or power < sound:
+        for cell, channel, height, power in sorted(self._found):
+            if height < least or power < sound:
                 continue
             if cell - last.get(channel, -9) > CORE:
-                clicks.append(Click(cell / self._per_s, channel + 1, decibels(sharp / IMPULSE)))
+                clicks.append(Click(cell / self._per_s, channel + 1, decibels(height)))
             last[channel] = cell
         return {"clicks": len(clicks), "click_places": tuple(clicks)}
 
-    def _search(self, sharp: NDArray[np.float64], squares: NDArray[np.float64]) -> None:
-        """Look at all cells but the first and the last REACH."""
-        highest = _sliding_maximum(sharp, REACH - CORE)
-        after = highest[:, REACH + CORE + 1 :]
-        before = highest[:, : after.shape[1]]
-        here = sharp[:, REACH : REACH + after.shape[1]]
-        beside = np.minimum(sharp[:, REACH - 1 :][:, : here.shape[1]], sharp[:, REACH + 1 :][:, : here.shape[1]])
-        around = np.maximum(np.maximum(np.maximum(before, after), beside) * STANDS_OUT, self._least * IMPULSE)
-        for channel, cell in zip(*np.nonzero(here > around), strict=True):
-            power_before = squares[channel, cell + REACH - LEVEL_CELLS : cell + REACH - CORE].mean()
-            power_after = squares[channel, cell + REACH + CORE + 1 : cell + REACH + LEVEL_CELLS + 1].mean()
+    def _keep(self, channel: int, start: int, heights: NDArray[np.float64], squares: NDArray[np.float64]) -> None:
+        """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`."""
+        highest = _sliding_maximum(heights, REACH - CORE)
+        after = highest[REACH + CORE + 1 :]
+        before = highest[: len(after)]
+        here = heights[REACH : REACH + len(after)]
+        beside = np.minimum(heights[REACH - 1 :][: len(after)], heights[REACH + 1 :][: len(after)])
+        around = np.maximum(np.maximum(np.maximum(before, after), beside) * STANDS_OUT, self._least)
+        for cell in np.flatnonzero(here > around).tolist():
+            power_before = squares[cell + REACH - LEVEL_CELLS : cell + REACH - CORE].mean()
+            power_after = squares[cell + REACH + CORE + 1 : cell + REACH + LEVEL_CELLS + 1].mean()
             quieter, louder = sorted((float(power_before), float(power_after)))
             if louder <= quieter * GOES_ON and len(self._found) < MAX_KEPT:
-                found = (self._first + REACH + int(cell), int(channel), float(here[channel, cell]), quieter)
-                self._found.append(found)
+                self._found.add((start + cell, channel, float(here[cell]), quieter))
+
+    def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
+        """Look at the next segments in channels where they are steady; the first starts at frame `at`."""
+        place = self._segment - self._first
+        shape = (len(samples), count, SEGMENT)
+        inner = slice(place, place + count * SEGMENT)
+        sharpest = recent.sharpness[:, inner].reshape(shape).max(axis=2)
+        power = recent.edges[:, inner].reshape(shape).sum(axis=2) / (SEGMENT * self._cell)
+        steady = (sharpest > self._least) & (sharpest**2 < STEADY**2 * power)
+        for channel, number in np.argwhere(steady).tolist():
+            before = at + (number * SEGMENT - REACH) * self._cell
+            if before < ORDER:  # of many channels less is kept
+                continue
+            heights = np.empty(SEGMENT + 2 * REACH)
+            kernel.unforeseen(samples[channel], before, self._window, ORDER, self._cell, heights)
+            if heights[REACH:-REACH].max() < ABOVE_MEAN * heights.mean():
+                continue
+            start = place + number * SEGMENT
+            squares = recent.squares[channel, start - REACH : start + SEGMENT + REACH]
+            self._keep(channel, self._segment + number * SEGMENT, heights, squares)
 
 
 def _sliding_maximum(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Return the maximum of each `width` values in a row, along the last axis."""
+    """Return the maximum of each `width` values in a row."""
     highest, reach = values, 1
     while reach * 2 <= width:
-        highest = np.maximum(highest[:, :-reach], highest[:, reach:])
+        highest = np.maximum(highest[:-reach], highest[reach:])
         reach *= 2
     rest = width - reach
-    return np.maximum(highest[:, :-rest], highest[:, rest:]) if rest else highest
+    return np.maximum(highest[:-rest], highest[rest:]) if rest else highest

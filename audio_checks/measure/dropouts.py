@@ -110,16 +110,17 @@ class Dropouts:
 
 def _goes_on(steps: NDArray[np.float64], squares: NDArray[np.float64], least: float) -> bool:
     """Tell whether there is sound on one side of a hole, up to its very edge; the nearest cell comes first."""
-    median = float(np.median(steps))
-    if median <= least or float(np.quantile(steps, 0.25)) < LIVELY * median:
+    ranked = np.sort(steps)
+    median = float(ranked[len(ranked) // 2])
+    if median <= least or ranked[len(ranked) // 4] < LIVELY * median:
         return False
-    level = float(np.median(squares)) * ABRUPT**2
+    level = float(np.sort(squares)[len(squares) // 2]) * ABRUPT**2
     return bool(steps[:2].max() >= ABRUPT * median or squares[:2].max() >= level)
 
 
 def _rhythmic(holes: list[_Hole]) -> bool:
     """Tell whether three or more holes are alike and come on a beat: a gate that is meant."""
-    gaps = np.diff(np.unique([hole.start for hole in holes]))
+    gaps = np.diff(sorted({hole.start for hole in holes}))
     gaps = gaps[gaps > BEAT]
     lengths = [hole.end - hole.start for hole in holes]
     if len(gaps) < 2 or max(lengths) - min(lengths) > BEAT:

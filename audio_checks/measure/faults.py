@@ -48,13 +48,14 @@ class Faults:
         cells_per_s = sample_rate_hz / self._cell
         most = MOST_SAMPLES // channels
         self._history = max(HISTORY, min(math.ceil(HISTORY_S * sample_rate_hz), most // 2))
-        stretch = min(STRETCH_FRAMES, most // 2, frames)
-        stretch = max(1, math.ceil(stretch / self._cell)) * self._cell
-        self._samples = np.zeros((channels, self._history + stretch + 1))
+        stretch = math.ceil(min(STRETCH_FRAMES, most // 2, frames) / self._cell)
+        self._silence = Clicks.LATE * self._cell  # that follows the sound
+        self._stretch = max(stretch * self._cell, self._silence)
+        self._samples = np.zeros((channels, self._history + self._stretch + self._cell))
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
         self._peak = 0.0
-        self._clicks = Clicks(channels, cells_per_s, step)
+        self._clicks = Clicks(channels, self._cell, cells_per_s, step)
         self._dropouts = Dropouts(channels, cells_per_s, step)
         self._repeats = Repeats(sample_rate_hz, step)
         self._flat_tops = FlatTops(sample_rate_hz, channels, step)
@@ -66,21 +67,24 @@ class Faults:
         rows = block.T
         at, count = 0, len(block)
         while at < count:
-            taken = min(count - at, self._samples.shape[1] - 1 - self._end)
+            taken = min(count - at, self._history + self._stretch - self._end)
             self._samples[:, self._end : self._end + taken] = rows[:, at : at + taken]
             self._end += taken
             at += taken
-            if self._end == self._samples.shape[1] - 1:
+            if self._end == self._history + self._stretch:
                 self._look()
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
-        if self._end > self._history:
-            self._look()
-        self._samples[:, self._end] = 0.0  # the silence that follows ends a crest that was still open
-        self._flat_tops.add(self._samples[:, : self._end + 1], self._end, self._frame)
+        padding = self._cell - (self._end - self._history) % self._cell  # at least a frame of silence ends the sound
+        self._samples[:, self._end : self._end + padding] = 0.0
+        self._end += padding
+        self._look()
+        self._samples[:, self._history : self._history + self._silence] = 0.0
+        silent = self._samples[:, : self._history + self._silence]
+        self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history)
         return {
-            **self._clicks.result(self._peak, self._cell),
+            **self._clicks.result(self._peak),
             **self._dropouts.result(self._peak, self._cell),
             **self._repeats.result(),
             **self._flat_tops.result(),
@@ -93,7 +97,8 @@ class Faults:
         samples = self._samples[:, : self._end]
         self._peak = max(self._peak, kernel.highest(samples[:, self._history :]))
         cells = cells_of(samples, self._history, self._cell)
-        for detector in (self._clicks, self._dropouts, self._hum, self._noise):
+        self._clicks.add(cells, samples, self._history)
+        for detector in (self._dropouts, self._hum, self._noise):
             detector.add(cells)
         self._repeats.add(samples, self._history, self._frame)
         self._flat_tops.add(samples, self._history, self._frame)

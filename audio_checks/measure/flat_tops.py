@@ -105,7 +105,7 @@ class FlatTops:
 
     def _flat(self, crests: NDArray[np.float64], extreme: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return which of the highest crests of one side are cut off, and which are flattened softly."""
-        square = (crests[:, RUN] >= SQUARE_RUN) & (crests[:, WIDE] - crests[:, RUN] <= SQUARE_EDGE)
+        square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, WIDE] - crests[:, FLAT] <= SQUARE_EDGE)
         hard = crests[:, AT_RAIL] >= SHORTEST_RUN
         corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
         under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square

@@ -16,7 +16,7 @@ MULTIPLES = 8  # that are looked for
 OFF = 0.004  # share by which mains may be off
 IN_TUNE = 0.0012  # share by which the lines of one hum may be out of tune with each other
 LONGEST_S, SHORTEST_S = 1.0, 0.5  # windows; a sound shorter than two of them cannot tell hum from a note
-STEADY = 0.25  # quantile over the windows: what comes and goes with the sound is lower there
+STEADY = 0.25  # the quietest quarter of the windows counts: what comes and goes with the sound is lower there
 PROMINENT = 16.0  # in power, 12 dB over what lies beside the line
 NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it
 LINES = 3  # of these multiples must be there, one of the first three among them
@@ -74,7 +74,8 @@ class Hum:
         """
         if not self._spectra:
             return {"hum_dbfs": None, "hum_hz": None}
-        steady = np.quantile(np.asarray(self._spectra), STEADY, axis=0)
+        spectra = np.asarray(self._spectra, dtype=np.float64)
+        steady = np.sort(spectra, axis=0)[int(STEADY * (len(spectra) - 1))]
         # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
         steady *= self._scale**2 * 8 / self._length**2 / 1.5
         found = [(self._lines(channel, mains), mains) for channel in steady for mains in MAINS_HZ]
@@ -84,27 +85,27 @@ class Hum:
     def _lines(self, spectrum: NDArray[np.float64], mains: float) -> float:
         """Return the power of a hum's lines; 0 where they make no hum."""
         width = self._per_s / self._length  # of a bin
+        near, far = round(NEAR_HZ / width), round(FAR_HZ / width)
         found: list[tuple[int, float, float]] = []
         for multiple in range(1, MULTIPLES + 1):
             wanted = multiple * mains / width
             reach = max(1.0, OFF * wanted)
             first, last = math.floor(wanted - reach), math.ceil(wanted + reach)
             peak = first + int(spectrum[first : last + 1].argmax())
-            near, far = round(NEAR_HZ / width), round(FAR_HZ / width)
-            beside = np.concatenate(
-                (spectrum[max(peak - far, 1) : peak - near], spectrum[peak + near + 1 : peak + far])
-            )
-            if (
-                spectrum[peak] < PROMINENT * float(np.median(beside))
-                or spectrum[peak] <= spectrum[[peak - 1, peak + 1]].max() * 0.99
-            ):
+            left, power, right = spectrum[peak - 1 : peak + 2].tolist()
+            if power < left or power < right:
                 continue
-            hz = (peak + _offset(spectrum[peak - 1 : peak + 2])) * width
-            if abs(hz - multiple * mains) <= OFF * multiple * mains:
-                found.append((multiple, hz / multiple, float(spectrum[peak - 1 : peak + 2].sum())))
+            hz = (peak + _offset(left, power, right)) * width
+            if abs(hz - multiple * mains) > OFF * multiple * mains:
+                continue
+            beside = (
+                spectrum[max(peak - far, 1) : peak - near].tolist() + spectrum[peak + near + 1 : peak + far].tolist()
+            )
+            if power >= PROMINENT * sorted(beside)[len(beside) // 2]:
+                found.append((multiple, hz / multiple, left + power + right))
         if not found:
             return 0.0
-        base = float(np.average([hz for _, hz, _ in found], weights=[multiple for multiple, _, _ in found]))
+        base = sum(multiple * hz for multiple, hz, _ in found) / sum(multiple for multiple, _, _ in found)
         tuned = [line for line in found if abs(line[1] - base) <= IN_TUNE * base]
         power = sum(line[2] for line in tuned)
         if len(tuned) < LINES or tuned[0][0] > 3 or power < LEAST:
@@ -112,9 +113,7 @@ class Hum:
         return power
 
 
-def _offset(three: NDArray[np.float64]) -> float:
-    """Return where between three bins of a Hann window's spectrum the line lies, -0.5..0.5."""
-    left, here, right = np.sqrt(np.maximum(three, 1e-30))
-    beside, sign = (right, 1.0) if right >= left else (left, -1.0)
-    ratio = float(beside / here)
-    return sign * (2 * ratio - 1) / (ratio + 1)
+def _offset(left: float, here: float, right: float) -> float:
+    """Return where between three bins of a Hann window's spectrum the line lies, -0.5..0.5, from their powers."""
+    ratio = math.sqrt(max(left, right) / here) if here else 0.5
+    return math.copysign((2 * ratio - 1) / (ratio + 1), right - left)

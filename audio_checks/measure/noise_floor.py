@@ -66,7 +66,7 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
         return None
     if not floor:
         return 0.0
-    lower, upper = np.quantile(pause, (0.25, 0.75))
+    lower, upper = np.sort(pause)[[PAUSE // 4, -1 - PAUSE // 4]].tolist()
     louder = np.flatnonzero(means > floor * NEAR)
     first = int(louder[louder < quietest].max(initial=-1)) + 1
     last = int(louder[louder > quietest].min(initial=len(means))) - 1 + PAUSE

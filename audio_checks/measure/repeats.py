@@ -18,12 +18,11 @@ MAX_AT_ONCE, MAX_KEPT = 256, 1_000
 
 
 class Repeat(NamedTuple):
-    """One repeat: from when to when a stretch plays again, how long after the first time, and in which channel."""
+    """One repeat: from when to when a stretch plays again, and how long after the first time."""
 
     start_s: float
     end_s: float
     lag_s: float
-    channel: int
 
 
 class Repeats:
@@ -50,11 +49,11 @@ class Repeats:
 
         `frame` is where in the whole signal the first of all of them lies.
         """
-        for channel, row in enumerate(samples, 1):
-            count = kernel.recurrences(row, first, self._spread, *self._lags, MOST_TIMES, self._out)
-            for start, end, lag in self._out[: min(count, MAX_KEPT - len(self._found))].tolist():
-                start_s, end_s = (frame + start) / self._rate, (frame + end) / self._rate
-                self._found.append(Repeat(start_s, end_s, lag / self._rate, channel))
+        # A buffer holds all channels: what is equal in their sum came twice in each.
+        mixed = samples[0] if len(samples) == 1 else samples.sum(axis=0)
+        count = kernel.recurrences(mixed, first, self._spread, *self._lags, MOST_TIMES, self._out)
+        for start, end, lag in self._out[: min(count, MAX_KEPT - len(self._found))].tolist():
+            self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
 
     def result(self) -> dict[str, Any]:
         """Return `repeats`, how many there are, and `repeat_places`."""
