@@ -115,6 +115,7 @@ def _dump(database: Database, target: Path) -> None:
     if database.is_sqlite:
         with closing(sqlite3.connect(url.database or "")) as source, closing(sqlite3.connect(target)) as copy:
             source.backup(copy)
+            copy.execute("pragma journal_mode = delete")  # one file, which can be read where nothing can be written
     else:
         _run("pg_dump", url, "--format=custom", "--no-owner", f"--file={target}")
 
@@ -123,7 +124,10 @@ def _load(database: Database, source: Path) -> None:
     url = database.engine.url
     if database.is_sqlite:
         database.dispose()
-        with closing(sqlite3.connect(source)) as copy, closing(sqlite3.connect(url.database or "")) as target:
+        with (
+            closing(sqlite3.connect(f"{source.resolve().as_uri()}?mode=ro", uri=True)) as copy,
+            closing(sqlite3.connect(url.database or "")) as target,
+        ):
             copy.backup(target)
         return
     with database.engine.begin() as connection:

@@ -151,5 +151,7 @@ def test_the_commands_say_what_they_did(tmp_path: Path, monkeypatch: pytest.Monk
     refused = ran("restore", str(tmp_path / "backup"))
     assert (refused.exit_code, "tables already" in refused.output) == (2, True)
     monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "new"))
+    [database] = (tmp_path / "backup").glob("database-*")
+    assert database.read_bytes()[18:20] == b"\x01\x01"  # no log beside it: it is read from where nothing can be written
     done = ran("restore", str(tmp_path / "backup"))
     assert (done.exit_code, done.output.partition(":")[0]) == (0, "restored"), done.output

@@ -21,6 +21,15 @@ def test_every_setting_that_the_documents_name_is_one():
         assert named <= known, path
 
 
+def test_the_guide_lists_every_setting():
+    text = (ROOT / "docs/operate.md").read_text()
+    table = text[text.index("## Settings") : text.index("## Watching it")]
+    listed = set(re.findall(r"`((?:SOUNDLIST|AWS)_[A-Z_]+)`", "\n".join(re.findall(r"^\| [^|]+", table, re.MULTILINE))))
+    own = {"demo", "frontend_dir"}  # set by `soundlist demo`, and by where the checkout is
+    fields = {name: field for name, field in Settings.model_fields.items() if name not in own}
+    assert listed == {str(field.validation_alias or f"SOUNDLIST_{name.upper()}") for name, field in fields.items()}
+
+
 def test_the_command_line_has_the_commands_it_promises():
     assert {command.name or command.callback.__name__ for command in cli.registered_commands} == SERVER_COMMANDS
     (jobs,) = cli.registered_groups
