@@ -16,7 +16,6 @@ import stat
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields
 from functools import cache
 from pathlib import Path
@@ -156,6 +155,8 @@ class VerdictCache:
             elif _may_be_known(database, task, printed.size):
                 unknown.append((place, task))
         if unknown:
+            from concurrent.futures import ThreadPoolExecutor  # a first run, and one of few files, does without
+
             with ThreadPoolExecutor(self._threads) as pool:
                 hashes = list(pool.map(_sha256, (task.path for _, task in unknown)))
             for (place, task), sha256 in zip(unknown, hashes, strict=True):

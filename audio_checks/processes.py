@@ -1,29 +1,16 @@
 """Spreads work over processes, and survives those that die."""
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_all_start_methods, get_context
 from typing import TypeVar
 
-CORES = os.cpu_count() or 1
-MUCH_BYTES = 64 << 20  # starting processes costs a fifth of a second, which less work does not earn back
-MANY_FILES = 200
-
 T = TypeVar("T")
 R = TypeVar("R")
 
 START_METHOD = "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
 MOST_AT_ONCE = 16  # tasks a process takes at a time
-
-
-def worth(paths: Sequence[str]) -> int:
-    """Return how many processes some files are worth: one a core when they are many or large, else one."""
-    if len(paths) < 2:
-        return 1
-    size = sum(os.path.getsize(path) for path in paths if os.path.isfile(path))
-    return CORES if len(paths) >= MANY_FILES or size >= MUCH_BYTES else 1
 
 
 def in_processes(

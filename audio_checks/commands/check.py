@@ -22,11 +22,11 @@ from audio_checks.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_by
 from audio_checks.discovery import Found, SpecFinder
 from audio_checks.findings import FileReport, Report, printable, with_waivers
 from audio_checks.outputs import FORMAT_HELP, Outputs
-from audio_checks.processes import CORES, worth
 from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
 from audio_checks.spec import DeliverySpec
 from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, say, width
+from audio_checks.workload import CORES, worth
 
 if TYPE_CHECKING:
     from audio_checks.in_place import Change

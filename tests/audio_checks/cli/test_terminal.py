@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from audio_checks import processes, progress, runner, terminal
+from audio_checks import progress, runner, terminal, workload
 from audio_checks.cli import main
 from audio_checks.progress import Progress
 from tests.support.waves import sine, write_wav
@@ -127,11 +127,11 @@ def test_a_pipe_is_utf_8_whatever_the_machine_speaks(folder, form):
 
 @pytest.mark.parametrize(
     ("files", "size", "wanted"),
-    [(1, 1 << 30, 1), (2, 1000, 1), (2, 40 << 20, 7), (processes.MANY_FILES, 1000, 7)],
+    [(1, 1 << 30, 1), (2, 1000, 1), (2, 40 << 20, 7), (workload.MANY_FILES, 1000, 7)],
 )
 def test_processes_are_started_for_work_that_is_worth_them(tmp_path, monkeypatch, files, size, wanted):
-    monkeypatch.setattr(processes, "CORES", 7)
+    monkeypatch.setattr(workload, "CORES", 7)
     path = tmp_path / "a.wav"
     with path.open("wb") as file:
         file.truncate(size)
-    assert processes.worth([str(path)] * files) == wanted
+    assert workload.worth([str(path)] * files) == wanted
