@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import PurePath
 from types import TracebackType
 from typing import Any, Protocol, Self
@@ -25,7 +25,7 @@ from audio_checks.measure.flat_tops import FlatTop
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.likeness import Likeness
 from audio_checks.measure.loudness import Loudness, channel_weights
-from audio_checks.measure.mono_sum import MonoSum
+from audio_checks.measure.maxima import Maxima
 from audio_checks.measure.phase import Phase
 from audio_checks.measure.repeats import Repeat
 from audio_checks.measure.seam import Seam
@@ -49,6 +49,22 @@ class Accumulator(Protocol):
         """Return the figures, by name."""
 
 
+def _size(layout: wav.WavLayout) -> tuple[int, int, int]:
+    return layout.sample_rate_hz, layout.channels, layout.frames
+
+
+def _step(layout: wav.WavLayout) -> float:
+    return 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
+
+
+def _loudness(layout: wav.WavLayout, maxima: Maxima) -> Accumulator:  # noqa: ARG001 - all are made alike
+    return Loudness(*_size(layout), weights=channel_weights(layout.channels, layout.channel_mask))
+
+
+def _seam(layout: wav.WavLayout, maxima: Maxima) -> Accumulator:  # noqa: ARG001
+    return Seam(*_size(layout), loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None)
+
+
 FIGURES: dict[str, tuple[str, ...]] = {
     "levels": Levels.FIGURES,
     "true_peak": TruePeak.FIGURES,
@@ -57,13 +73,29 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "cuts": Cuts.FIGURES,
     "faults": Faults.FIGURES,
     "phase": Phase.FIGURES,
-    "mono_sum": MonoSum.FIGURES,
     "steps": Steps.FIGURES,
     "likeness": Likeness.FIGURES,
     "spectrum": Spectrum.FIGURES,
     "seam": Seam.FIGURES,
 }
 """Families of figures; each family has one accumulator."""
+
+MAKERS: dict[str, Callable[[wav.WavLayout, Maxima], Accumulator]] = {
+    "levels": lambda layout, maxima: Levels(*_size(layout), maxima=maxima),
+    "true_peak": lambda layout, maxima: TruePeak(*_size(layout), maxima=maxima),
+    "loudness": _loudness,
+    "edges": lambda layout, maxima: Edges(*_size(layout), maxima=maxima),
+    "cuts": lambda layout, maxima: Cuts(*_size(layout), step=_step(layout), maxima=maxima),
+    "faults": lambda layout, _: Faults(*_size(layout), step=_step(layout)),
+    "phase": lambda layout, _: Phase(*_size(layout)),
+    "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
+    "likeness": lambda layout, _: Likeness(*_size(layout)),
+    "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
+    "seam": _seam,
+}
+"""How each family's accumulator is made for a file; the maxima of its blocks are found once for all of them."""
+
+FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
 PLACES = frozenset(
     {
@@ -81,8 +113,6 @@ PLACES = frozenset(
     }
 )
 """Figures that only checks read; reports list plain numbers."""
-
-FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
 
 @dataclass(frozen=True)
@@ -265,7 +295,8 @@ class AudioFile:
     def _stream(self, families: set[str]) -> None:
         """Read every byte once, for the hashes and the accumulators."""
         layout = self.layout
-        accumulators = [self._accumulator(family) for family in sorted(families)]
+        maxima = Maxima()
+        accumulators = [MAKERS[family](layout, maxima) for family in sorted(families)]
         hashes = Hashes()
         gathering = Gathering(layout.chunks)
         self._file.seek(0)
@@ -293,25 +324,6 @@ class AudioFile:
         whole, pcm = hashes.result()
         self._hashes = (whole if self._sound.flac is None else self._sound.original_sha256(), pcm)
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
-
-    def _accumulator(self, family: str) -> Accumulator:
-        layout = self.layout
-        step = 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
-        makers: dict[str, Callable[[int, int, int], Accumulator]] = {
-            "levels": Levels,
-            "true_peak": TruePeak,
-            "loudness": partial(Loudness, weights=channel_weights(layout.channels, layout.channel_mask)),
-            "edges": Edges,
-            "cuts": partial(Cuts, step=step),
-            "faults": partial(Faults, step=step),
-            "phase": Phase,
-            "mono_sum": MonoSum,
-            "steps": partial(Steps, step=step),
-            "likeness": Likeness,
-            "spectrum": partial(Spectrum, step=step),
-            "seam": partial(Seam, loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None),
-        }
-        return makers[family](layout.sample_rate_hz, layout.channels, layout.frames)
 
 
 class Measurements:

@@ -47,11 +47,14 @@ static inline together neighbours(const double *samples) {
     return loaded;
 }
 
-/* The larger of each two; of these the compiler makes no single instruction by itself. */
+/* The larger of each two, magnitudes, the largest of all; of these the compiler makes no single instruction by itself. */
 #if defined(__GNUC__) && defined(__SSE2__)
 #include <emmintrin.h>
 static inline together larger(together one, together other) { return (together)_mm_max_pd((__m128d)one, (__m128d)other); }
 static inline together sizes(together samples) { return (together)_mm_andnot_pd(_mm_set1_pd(-0.0), (__m128d)samples); }
+static inline double largest(together each) {
+    return _mm_cvtsd_f64(_mm_max_sd(_mm_unpackhi_pd((__m128d)each, (__m128d)each), (__m128d)each));
+}
 #elif defined(__GNUC__)
 typedef int64_t masks __attribute__((vector_size(16)));
 static inline together larger(together one, together other) {
@@ -59,9 +62,11 @@ static inline together larger(together one, together other) {
     return (together)((first & (masks)one) | (~first & (masks)other));
 }
 static inline together sizes(together samples) { return (together)((masks)samples & INT64_MAX); }
+static inline double largest(together each) { return each[0] > each[1] ? each[0] : each[1]; }
 #else
 static inline together larger(together one, together other) { return one > other ? one : other; }
 static inline together sizes(together samples) { return fabs(samples); }
+static inline double largest(together each) { return each; }
 #endif
 
 /* Samples by channel: each row contiguous, rows `row` apart. */
@@ -97,8 +102,12 @@ void *take_row(holding *held, PyObject *object, Py_ssize_t count, Py_ssize_t siz
 
 int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 
+enum { ROW = 32 }; /* samples of which the highest magnitude is kept */
+
 /* levels.c */
 double highest_magnitude(const double *samples, Py_ssize_t count);
+Py_ssize_t rows_of(Py_ssize_t frames);
+void find_maxima(const double *samples, Py_ssize_t frames, double *maxima); /* the last row may be shorter */
 Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
 
 /* What Python may call: each name stands here once. */
@@ -116,11 +125,12 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
-    EACH(levels, "Add to each channel's peak, sum and sum of squares; return the frame of a new highest peak, or -1.") \
+    EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference.") \
+    EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
     EACH(unforeseen, "Foretell each sample from those before it; measure the largest error of each cell.")
 

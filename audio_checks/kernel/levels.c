@@ -1,7 +1,7 @@
-/* Peaks, sums and products of blocks: one pass each, summed in lanes. */
+/* Peaks, sums and products of blocks, in lanes. */
 #include "kernel.h"
 
-enum { LANES = 8, REGISTERS = LANES / TOGETHER, FIGURES = 3 }; /* of a channel: highest magnitude, sum, sum of squares */
+enum { LANES = 8, REGISTERS = LANES / TOGETHER, FIGURES = 2 }; /* of a channel: sum, sum of squares */
 
 double highest_magnitude(const double *samples, Py_ssize_t count) {
     together top[REGISTERS] = {BOTH(0, 0)};
@@ -25,7 +25,7 @@ static double sum_of(const together *registers) {
     return sum;
 }
 
-static void add_levels(const double *RESTRICT samples, Py_ssize_t count, double *RESTRICT figures) {
+static void add_sums(const double *RESTRICT samples, Py_ssize_t count, double *RESTRICT figures) {
     together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
     Py_ssize_t at = 0;
     for (; at + LANES <= count; at += LANES) {
@@ -35,22 +35,12 @@ static void add_levels(const double *RESTRICT samples, Py_ssize_t count, double 
             squares[which] += both * both;
         }
     }
-    const double highest = highest_magnitude(samples, count);
-    figures[0] = highest > figures[0] ? highest : figures[0];
-    figures[1] += sum_of(sums);
-    figures[2] += sum_of(squares);
+    figures[0] += sum_of(sums);
+    figures[1] += sum_of(squares);
     for (; at < count; at++) {
-        figures[1] += samples[at];
-        figures[2] += samples[at] * samples[at];
+        figures[0] += samples[at];
+        figures[1] += samples[at] * samples[at];
     }
-}
-
-static double highest_of(const double *figures, Py_ssize_t channels) {
-    double highest = 0;
-    for (Py_ssize_t channel = 0; channel < channels; channel++) {
-        highest = figures[channel * FIGURES] > highest ? figures[channel * FIGURES] : highest;
-    }
-    return highest;
 }
 
 Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size) {
@@ -59,32 +49,50 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size) 
     return at;
 }
 
-PyObject *levels(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+PyObject *sums(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
     planar block;
     double *figures;
-    if (arguments("levels", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
+    if (arguments("sums", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
         !(figures = TAKE_DOUBLES(&held, args[1], block.channels * FIGURES, 1))) {
         let_go(&held);
         return NULL;
     }
-    Py_ssize_t place = -1;
     Py_BEGIN_ALLOW_THREADS
-    const double before = highest_of(figures, block.channels);
     for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-        add_levels(block.samples + channel * block.row, block.frames, figures + channel * FIGURES);
-    }
-    const double after = highest_of(figures, block.channels);
-    if (after > before) {
-        place = block.frames;
-        for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-            place = first_reaching(block.samples + channel * block.row, place, after);
-        }
+        add_sums(block.samples + channel * block.row, block.frames, figures + channel * FIGURES);
     }
     Py_END_ALLOW_THREADS
     let_go(&held);
-    return PyLong_FromSsize_t(place);
+    Py_RETURN_NONE;
+}
+
+Py_ssize_t rows_of(Py_ssize_t frames) { return (frames + ROW - 1) / ROW; }
+
+void find_maxima(const double *samples, Py_ssize_t frames, double *maxima) {
+    for (Py_ssize_t at = 0; at < frames; at += ROW) {
+        *maxima++ = highest_magnitude(samples + at, frames - at < ROW ? frames - at : ROW);
+    }
+}
+
+PyObject *maxima(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    double *rows = NULL;
+    if (arguments("maxima", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
+        !(rows = TAKE_DOUBLES(&held, args[1], block.channels * rows_of(block.frames), 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+        find_maxima(block.samples + channel * block.row, block.frames, rows + channel * rows_of(block.frames));
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
 }
 
 PyObject *highest(PyObject *module, PyObject *const *args, Py_ssize_t count) {

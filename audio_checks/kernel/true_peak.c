@@ -1,20 +1,21 @@
 /* The highest point of the curve between samples, drawn only where it may be higher than what is known.
  *
- * An interval runs from one sample to the next. It passes four sieves, each dearer than the one before: its row of
- * intervals by the filter's largest gain; itself by the samples beside it; 24 taps, with what these may miss in the
- * treble; and last the fine phases of 256 taps.
+ * An interval runs from one sample to the next. Each sieve is dearer than the one before: the row of intervals by the
+ * filter's largest gain; the interval by how far a curve that bends so can rise above the samples beside it; 24 taps,
+ * with what these may miss in the treble; and last the fine phases of 256 taps.
  */
 #include "kernel.h"
 
-enum { TAPS = 24, PHASES = 8, FINE_TAPS = 256, FINE_PHASES = 16, REACH = FINE_TAPS - 1, ROW = 32 };
-enum { LEAD = FINE_TAPS / 2 - 1, NEAR = (FINE_TAPS - TAPS) / 2 }; /* taps before the interval's own sample; to the first of 24 */
+enum { TAPS = 24, PHASES = 8, FINE_TAPS = 256, FINE_PHASES = 16, REACH = FINE_TAPS - 1 };
+enum { LEAD = FINE_TAPS / 2 - 1, NEAR = (FINE_TAPS - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
+enum { PART = 4, PARTS = ROW / PART, SPAN = TAPS / PART, TOUCHED = ROW + TAPS };
 
 typedef struct {
-    const double *near_taps; /* (TAPS, PHASES): by tap, the last phase empty */
-    const double *fine_taps; /* (FINE_TAPS, FINE_PHASES) */
-    double gain;       /* the largest sum of a phase's magnitudes */
-    double inner_gain; /* the smallest sum of the two beside the interval */
-    double missed;     /* what 24 taps miss, as a multiple of the treble's largest excursion */
+    const double *near_taps; /* (TAPS / 2, PHASES): see interpolate */
+    const double *fine_taps; /* (FINE_TAPS / 2, FINE_PHASES) */
+    double gain;             /* of the 24 taps at most */
+    double bend, kink;       /* of the second and fourth difference: by how much a curve exceeds its samples */
+    double missed;           /* of the fourth difference: what the 24 taps miss */
 } interpolator;
 
 typedef struct {
@@ -23,59 +24,82 @@ typedef struct {
     int64_t start; /* frame of the first sample */
 } found;
 
-/* The curve's points that `count` taps make of as many samples; taps lie phase by phase. */
-static inline void interpolate(const double *RESTRICT samples, const double *RESTRICT taps, int count, int phases,
-                               double *RESTRICT curve) {
-    together points[FINE_PHASES / TOGETHER] = {BOTH(0, 0)};
-    for (int tap = 0; tap < count; tap++) {
-        for (int which = 0; which < phases / TOGETHER; which++) {
-            points[which] += neighbours(taps + tap * phases + which * TOGETHER) * samples[tap];
+/* Find the curve's points between the two samples in the middle of `count`.
+ *
+ * Phases mirror each other, so the taps of a phase are an even part, which takes sums of samples that lie opposite,
+ * and an odd part, which takes differences: curve[p] = even + odd, curve[phases - p] = even - odd. The table holds by
+ * pair of taps the even parts of phases 1 .. half, then the odd parts, of which the last is 0.
+ */
+static inline void interpolate(const double *RESTRICT samples, const double *RESTRICT taps, int count, int half,
+                               together *evens, together *odds) {
+    for (int which = 0; which < half / TOGETHER; which++) evens[which] = odds[which] = BOTH(0, 0);
+    for (int pair = 0; pair < count / 2; pair++) {
+        const double left = samples[count / 2 - 1 - pair], right = samples[count / 2 + pair];
+        const double sum = left + right, difference = left - right;
+        const double *even = taps + 2 * pair * half, *odd = even + half;
+        for (int which = 0; which < half / TOGETHER; which++) {
+            evens[which] += neighbours(even + which * TOGETHER) * sum;
+            odds[which] += neighbours(odd + which * TOGETHER) * difference;
         }
     }
-    memcpy(curve, points, (size_t)phases * sizeof(double));
 }
 
 static double near_curve(const double *samples, const double *taps) {
-    double curve[PHASES], highest = 0;
-    interpolate(samples, taps, TAPS, PHASES, curve);
-    for (int phase = 0; phase < PHASES; phase++) highest = fabs(curve[phase]) > highest ? fabs(curve[phase]) : highest;
-    return highest;
+    together evens[PHASES / 2 / TOGETHER], odds[PHASES / 2 / TOGETHER], highest = BOTH(0, 0);
+    interpolate(samples, taps, TAPS, PHASES / 2, evens, odds);
+    for (int which = 0; which < PHASES / 2 / TOGETHER; which++) {
+        highest = larger(highest, sizes(evens[which] + odds[which]));
+        highest = larger(highest, sizes(evens[which] - odds[which]));
+    }
+    return largest(highest);
 }
 
 static double fine_curve(const double *samples, const double *taps, int *at) {
-    double curve[FINE_PHASES], highest = 0;
-    interpolate(samples, taps, FINE_TAPS, FINE_PHASES, curve);
-    for (int phase = 0; phase < FINE_PHASES; phase++) {
-        if (fabs(curve[phase]) > highest) {
-            highest = fabs(curve[phase]);
-            *at = phase + 1;
+    enum { HALF = FINE_PHASES / 2 };
+    together evens[HALF / TOGETHER], odds[HALF / TOGETHER];
+    double even[HALF], odd[HALF], highest = 0;
+    interpolate(samples, taps, FINE_TAPS, HALF, evens, odds);
+    memcpy(even, evens, sizeof even);
+    memcpy(odd, odds, sizeof odd);
+    for (int phase = 1; phase < FINE_PHASES; phase++) {
+        const double point = phase <= HALF ? fabs(even[phase - 1] + odd[phase - 1])
+                                           : fabs(even[FINE_PHASES - phase - 1] - odd[FINE_PHASES - phase - 1]);
+        if (point > highest) {
+            highest = point;
+            *at = phase;
         }
     }
     return highest;
 }
 
-/* The largest excursion of the treble, by fourth differences, around the samples that `count` intervals touch. */
-static double treble(const double *near, Py_ssize_t count) {
-    double largest = 0;
-    for (Py_ssize_t at = 0; at < count + TAPS - 1 - 4; at++) {
-        const double *x = near + at;
-        const double excursion = fabs((x[0] + x[4]) - 4 * (x[1] + x[3]) + 6 * x[2]);
-        largest = excursion > largest ? excursion : largest;
+/* The largest second and fourth differences that start at four samples in a row. */
+static inline void find_excursions(const double *x, together *bend, together *kink) {
+    together seconds = BOTH(0, 0), fourths = BOTH(0, 0);
+    for (int at = 0; at < PART; at += TOGETHER, x += TOGETHER) {
+        const together first = (neighbours(x) + neighbours(x + 2)) - 2 * neighbours(x + 1);
+        const together second = (neighbours(x + 1) + neighbours(x + 3)) - 2 * neighbours(x + 2);
+        const together third = (neighbours(x + 2) + neighbours(x + 4)) - 2 * neighbours(x + 3);
+        seconds = larger(seconds, sizes(first));
+        fourths = larger(fourths, sizes((first + third) - 2 * second));
     }
-    return largest / 16;
+    *bend = seconds, *kink = fourths;
 }
 
-static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count, double around,
-                       const interpolator *by, found *result) {
-    double excursion = -1;
+/* The highest magnitude of the samples beside a part's intervals. */
+static inline double highest_of_part(const double *x) {
+    together highest = BOTH(0, 0);
+    for (int at = 0; at < PART; at += TOGETHER) {
+        highest = larger(highest, larger(sizes(neighbours(x + at)), sizes(neighbours(x + at + 1))));
+    }
+    return largest(highest);
+}
+
+static void search_part(const double *samples, Py_ssize_t first, Py_ssize_t count, double excess, double missed,
+                        const interpolator *by, found *result) {
     for (Py_ssize_t interval = first; interval < first + count; interval++) {
         const double left = fabs(samples[interval + LEAD]), right = fabs(samples[interval + LEAD + 1]);
-        const double lower = around - (left > right ? left : right);
-        if (by->gain * around - by->inner_gain * lower <= result->best) continue;
-        const double curve = near_curve(samples + interval + NEAR, by->near_taps);
-        if (curve + by->missed * around <= result->best) continue;
-        if (excursion < 0) excursion = treble(samples + first + NEAR, count);
-        if (curve + by->missed * excursion <= result->best) continue;
+        if ((left > right ? left : right) + excess <= result->best) continue;
+        if (near_curve(samples + interval + NEAR, by->near_taps) + missed <= result->best) continue;
         int phase = 0;
         const double fine = fine_curve(samples + interval, by->fine_taps, &phase);
         if (fine > result->best) {
@@ -85,42 +109,82 @@ static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count
     }
 }
 
-/* Search `count` intervals, of which the first touches samples[0 .. REACH]. */
-static void search(const double *samples, Py_ssize_t count, const interpolator *by, found *result) {
-    double before = highest_magnitude(samples + NEAR, LEAD - NEAR), now, after;
-    Py_ssize_t reach = count + LEAD + TAPS / 2; /* samples that the 24 taps touch */
-    Py_ssize_t length = reach - LEAD < ROW ? reach - LEAD : ROW;
-    now = highest_magnitude(samples + LEAD, length);
-    for (Py_ssize_t first = 0; first < count; first += ROW) {
-        const Py_ssize_t next = first + LEAD + ROW;
-        length = reach - next < ROW ? reach - next : ROW;
-        after = length > 0 ? highest_magnitude(samples + next, length) : 0;
-        double around = before > now ? before : now;
-        around = after > around ? after : around;
-        if (around * by->gain > result->best) {
-            search_row(samples, first, count - first < ROW ? count - first : ROW, around, by, result);
+/* Search the intervals of a row part by part; the 24 taps of a part touch SPAN parts. */
+static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count, const interpolator *by, found *result) {
+    together bends[PARTS + SPAN - 1], kinks[PARTS + SPAN - 1];
+    double copy[TOUCHED];
+    const double *touched = samples + first + NEAR;
+    if (count < ROW) {
+        memset(copy, 0, sizeof copy);
+        touched = memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
+    }
+    for (int part = 0; part < PARTS + SPAN - 1; part++) {
+        find_excursions(touched + part * PART, bends + part, kinks + part);
+    }
+    for (int part = 0; part * PART < count; part++) {
+        together bend = bends[part], kink = kinks[part];
+        for (int span = 1; span < SPAN; span++) {
+            bend = larger(bend, bends[part + span]);
+            kink = larger(kink, kinks[part + span]);
         }
-        before = now;
-        now = after;
+        const double excess = by->bend * largest(bend) + by->kink * largest(kink);
+        if (highest_of_part(touched + TAPS / 2 - 1 + part * PART) + excess <= result->best) continue;
+        const Py_ssize_t left = count - part * PART;
+        search_part(samples, first + part * PART, left < PART ? left : PART, excess, by->missed * largest(kink), by, result);
     }
 }
 
-static void search_channel(const double *row, Py_ssize_t frames, double *history, const interpolator *by, found *result) {
-    double joint[2 * REACH];
+/* Search `count` intervals, of which the first touches samples[0 .. REACH]; `maxima` are those of samples' rows. */
+static void search(const double *samples, Py_ssize_t count, const double *maxima, const interpolator *by, found *result) {
+    enum { BEFORE = (LEAD + 1) / ROW }; /* the sample after the first interval starts a row */
+    for (Py_ssize_t first = 0, row = BEFORE; first < count; first += ROW, row++) {
+        const double beside = maxima[row - 1] > maxima[row + 1] ? maxima[row - 1] : maxima[row + 1];
+        const double around = maxima[row] > beside ? maxima[row] : beside;
+        if (around * by->gain > result->best) {
+            search_row(samples, first, count - first < ROW ? count - first : ROW, by, result);
+        }
+    }
+}
+
+static void search_channel(const double *samples, Py_ssize_t frames, const double *maxima, double *history,
+                           const interpolator *by, found *result) {
+    double joint[2 * REACH], joint_maxima[2 * REACH / ROW + 1];
     const Py_ssize_t joined = frames < REACH ? frames : REACH;
     memcpy(joint, history, REACH * sizeof(double));
-    memcpy(joint + REACH, row, (size_t)joined * sizeof(double));
-    search(joint, joined, by, result);
+    memcpy(joint + REACH, samples, (size_t)joined * sizeof(double));
+    find_maxima(joint, REACH + joined, joint_maxima);
+    search(joint, joined, joint_maxima, by, result);
     if (frames > REACH) {
         result->start += REACH;
-        search(row, frames - REACH, by, result);
+        search(samples, frames - REACH, maxima, by, result);
         result->start -= REACH;
     }
-    if (frames >= REACH) memcpy(history, row + frames - REACH, REACH * sizeof(double));
+    if (frames >= REACH) memcpy(history, samples + frames - REACH, REACH * sizeof(double));
     else memcpy(history, joint + frames, REACH * sizeof(double));
 }
 
-/* block, history (channels, REACH), taps of 24, taps of 256, what 24 taps miss, best, its place, first frame
+/* Start from the highest sample of the block, then search where the curve may be higher. */
+static void search_block(const planar *block, int64_t seen, const double *maxima, double *history, const interpolator *by,
+                         found *result) {
+    const Py_ssize_t rows = rows_of(block->frames);
+    Py_ssize_t place = block->frames;
+    for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
+        const double peak = highest_magnitude(maxima + channel * rows, rows);
+        if (peak < result->best || peak == 0 || (peak == result->best && place == block->frames)) continue;
+        const Py_ssize_t row = first_reaching(maxima + channel * rows, rows, peak) * ROW;
+        const Py_ssize_t at = row + first_reaching(block->samples + channel * block->row + row, block->frames - row, peak);
+        if (peak > result->best || at < place) place = at;
+        result->best = peak;
+        result->place = (seen + place) * FINE_PHASES;
+    }
+    result->start = seen - REACH;
+    for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
+        search_channel(block->samples + channel * block->row, block->frames, maxima + channel * rows,
+                       history + channel * REACH, by, result);
+    }
+}
+
+/* block, its maxima, history (channels, REACH), taps of 24, taps of 256, (gain, bend, kink, missed), best, its place, first frame
  * -> best, its place in 16ths of a frame */
 PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -129,41 +193,23 @@ PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     interpolator by;
     found result;
     double *history;
-    if (arguments("true_peak", count, 8) < 0) return NULL;
-    by.missed = PyFloat_AsDouble(args[4]);
-    result.best = PyFloat_AsDouble(args[5]);
-    result.place = PyLong_AsLongLong(args[6]);
-    const int64_t seen = PyLong_AsLongLong(args[7]);
+    const double *bounds, *maxima;
+    if (arguments("true_peak", count, 9) < 0) return NULL;
+    result.best = PyFloat_AsDouble(args[6]);
+    result.place = PyLong_AsLongLong(args[7]);
+    const int64_t seen = PyLong_AsLongLong(args[8]);
     if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 ||
-        !(history = TAKE_DOUBLES(&held, args[1], block.channels * REACH, 1)) ||
-        !(by.near_taps = TAKE_DOUBLES(&held, args[2], TAPS * PHASES, 0)) ||
-        !(by.fine_taps = TAKE_DOUBLES(&held, args[3], FINE_TAPS * FINE_PHASES, 0))) {
+        !(maxima = TAKE_DOUBLES(&held, args[1], block.channels * rows_of(block.frames), 0)) ||
+        !(history = TAKE_DOUBLES(&held, args[2], block.channels * REACH, 1)) ||
+        !(by.near_taps = TAKE_DOUBLES(&held, args[3], TAPS / 2 * PHASES, 0)) ||
+        !(by.fine_taps = TAKE_DOUBLES(&held, args[4], FINE_TAPS / 2 * FINE_PHASES, 0)) ||
+        !(bounds = TAKE_DOUBLES(&held, args[5], 4, 0))) {
         let_go(&held);
         return NULL;
     }
+    by.gain = bounds[0], by.bend = bounds[1], by.kink = bounds[2], by.missed = bounds[3];
     Py_BEGIN_ALLOW_THREADS
-    by.gain = 0, by.inner_gain = HUGE_VAL;
-    for (int phase = 0; phase < PHASES - 1; phase++) {
-        double gain = 0, inner;
-        for (int tap = 0; tap < TAPS; tap++) gain += fabs(by.near_taps[tap * PHASES + phase]);
-        inner = fabs(by.near_taps[(TAPS / 2 - 1) * PHASES + phase]) + fabs(by.near_taps[TAPS / 2 * PHASES + phase]);
-        by.gain = gain > by.gain ? gain : by.gain;
-        by.inner_gain = inner < by.inner_gain ? inner : by.inner_gain;
-    }
-    Py_ssize_t first = block.frames;
-    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-        const double *row = block.samples + channel * block.row;
-        const double peak = highest_magnitude(row, block.frames);
-        if (peak < result.best || peak == 0 || (peak == result.best && first == block.frames)) continue;
-        const Py_ssize_t at = first_reaching(row, block.frames, peak);
-        if (peak > result.best || at < first) first = at;
-        result.best = peak;
-        result.place = (seen + first) * FINE_PHASES;
-    }
-    result.start = seen - REACH;
-    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-        search_channel(block.samples + channel * block.row, block.frames, history + channel * REACH, &by, &result);
-    }
+    search_block(&block, seen, maxima, history, &by, &result);
     Py_END_ALLOW_THREADS
     let_go(&held);
     return Py_BuildValue("dL", result.best, (long long)result.place);

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.measure.decibels import decibels
+from audio_checks.measure.maxima import ROW_FRAMES, Maxima
 
 SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
 GRAIN = 2.0  # steps of the bit depth that still are silence
@@ -34,12 +35,23 @@ class Cuts:
         Of the whole signal.
     step : float
         The smallest step of the file's bit depth; 0 for float.
+    maxima : Maxima, optional
+        Shared with others that look at the same blocks.
     """
 
     FIGURES = ("start_edge", "end_edge")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(
+        self,
+        sample_rate_hz: int,
+        channels: int,
+        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        *,
+        step: float = 0.0,
+        maxima: Maxima | None = None,
+    ) -> None:
         self._rate = sample_rate_hz
+        self._maxima = maxima or Maxima()
         self._silent = max(SILENT, GRAIN * step)
         self._length = max(1, round(NEAR_S * sample_rate_hz))
         self._head = np.empty((channels, 0))
@@ -55,15 +67,17 @@ class Cuts:
         if not len(block):
             return
         planar = block.T
-        self._peak = max(self._peak, float(block.max()), -float(block.min()))
+        maxima = self._maxima.of(block).max(axis=0)
+        self._peak = max(self._peak, float(maxima.max()))
+        loud = np.flatnonzero(maxima > self._silent)  # rows
         if self._head_at < 0:
-            loud = np.flatnonzero(np.abs(planar).max(axis=0) > self._silent)
             if len(loud):
-                self._head_at = self._seen + int(loud[0])
-                self._head = planar[:, loud[0] : loud[0] + self._length].copy()
+                first = self._loud_frames(planar, int(loud[0]))[0]
+                self._head_at = self._seen + first
+                self._head = planar[:, first : first + self._length].copy()
         elif self._head.shape[1] < self._length:
             self._head = np.concatenate((self._head, planar[:, : self._length - self._head.shape[1]]), axis=1)
-        last = self._last_loud(planar)
+        last = self._loud_frames(planar, int(loud[-1]))[-1] if len(loud) else -1
         if last >= 0:
             before = (
                 np.concatenate((self._tail, *self._after), axis=1) if last + 1 < self._length else self._tail[:, :0]
@@ -85,13 +99,12 @@ class Cuts:
             "end_edge": self._judge(self._tail[:, ::-1], self._tail_end),
         }
 
-    def _last_loud(self, planar: NDArray[np.float64]) -> int:
-        for end in range(planar.shape[1], 0, -self._length):
-            start = max(0, end - self._length)
-            loud = np.flatnonzero(np.abs(planar[:, start:end]).max(axis=0) > self._silent)
-            if len(loud):
-                return start + int(loud[-1])
-        return -1
+    def _loud_frames(self, planar: NDArray[np.float64], row: int) -> list[int]:
+        """Return the frames of a row of the block at which some channel is not silent."""
+        start = row * ROW_FRAMES
+        sizes = np.abs(planar[:, start : start + ROW_FRAMES]).max(axis=0)
+        frames: list[int] = (np.flatnonzero(sizes > self._silent) + start).tolist()
+        return frames
 
     def _judge(self, samples: NDArray[np.float64], at: int) -> Edge:
         """Return the most conspicuous channel's edge; `samples` run from the edge into the sound."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import ratio
+from audio_checks.measure.maxima import Maxima
 
 BELOW_PEAK = 1e-3  # 60 dB
 BELOW_DBFS = -60.0
@@ -26,11 +27,21 @@ class Edges:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
+    maxima : Maxima, optional
+        Shared with others that look at the same blocks.
     """
 
     FIGURES = ("head_silence_ms", "tail_silence_ms", "edges")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(
+        self,
+        sample_rate_hz: int,
+        channels: int,  # noqa: ARG002 - all accumulators are made alike
+        frames: int,  # noqa: ARG002
+        *,
+        maxima: Maxima | None = None,
+    ) -> None:
+        self._maxima = maxima or Maxima()
         self._rate = sample_rate_hz
         self._seen = 0
         self._peak = 0.0
@@ -46,7 +57,7 @@ class Edges:
             return
         rows = kernel.by_channel(block)
         loudest = float(self._head_levels[-1]) if len(self._head_levels) else 0.0
-        self._peak = max(self._peak, kernel.highest(rows))
+        self._peak = max(self._peak, float(self._maxima.of(block).max()))
         if loudest < CEILING:
             levels, places = self._records(rows, loudest, backward=False)
             self._head_levels = np.concatenate((self._head_levels, levels))

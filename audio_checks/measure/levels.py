@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels, power_decibels
+from audio_checks.measure.maxima import Maxima, first_reaching
 
 Samples = NDArray[np.float64]
 
@@ -69,6 +70,8 @@ class Levels:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
+    maxima : Maxima, optional
+        Shared with others that look at the same blocks.
     """
 
     FIGURES = (
@@ -82,22 +85,41 @@ class Levels:
         "channel_peaks_dbfs",
     )
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(
+        self,
+        sample_rate_hz: int,
+        channels: int,
+        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        *,
+        maxima: Maxima | None = None,
+    ) -> None:
         self._rate = sample_rate_hz
+        self._maxima = maxima or Maxima()
         self._seen = 0
+        self._peaks = np.zeros(channels)
         self._peak_frame = 0
-        self._sums = np.zeros((channels, 3))  # of each channel: highest magnitude, sum, sum of squares
+        self._sums = np.zeros((channels, 2))  # of each channel: sum, sum of squares
 
     def add(self, block: Samples) -> None:
         """Take the next samples, shape (n, channels)."""
-        place = kernel.levels(kernel.by_channel(block), self._sums)
-        if place >= 0:
-            self._peak_frame = self._seen + place
+        if not len(block):
+            return
+        maxima = self._maxima.of(block)
+        peaks = maxima.max(axis=1)
+        highest = float(peaks.max())
+        if highest > self._peaks.max():
+            self._peak_frame = self._seen + min(
+                first_reaching(block[:, channel], maxima[channel], highest)
+                for channel in np.flatnonzero(peaks == highest)
+            )
+        np.maximum(self._peaks, peaks, out=self._peaks)
+        kernel.sums(kernel.by_channel(block), self._sums)
         self._seen += len(block)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
-        peaks, sums, squares = self._sums.T.tolist()
+        peaks = self._peaks.tolist()
+        sums, squares = self._sums.T.tolist()
         seen = max(self._seen, 1)
         highest = max(peaks)
         peak = decibels(highest)

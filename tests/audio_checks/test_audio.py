@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from audio_checks import audio, wav
-from audio_checks.audio import FAMILIES, FIGURES, PLACES, AudioFile
+from audio_checks.audio import FAMILIES, FIGURES, MAKERS, PLACES, AudioFile
 from audio_checks.errors import Unreadable
 from tests.support.chunks import bext, cue, info, inst
 from tests.support.mutants import mutant
@@ -98,8 +98,10 @@ def test_every_byte_of_sound_is_read_once(tmp_path, counted, figures):
 
 def test_only_prepared_families_are_measured(tmp_path, monkeypatch):
     made = []
-    original = AudioFile._accumulator
-    monkeypatch.setattr(AudioFile, "_accumulator", lambda file, family: made.append(family) or original(file, family))
+    for family, make in dict(MAKERS).items():
+        monkeypatch.setitem(
+            MAKERS, family, lambda *given, family=family, make=make: made.append(family) or make(*given)
+        )
     file = AudioFile(write_wav(tmp_path / "tick.wav", sine(hz=997)))
     file.prepare(["true_peak_dbtp"])
     file.prepare(["rms_dbfs"])

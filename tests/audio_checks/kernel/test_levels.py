@@ -5,24 +5,35 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from audio_checks import kernel
+from audio_checks.measure.levels import Levels
+from audio_checks.measure.maxima import Maxima
 from tests.audio_checks.kernel.signals import Samples, cut, signals
 
 
 @given(signals(), st.integers(0, 99))
-def test_levels_of_blocks_of_any_length(samples: Samples, seed: int):
-    frames, channels = samples.shape
-    figures, seen, peak_frame = np.zeros((channels, 3)), 0, 0
+def test_sums_of_blocks_of_any_length(samples: Samples, seed: int):
+    figures = np.zeros((samples.shape[1], 2))
     for block in cut(samples, np.random.default_rng(seed)):
-        place = kernel.levels(kernel.by_channel(block), figures)
-        peak_frame = seen + place if place >= 0 else peak_frame
-        seen += len(block)
-    peaks = np.abs(samples).max(axis=0, initial=0)
-    np.testing.assert_array_equal(figures[:, 0], peaks)
-    np.testing.assert_allclose(figures[:, 1], samples.sum(axis=0), rtol=1e-12, atol=1e-12)
-    np.testing.assert_allclose(figures[:, 2], np.square(samples).sum(axis=0), rtol=1e-12, atol=1e-300)
+        kernel.sums(kernel.by_channel(block), figures)
+    np.testing.assert_allclose(figures[:, 0], samples.sum(axis=0), rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(figures[:, 1], np.square(samples).sum(axis=0), rtol=1e-12, atol=1e-300)
+
+
+@given(signals())
+def test_the_highest_of_each_row(samples: Samples):
+    sizes = np.abs(samples)
+    assert kernel.highest(kernel.by_channel(samples)) == sizes.max(initial=0)
+    rows = [sizes[start : start + 32].max(axis=0) for start in range(0, len(samples), 32)]
+    np.testing.assert_array_equal(Maxima().of(samples), np.array(rows).reshape(-1, samples.shape[1]).T)
+
+
+@given(signals(), st.integers(0, 99))
+def test_the_first_frame_at_the_peak(samples: Samples, seed: int):
+    meter = Levels(1, samples.shape[1], len(samples))
+    for block in cut(samples, np.random.default_rng(seed)):
+        meter.add(block)
     loud = np.abs(samples).max(axis=1, initial=0)
-    assert peak_frame == (int(np.argmax(loud)) if frames and peaks.max() else 0)
-    assert kernel.highest(kernel.by_channel(samples)) == peaks.max()
+    assert meter.result()["sample_peak_s"] == (int(np.argmax(loud)) if loud.any() else 0)
 
 
 @given(signals(most_channels=5), st.integers(0, 99))
@@ -42,7 +53,19 @@ def test_the_same_block_gives_the_same_bits():
     answers = set()
     for shift in range(4):
         row = np.concatenate((np.zeros(shift), samples))[np.newaxis, shift:]
-        figures = np.zeros((1, 3))
-        kernel.levels(row, figures)
+        figures = np.zeros((1, 2))
+        kernel.sums(row, figures)
         answers.add(figures.tobytes())
     assert len(answers) == 1
+
+
+@given(signals(most_channels=2), st.integers(0, 99))
+def test_products_of_stereo(samples: Samples, seed: int):
+    if samples.shape[1] != 2:
+        samples = np.hstack((samples, samples[::-1]))
+    figures = np.zeros(4)
+    for block in cut(samples, np.random.default_rng(seed)):
+        kernel.stereo_products(kernel.by_channel(block), figures)
+    left, right = samples.T
+    wanted = [left @ left, right @ right, left @ right, (left - right) @ (left - right)]
+    np.testing.assert_allclose(figures, wanted, rtol=1e-11, atol=1e-9 * (1 + np.square(samples).max(initial=0)))

@@ -1,4 +1,4 @@
-"""Peak, RMS, offset, correlation and bits, from theory."""
+"""Peak, RMS, offset and bits, from theory."""
 
 import math
 
@@ -7,7 +7,6 @@ import pytest
 
 from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.levels import Levels, dc_offset_percent, rms_dbfs, sample_peak_dbfs
-from audio_checks.measure.phase import Phase
 from tests.support.waves import click, join, noise, silence, sine
 
 
@@ -89,21 +88,6 @@ def test_plain_functions_agree_with_blocks():
     assert figures["sample_peak_dbfs"] == pytest.approx(sample_peak_dbfs(samples), abs=1e-12)
     assert figures["rms_dbfs"] == pytest.approx(rms_dbfs(samples), abs=1e-9)
     assert figures["dc_offset_percent"] == pytest.approx(dc_offset_percent(samples), abs=1e-9)
-
-
-def correlation(samples):
-    return measured(Phase(48_000, samples.shape[1], len(samples)), samples)["channel_correlation"]
-
-
-def test_correlation():
-    one, other = noise(channels=2).T
-    assert correlation(np.stack((one, one), axis=1)) == pytest.approx(1)
-    assert correlation(np.stack((one, -0.3 * one), axis=1)) == pytest.approx(-1)
-    assert correlation(np.stack((one, other), axis=1)) == pytest.approx(0, abs=0.02)
-    assert correlation(np.stack((one, one, -one), axis=1)) == pytest.approx(-1)
-    assert correlation(np.stack((one, 0 * one), axis=1)) is None
-    assert correlation(one[:, np.newaxis]) is None
-    assert correlation(silence(channels=2)) is None
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,17 @@
-"""Stereo in mono: closed forms, and where the loss is."""
+"""Correlation, and stereo in mono: closed forms, and where the loss is."""
 
 import numpy as np
 import pytest
 
-from audio_checks.measure.mono_sum import MonoSum
+from audio_checks.measure.phase import Phase
 from tests.support.waves import join, noise, silence, sine
 
 
 def measured(samples, block_frames=65_536):
-    mono_sum = MonoSum(48_000, samples.shape[1], len(samples))
+    phase = Phase(48_000, samples.shape[1], len(samples))
     for start in range(0, len(samples), block_frames):
-        mono_sum.add(samples[start : start + block_frames])
-    return mono_sum.result()
+        phase.add(samples[start : start + block_frames])
+    return phase.result()
 
 
 def stereo(left, right):
@@ -44,7 +44,8 @@ def test_unrelated_channels_lose_3_db():
 
 @pytest.mark.parametrize("samples", [silence(channels=2), noise(), noise(channels=6, seconds=0.1)])
 def test_silence_and_other_channels_have_none(samples):
-    assert set(measured(samples).values()) == {None}
+    figures = measured(samples)
+    assert {figures[name] for name in ("mono_loss_db", "channel_difference_db", "mono_loss_spans")} == {None}
 
 
 def test_one_frame():
@@ -67,3 +68,19 @@ def test_blocks_make_no_difference(block_frames):
     whole, pieces = measured(samples), measured(samples, block_frames)
     assert pieces["mono_loss_db"] == pytest.approx(whole["mono_loss_db"], abs=1e-9)
     assert pieces["mono_loss_spans"](2.9) == whole["mono_loss_spans"](2.9)
+
+
+def correlation(samples):
+    return measured(samples)["channel_correlation"]
+
+
+def test_correlation():
+    one, other = noise(channels=2).T
+    assert correlation(np.stack((one, one), axis=1)) == pytest.approx(1)
+    assert correlation(np.stack((one, -0.3 * one), axis=1)) == pytest.approx(-1)
+    assert correlation(np.stack((one, other), axis=1)) == pytest.approx(0, abs=0.02)
+    assert correlation(np.stack((one, one, -one), axis=1)) == pytest.approx(-1)
+    assert correlation(np.stack((one, 0 * one), axis=1)) is None
+    assert correlation(np.stack((one, 0 * one, 0 * one), axis=1)) is None
+    assert correlation(one[:, np.newaxis]) is None
+    assert correlation(silence(channels=2)) is None
