@@ -102,6 +102,7 @@ def ensure_rows_are_guarded(runtime: Runtime) -> None:
 
 
 def make_request_role(connection: sa.Connection) -> None:
+    """Make the role that requests run as, and let the login become it."""
     role = sa.text("select pg_has_role(oid, 'member') from pg_roles where rolname = :name")
     is_member = connection.scalar(role, {"name": REQUEST_ROLE})
     try:

@@ -3,27 +3,43 @@
 import importlib
 import signal
 import threading
+from datetime import timedelta
 from types import FrameType
 
 import structlog
+from sqlalchemy.exc import SQLAlchemyError
 
 from app import rooms
-from app.kit import events
-from app.kit.queue import Worker, job_names
+from app.kit import clock, events
+from app.kit.queue import Payload, Worker, job, job_names
 from app.kit.runtime import Runtime
 from app.kit.uploads import Uploads
 from app.notifications.jobs import send_waiting
 
-CHORES_EVERY_S = 300.0
+CHORES_EVERY_S = 300
+JOBS_KEPT_FOR = timedelta(days=30)  # so long their keys tell a job that comes again
 log = structlog.get_logger(__name__)
 
 
-def sweep_uploads(runtime: Runtime) -> None:
+@job("server.sweep_uploads")
+def sweep_uploads(runtime: Runtime, _payload: Payload) -> None:
     """Clear away uploads that nobody finished in time."""
     Uploads(runtime.database, runtime.store).sweep()
 
 
-CHORES = (sweep_uploads, send_waiting)
+@job("server.send_waiting")
+def send_waiting_mails(runtime: Runtime, _payload: Payload) -> None:
+    """Send what waits although no job will send it: mails that a dead server, or one without SMTP, left behind."""
+    send_waiting(runtime)
+
+
+@job("server.forget_done_jobs")
+def forget_done_jobs(runtime: Runtime, _payload: Payload) -> None:
+    """Clear away jobs that were done long ago."""
+    runtime.queue.forget_done(clock.now() - JOBS_KEPT_FOR)
+
+
+CHORES = ("server.sweep_uploads", "server.send_waiting", "server.forget_done_jobs")
 
 
 def start_worker(runtime: Runtime) -> Worker:
@@ -40,13 +56,12 @@ def start_worker(runtime: Runtime) -> Worker:
     return worker
 
 
-def _do_chores(runtime: Runtime) -> None:
-    """Do what no event asks for: clear away abandoned uploads, send mails that a dead server left behind."""
-    for chore in CHORES:
-        try:
-            chore(runtime)
-        except Exception:
-            log.exception("a chore failed", chore=chore.__name__)
+def ask_for_chores(runtime: Runtime) -> None:
+    """Write down what no event asks for; however many workers do so, each is one job in its five minutes."""
+    turn = int(clock.now().timestamp()) // CHORES_EVERY_S
+    with runtime.database.writing() as session:
+        for chore in CHORES:
+            runtime.queue.enqueue(session, chore, {}, key=f"{chore}@{turn}", studio_id=None)
 
 
 def run(runtime: Runtime) -> None:
@@ -59,8 +74,12 @@ def run(runtime: Runtime) -> None:
     signal.signal(signal.SIGTERM, stop)
     signal.signal(signal.SIGINT, stop)
     worker = start_worker(runtime)
-    _do_chores(runtime)
-    while not stopped.wait(CHORES_EVERY_S):
-        _do_chores(runtime)
+    while True:
+        try:
+            ask_for_chores(runtime)
+        except SQLAlchemyError as error:
+            log.warning("chores could not be asked for", error=str(error))
+        if stopped.wait(CHORES_EVERY_S):
+            break
     worker.stop()
     runtime.close()

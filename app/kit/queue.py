@@ -56,6 +56,7 @@ STATE_WORDS = {
 
 Payload = dict[str, Any]
 REASON_LENGTH = 500
+FORGOTTEN_AT_ONCE = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
@@ -242,6 +243,20 @@ class JobQueue:
             session.execute(sa.update(jobs).where(jobs.c.workflow_uuid == job_id).values(priority=URGENT))
         self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
 
+    def forget_done(self, before: datetime) -> int:
+        """Clear away jobs that were done before an instant; return how many went."""
+        jobs, gone = self._workflows, 0
+        done = sa.select(jobs.c.workflow_uuid).where(
+            jobs.c.status == "SUCCESS", jobs.c.completed_at < int(before.timestamp() * 1000)
+        )
+        while True:
+            with self._database.reading() as session:
+                ids = list(session.scalars(done.limit(FORGOTTEN_AT_ONCE)))
+            if not ids:
+                return gone
+            self._client.delete_workflows(ids)
+            gone += len(ids)
+
     def owners(self) -> set[str]:
         """Return the workers that have jobs in hand."""
         jobs = self._workflows
@@ -272,6 +287,7 @@ def _workflows(database: Database) -> sa.TableClause:
         sa.column("executor_id", sa.Text),
         sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
         sa.column("created_at", sa.BigInteger),
+        sa.column("completed_at", sa.BigInteger),
         schema=None if database.is_sqlite else "dbos",
     )
 

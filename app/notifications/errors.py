@@ -1,7 +1,11 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import NotFound
+from app.kit.errors import Conflict, NotFound
 
 
 class MailNotFound(NotFound):
     """No mail of that id within the caller's sight."""
+
+
+class MailBusy(Conflict):
+    """Another worker is handing this mail to the server."""

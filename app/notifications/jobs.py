@@ -14,6 +14,7 @@ from app.kit import clock, mail
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.notifications import queries, service
+from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
 from app.projects.models import Project
@@ -234,27 +235,30 @@ def send_waiting(runtime: Runtime) -> None:
     for mail_id in waiting:
         try:
             _send(runtime, mail_id)
+        except (MailBusy, aiosmtplib.SMTPResponseException):
+            continue  # another worker sends it, or it was refused, which is noted on it: the next may pass
         except (aiosmtplib.SMTPException, OSError):
-            return  # noted on the mail; the next round tries again
+            return  # the server is away; the next round tries again
 
 
 def _send(runtime: Runtime, mail_id: UUID) -> None:
     with runtime.database.writing() as session:
-        sealed = service.seal(session, mail_id)
-    if sealed is None:
+        claimed = service.claim(session, mail_id)
+    if claimed is None:
         return
     message = mail.plain_mail(
         sender=runtime.settings.mail_from,
-        recipient=sealed.recipient,
-        subject=sealed.subject,
-        text=text_of(sealed.lines, sealed.link),
+        recipient=claimed.recipient,
+        subject=claimed.subject,
+        text=text_of(claimed.lines, claimed.link),
     )
     try:
         mail.send(runtime.settings.smtp_url, message)
     except (aiosmtplib.SMTPException, OSError) as error:
         with runtime.database.writing() as session:
-            session.get_one(Mail, mail_id).failure = f"{type(error).__name__}: {error}"
+            refused = session.get_one(Mail, mail_id)
+            refused.failure, refused.claimed_until = f"{type(error).__name__}: {error}", None
         raise
     with runtime.database.writing() as session:
         sent = session.get_one(Mail, mail_id)
-        sent.sent_at, sent.failure = clock.now(), None
+        sent.sent_at, sent.failure, sent.claimed_until = clock.now(), None, None

@@ -35,5 +35,6 @@ class Mail(Base):
     link: Mapped[str | None]  # the producer may copy it while no SMTP server is set
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     sealed_at: Mapped[datetime | None]  # from here on nothing is added
+    claimed_until: Mapped[datetime | None]  # until then one worker hands it to the server, and no other does
     sent_at: Mapped[datetime | None]
     failure: Mapped[str | None]

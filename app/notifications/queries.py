@@ -20,10 +20,15 @@ OUTBOX_ROWS = 200
 
 
 def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
-    """Return the mail that still gathers news of this topic."""
+    """Return the mail that still gathers news of this topic; nobody else changes it until this transaction ends."""
     return session.scalar(
-        select(Mail).where(Mail.topic == topic, Mail.recipient == recipient, Mail.sealed_at.is_(None))
+        select(Mail).where(Mail.topic == topic, Mail.recipient == recipient, Mail.sealed_at.is_(None)).with_for_update()
     )
+
+
+def mail_locked(session: Session, mail_id: UUID) -> Mail | None:
+    """Return a mail that nobody else changes until this transaction ends."""
+    return session.get(Mail, mail_id, with_for_update=True)
 
 
 def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
@@ -41,7 +46,11 @@ def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequen
     begun_before = at - timedelta(seconds=2 * digest_delay_s)
     return session.scalars(
         select(Mail.id)
-        .where(Mail.sent_at.is_(None), or_(Mail.sealed_at.is_not(None), Mail.created_at < begun_before))
+        .where(
+            Mail.sent_at.is_(None),
+            or_(Mail.sealed_at.is_not(None), Mail.created_at < begun_before),
+            or_(Mail.claimed_until.is_(None), Mail.claimed_until < at),
+        )
         .order_by(Mail.id)
     ).all()
 

@@ -1,5 +1,6 @@
 """Writing mails with the facts they tell, and sending them."""
 
+from datetime import timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -9,8 +10,11 @@ from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.events import publish
 from app.notifications import queries
-from app.notifications.errors import MailNotFound
+from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
+
+# Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.
+CLAIMED_FOR = timedelta(seconds=60)
 
 
 def write_mail(
@@ -62,10 +66,13 @@ def send_again(session: Session, actor: Actor, mail_id: UUID) -> Mail:
     return mail
 
 
-def seal(session: Session, mail_id: UUID) -> Mail | None:
-    """Close a mail to further news and return it, None when it was sent before."""
-    mail = session.get(Mail, mail_id)
+def claim(session: Session, mail_id: UUID) -> Mail | None:
+    """Close a mail to further news and return it; None when it was sent, MailBusy while another worker sends it."""
+    mail = queries.mail_locked(session, mail_id)
     if mail is None or mail.sent_at is not None:
         return None
+    if mail.claimed_until is not None and mail.claimed_until > clock.now():
+        raise MailBusy(f"mail {mail_id} is being sent")
     mail.sealed_at = mail.sealed_at or clock.now()
+    mail.claimed_until = clock.now() + CLAIMED_FOR
     return mail

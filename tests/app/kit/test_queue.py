@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from datetime import UTC, datetime
 from typing import Any
 from uuid import UUID
 
@@ -9,6 +10,7 @@ import pytest
 import sqlalchemy as sa
 from dbos import DBOSClient
 
+from app import worker
 from app.kit import queue
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
@@ -191,3 +193,34 @@ def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     client.enqueue(options, "tests.note", {"word": "three arguments"}, {"request_id": "long ago"})
     client.destroy()
     until(lambda: len(calls) == 2)
+
+
+def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
+    enqueue(runtime, "tests.note", "long ago")
+    until(lambda: calls == ["long ago"])
+    enqueue(runtime, "tests.note", "waits", delay_s=3600)
+    jobs = queue._workflows(runtime.database)
+
+    def kept() -> set[str]:
+        with runtime.database.reading() as session:
+            return set(session.scalars(sa.select(jobs.c.workflow_uuid).where(jobs.c.workflow_uuid.like("key of %"))))
+
+    now = queue.clock.now()
+    runtime.queue.forget_done(now - queue.timedelta(days=1))
+    assert {"key of long ago", "key of waits"} <= kept()
+    until(lambda: runtime.queue.forget_done(now + queue.timedelta(days=1)))
+    assert "key of waits" in kept()
+    assert "key of long ago" not in kept()
+
+
+def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypatch: pytest.MonkeyPatch):
+    done: list[int] = []
+    monkeypatch.setitem(queue._handlers, "server.sweep_uploads", lambda _runtime, _payload: done.append(1))
+    with monkeypatch.context() as then:
+        then.setattr(worker.clock, "now", lambda: datetime(2001, 1, 1, tzinfo=UTC))  # a turn of this test's own
+        for _ in range(4):
+            worker.ask_for_chores(runtime)
+    until(lambda: done)
+    enqueue(runtime, "tests.note", "after")
+    until(lambda: "after" in calls)
+    assert done == [1]

@@ -1,7 +1,9 @@
 """Mails: told once, gathered by topic, kept until a real SMTP server has them."""
 
+import asyncio
 import socket
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from uuid import UUID, uuid4
 
@@ -9,9 +11,12 @@ import pytest
 from aiosmtpd.controller import Controller
 from aiosmtpd.smtp import SMTP, Envelope
 from aiosmtpd.smtp import Session as SmtpSession
+from sqlalchemy.orm import Session
 
+from app.kit import clock
 from app.kit.runtime import Runtime
-from app.notifications import jobs
+from app.notifications import jobs, service
+from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -24,8 +29,10 @@ class Mailbox:
     def __init__(self) -> None:
         self.received: list[Envelope] = []
         self.refuses = False
+        self.takes_s = 0.0
 
     async def handle_DATA(self, _server: SMTP, _session: SmtpSession, envelope: Envelope) -> str:  # noqa: N802
+        await asyncio.sleep(self.takes_s)
         if self.refuses:
             return "451 try again later"
         self.received.append(envelope)
@@ -99,6 +106,39 @@ def test_a_server_that_refuses_loses_nothing(world: World, mailbox: Mailbox, smt
     assert (mail["sent_at"], "451" in str(mail["failure"])) == (None, True)
     mailbox.refuses = False
     jobs.send_waiting(runtime)
+    assert len(mailbox.texts_for(address)) == 1
+
+
+def test_many_workers_send_one_mail(world: World, mailbox: Mailbox, smtp_url: str):
+    address = f"{uuid4()}@example.test"
+    invite(world, address)
+    (mail,) = [each for each in outbox(world) if each["recipient"] == address]
+    runtime = with_smtp(world.server.runtime, smtp_url)
+    mailbox.takes_s = 0.3
+    with ThreadPoolExecutor(4) as workers:
+        tried = [workers.submit(jobs.send_mail, runtime, {"mail_id": mail["id"]}) for _ in range(4)]
+    failures = [attempt.exception() for attempt in tried]
+    assert len(mailbox.texts_for(address)) == 1
+    assert failures.count(None) == 1
+    assert {type(failure) for failure in failures} == {type(None), MailBusy}, "the others come again later"
+    jobs.send_mail(runtime, {"mail_id": mail["id"]})
+    assert len(mailbox.texts_for(address)) == 1
+
+
+def test_a_mail_whose_worker_died_goes_out_later(world: World, mailbox: Mailbox, smtp_url: str):
+    address = f"{uuid4()}@example.test"
+    invite(world, address)
+    (mail,) = [each for each in outbox(world) if each["recipient"] == address]
+    runtime, mail_id = with_smtp(world.server.runtime, smtp_url), UUID(str(mail["id"]))
+    world.server.in_database(lambda session: service.claim(session, mail_id))  # and is heard of no more
+    with pytest.raises(MailBusy):
+        jobs.send_mail(runtime, {"mail_id": str(mail_id)})
+
+    def let_time_pass(session: Session) -> None:
+        session.get_one(Mail, mail_id).claimed_until = clock.now()
+
+    world.server.in_database(let_time_pass)
+    jobs.send_mail(runtime, {"mail_id": str(mail_id)})
     assert len(mailbox.texts_for(address)) == 1
 
 
