@@ -1,10 +1,11 @@
 /** The arrows of the frontend: features stand on app, uploads, audio, ui and api, and never on one another. */
 const lower = {
-  api: 'app|audio|judging|ui|uploads|parts',
-  ui: 'app|api|audio|judging|uploads|parts',
-  audio: 'app|api|judging|uploads|parts',
-  uploads: 'app|audio|judging|ui|parts',
-  judging: 'uploads|parts',
+  api: 'app|audio|judging|mending|ui|uploads|parts',
+  ui: 'app|api|audio|judging|mending|uploads|parts',
+  audio: 'app|api|judging|mending|uploads|parts',
+  uploads: 'app|audio|judging|mending|ui|parts',
+  judging: 'mending|uploads|parts',
+  mending: 'uploads|parts',
 }
 
 module.exports = {

@@ -9,6 +9,7 @@ import { invitationRoutes } from '@/features/invitation/routes'
 import { projectRoutes } from '@/features/projects/routes'
 import { reviewRoutes } from '@/features/review/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
+import { takeRoutes } from '@/features/take/routes'
 import { todayRoutes } from '@/features/today/routes'
 import { partsRoute } from '@/parts/routes'
 
@@ -24,6 +25,7 @@ const pages = [
     ...reviewRoutes,
     ...soundListRoutes,
     ...deskRoutes,
+    ...takeRoutes,
     ...accountRoutes,
     nowhereRoute,
   ]),

@@ -67,6 +67,8 @@ export interface WaveformProps {
   heightPx?: number
   /** Without grid, ruler and figures, as in a card. */
   plain?: boolean
+  /** Without a playhead: what sounds is shown elsewhere. */
+  still?: boolean
 }
 
 const PAD_PX = 8
@@ -128,7 +130,7 @@ export function Waveform(props: WaveformProps) {
         {peaks === null && <p className={classes.missing}>The waveform is still being drawn; the sound plays.</p>}
         {!plain && <Scale limitDbfs={props.limitDbfs} />}
         <Slider {...props} label={label} />
-        <span className={classes.playhead} />
+        {!props.still && <span className={classes.playhead} />}
         {comments.length > 0 && (
           <Pins
             comments={comments}

@@ -1,5 +1,6 @@
 export type { Clock } from './clock'
-export type { Spectrogram, TimeRange } from './draw'
+export type { Spectrogram, Surface, TimeRange } from './draw'
+export { Drawing } from './Drawing'
 export { finePeaks, type Peaks } from './peaks'
 export type { Player, PlayerState, Source } from './player'
 export { LevelStrip, SpectrumStrip } from './Strip'

@@ -160,6 +160,18 @@ describe('repeating', () => {
 })
 
 describe('switching', () => {
+  test('a copy whose start was cut takes over at the same moment of the sound', async () => {
+    const made = await playing()
+    context.currentTime = 0.8
+    await made.select(B, -0.6)
+    expect(last()).toMatchObject({ fromS: expect.closeTo(0.2, 9) as number, buffer: { duration: 0.5 } })
+    await made.select(A, 0.6)
+    expect(last()?.fromS).toBeCloseTo(0.8, 9)
+    made.seek(0.1)
+    await made.select(B, -0.6)
+    expect(last()?.fromS).toBe(0)
+  })
+
   test('the other one takes over at the same position, with a fade of 5 ms', async () => {
     const made = await playing(A)
     await made.previews.get('/b')

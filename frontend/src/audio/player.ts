@@ -118,8 +118,11 @@ export class Player implements Clock {
 
   // What it is asked
 
-  /** Take a sound in the hand. While another plays, this one takes over at the same position. */
-  async select(source: Source): Promise<void> {
+  /**
+   * Take a sound in the hand. While another plays, this one takes over at the same position, or so much later as the
+   * same moment lies later in it.
+   */
+  async select(source: Source, laterS = 0): Promise<void> {
     this.#leaveSet()
     if (this.#source?.id === source.id && this.#source.url === source.url) return
     const wasPlaying = this.isPlaying()
@@ -130,8 +133,8 @@ export class Player implements Clock {
     if (buffer === null) return
     this.#tell({ durationS: buffer.duration })
     // Asked again only now: it may have been paused, or have ended, while the other was on its way.
-    if (wasPlaying && this.isPlaying()) this.#sound(buffer, source, this.positionS())
-    else this.#moved(Math.min(this.#positionS, buffer.duration))
+    if (wasPlaying && this.isPlaying()) this.#sound(buffer, source, Math.max(0, this.positionS() + laterS))
+    else this.#moved(Math.min(Math.max(0, this.#positionS + laterS), buffer.duration))
   }
 
   async play(fromS?: number): Promise<void> {

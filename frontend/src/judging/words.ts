@@ -126,3 +126,15 @@ export function namesOf(names: readonly string[]): string {
 
 /** The takes of an item in the order in which they are heard. */
 export const heardTakes = (item: QueueItem): ReviewTake[] => inOrder(item.takes)
+
+/** What happened to a take, in a word or two. */
+export const HAPPENED: Record<string, string> = {
+  received: 'Delivered',
+  checked: 'Checked',
+  waived: 'Let through',
+  approve: 'Approved',
+  set_aside: 'Set aside',
+  request_change: 'Change requested',
+  withdraw: 'Verdict taken back',
+  comment: 'Comment',
+}

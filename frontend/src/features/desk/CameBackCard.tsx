@@ -1,8 +1,19 @@
+import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
-import { type Peaks, type Player, type PlayerState, spotOf as playFrom, Waveform, WaveThumb } from '@/audio'
+import {
+  type FindingMark,
+  type Peaks,
+  type Player,
+  type PlayerState,
+  spotOf as playFrom,
+  Waveform,
+  WaveThumb,
+} from '@/audio'
 import { usePeaks } from '@/judging/api'
+import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
+import { MendPanel, type Mending, useMending } from '@/mending'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -14,7 +25,6 @@ import { State } from '@/ui/State'
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
 import classes from './CameBack.module.css'
 import { Refusal } from './Refusal'
-import { spotOf, wordsOf, worstFirst } from './words'
 
 interface CameBackProps {
   projectId: string
@@ -98,13 +108,19 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
   const findings = findingsOf(item)
   const changes = changesOf(item)
   const recheck = useRecheck(projectId)
-  const sounds = playing.sourceId === id && playing.status === 'playing'
-  const toggle = () => {
-    if (url === null) return
-    if (sounds) player.pause()
-    else hear(player, id, url)
-  }
-  useHotkeys([{ keys: 'Space', label: 'Play, pause', group: 'Desk', run: toggle, disabled: url === null }])
+  const take = { id, name: cue?.name ?? item.file_name, number, previewUrl: url }
+  const mending = useMending(take, player, playing, { mayUse: true, group: 'Desk' })
+  const isMade = mending.mend?.state === 'made'
+  useHotkeys([{ keys: 'Space', label: 'Play, pause', group: 'Desk', run: mending.toggle, disabled: url === null }])
+  const marks = findings
+    .filter(({ start_s }) => start_s !== null)
+    .map((finding, index) => ({
+      id: `${finding.code} ${index}`,
+      severity: finding.severity,
+      label: wordsOf(finding).head,
+      startS: finding.start_s ?? 0,
+      endS: finding.end_s ?? undefined,
+    }))
   return (
     <article className={classes.open} aria-labelledby={`back-${id}`}>
       <div className={classes.head}>
@@ -161,39 +177,55 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
           The check itself broke three times. That is our fault; nothing is wrong with your file, and no round counts.
         </p>
       )}
-      <Wave item={item} findings={findings} changes={changes} player={player} isHeard={playing.sourceId === id} />
-      {playing.error !== null && playing.sourceId === id && (
+      <MendPanel
+        take={take}
+        durationS={item.duration_s}
+        peaksUrl={item.peaks_url}
+        mending={mending}
+        player={player}
+        findings={marks}
+        limitDbfs={item.limit_dbfs ?? undefined}
+        mayUse
+        actions={
+          <>
+            {status === 'unjudged' && (
+              <Button variant="primary" icon="turn" onClick={() => recheck.mutate(id)} disabled={recheck.isPending}>
+                Check it again
+              </Button>
+            )}
+            {cue && (
+              <HotkeyButton
+                variant={status === 'unjudged' || isMendable(mending) ? 'plain' : 'primary'}
+                icon="upload"
+                keys="s"
+                keyLabel="Send my own for what came back"
+                keyGroup="Desk"
+                onPress={() => onSendOwn(cue.id)}
+              >
+                Send my own
+              </HotkeyButton>
+            )}
+            {url !== null && (
+              <Button icon={mending.isPlaying ? 'pause' : 'play'} keys="Space" onClick={mending.toggle}>
+                {mending.isPlaying ? 'Pause' : 'Play'}
+              </Button>
+            )}
+            <Link className="link small" to="/takes/$takeId" params={{ takeId: id }}>
+              All figures
+            </Link>
+          </>
+        }
+        follows={
+          number !== null &&
+          `What you send becomes version ${number + 1}, whatever its file is called; version ${number} stays as it is.`
+        }
+      >
+        <Wave item={item} marks={marks} changes={changes} player={player} isHeard={playing.sourceId === id} />
+      </MendPanel>
+      {playing.error !== null && (playing.sourceId === id || isMade) && (
         <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
       )}
       <Refusal error={recheck.error} />
-      <div className={classes.actions}>
-        {status === 'unjudged' && (
-          <Button variant="primary" icon="turn" onClick={() => recheck.mutate(id)} disabled={recheck.isPending}>
-            Check it again
-          </Button>
-        )}
-        {cue && (
-          <HotkeyButton
-            variant={status === 'unjudged' ? 'plain' : 'primary'}
-            icon="upload"
-            keys="s"
-            keyLabel="Send my own for what came back"
-            keyGroup="Desk"
-            onPress={() => onSendOwn(cue.id)}
-          >
-            Send my own
-          </HotkeyButton>
-        )}
-        {url !== null && (
-          <Button icon={sounds ? 'pause' : 'play'} keys="Space" onClick={toggle}>
-            {sounds ? 'Pause' : 'Play'}
-          </Button>
-        )}
-        <span className={`small mid ${classes.follows}`}>
-          {number !== null &&
-            `What you send becomes version ${number + 1}, whatever its file is called; version ${number} stays as it is.`}
-        </span>
-      </div>
     </article>
   )
 }
@@ -230,15 +262,17 @@ function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void
   )
 }
 
+const isMendable = ({ mend }: Mending): boolean => mend?.state === 'made' || mend?.state === 'offered'
+
 interface WaveProps {
   item: CameBack
-  findings: readonly Finding[]
+  marks: readonly FindingMark[]
   changes: readonly Change[]
   player: Player
   isHeard: boolean
 }
 
-function Wave({ item, findings, changes, player, isHeard }: WaveProps) {
+function Wave({ item, marks, changes, player, isHeard }: WaveProps) {
   const { take_id: id, duration_s: durationS, preview_url: url } = item
   const peaks = usePeaks(item.peaks_url)
   if (durationS === null || url === null) {
@@ -262,15 +296,7 @@ function Wave({ item, findings, changes, player, isHeard }: WaveProps) {
           player.seek(s)
         }}
         onMark={(fromS) => from(fromS)}
-        findings={findings
-          .filter(({ start_s }) => start_s !== null)
-          .map((finding, index) => ({
-            id: `${finding.code} ${index}`,
-            severity: finding.severity,
-            label: wordsOf(finding).head,
-            startS: finding.start_s ?? 0,
-            endS: finding.end_s ?? undefined,
-          }))}
+        findings={marks}
         comments={changes.flatMap(({ start_s, end_s }, index) =>
           start_s === null
             ? []

@@ -5,6 +5,7 @@ import { type ReactNode, useEffect, useState } from 'react'
 import { ApiProblem } from '@/api'
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
+import { ended } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytesOf, plural, remaining } from '@/ui/format'
@@ -16,7 +17,6 @@ import { DeliveryLines } from './DeliveryLines'
 import type { DeliveryUploads } from './deliveryUploads'
 import { Refusal } from './Refusal'
 import { type DeliveryRows, isGoing, type LabelOf, rowsOf } from './rows'
-import { ended } from './words'
 
 interface DeliveryCardProps {
   projectId: string

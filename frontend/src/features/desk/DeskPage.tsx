@@ -17,7 +17,7 @@ import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
 import classes from './Desk.module.css'
 import { Refusal } from './Refusal'
 import { labelsOf } from './rows'
-import { AskedCard, ToMakeCard, WithApproverCard } from './SideCards'
+import { AskedCard, MendsCard, ToMakeCard, WithApproverCard } from './SideCards'
 import { UnmatchedTray } from './UnmatchedTray'
 import { deskLine } from './words'
 
@@ -148,6 +148,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             onDrop={(picked, cueId) => void add(picked, cueId)}
           />
           <WithApproverCard desk={desk} />
+          <MendsCard projectId={projectId} />
           <AskedCard
             projectId={projectId}
             questions={desk.questions}

@@ -1,7 +1,6 @@
 import { ApiProblem } from '@/api'
+import { ended } from '@/judging/findings'
 import { ProblemNote } from '@/ui/ProblemNote'
-
-import { ended } from './words'
 
 interface RefusalProps {
   error: unknown

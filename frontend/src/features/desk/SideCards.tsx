@@ -1,10 +1,14 @@
 import { Select, Textarea } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
 import { type DragEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { showToast } from '@/app/toast'
+import { ended } from '@/judging/findings'
+import { mendsQuery } from '@/mending'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, length, plural } from '@/ui/format'
@@ -14,7 +18,6 @@ import { filesOfDrop, type Picked } from '@/uploads'
 
 import { type AskedQuestion, type Desk, type ToMake, useAsk, useCues } from './api'
 import classes from './Side.module.css'
-import { ended } from './words'
 
 const SHOWN_AT_FIRST = 14
 
@@ -143,6 +146,32 @@ export function WithApproverCard({ desk }: { desk: Desk }) {
           </>
         )}
       </div>
+    </Card>
+  )
+}
+
+/** What waits for the approver and could be better without a new export: the check warned, and a mend answers it. */
+export function MendsCard({ projectId }: { projectId: string }) {
+  const { data: offers } = useQuery(mendsQuery(projectId))
+  const warned = offers?.filter(({ take_state: state }) => state === 'conforming') ?? []
+  if (warned.length === 0) return null
+  return (
+    <Card aria-labelledby="mends">
+      <CardHead id="mends" title="Could be mended" count={warned.length} end="the check warned" />
+      <ul aria-labelledby="mends">
+        {warned.map(({ take_id: id, cue, variation, number, says }) => (
+          <li key={id} className={classes.mend}>
+            <p>
+              <Link className="link strong" to="/takes/$takeId" params={{ takeId: id }}>
+                {cue.name}
+                {variation > 1 && `_${String(variation).padStart(2, '0')}`}
+              </Link>{' '}
+              <span className="small dim">version {number}</span>
+            </p>
+            <p className="small mid">{says}</p>
+          </li>
+        ))}
+      </ul>
     </Card>
   )
 }

@@ -6,6 +6,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Answers, refusal, serve } from '@/test/server'
+import { aMend, someSounds } from '@/test/take'
 
 const CUE = { id: 'c9', label: 'SW-009', name: 'airlock_cycle' }
 const WARP = { id: 'c18', label: 'SW-018', name: 'warp_in' }
@@ -311,6 +312,57 @@ describe('an unmatched file', () => {
     expect(within(tray).getByText('1 kept for later')).toBeInTheDocument()
     await user.click(within(tray).getByRole('button', { name: 'Show it' }))
     expect(within(tray).getByRole('button', { name: /^victory_sting/ })).toBeInTheDocument()
+  })
+})
+
+describe('the mend of what came back', () => {
+  const mended = (more: Answers = {}): Answers =>
+    answers({
+      'GET /v1/takes/t9/mend': { ...aMend(), take_id: 't9' },
+      'GET /v1/takes/t9/sounds': someSounds({ take_id: 't9' }),
+      ...more,
+    })
+
+  test('stands before and after on one axis, and is used by one press', async () => {
+    const { asked } = serve(
+      mended({ 'POST /v1/takes/t9/mend/use': answer({ ...UNMATCHED, id: 't10', cue: CUE, number: 2 }, 201) }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    expect(await screen.findByRole('slider', { name: 'Position in airlock_cycle, before' })).toBeInTheDocument()
+    expect(screen.getByRole('slider', { name: 'Position in airlock_cycle, mended' })).toBeInTheDocument()
+    expect(screen.getByText('407.0 ms trimmed from the start, level lowered by 1.62 dB.')).toBeInTheDocument()
+    expect(screen.getByText('It becomes version 2; version 1 stays as it is. No round counts.')).toBeInTheDocument()
+    expect(screen.getByRole('link', { name: 'All figures' })).toHaveAttribute('href', '/takes/t9')
+    await user.keyboard('t')
+    expect(await screen.findByText(/version 2 is the mend; it is being checked/)).toBeInTheDocument()
+    expect(asked.filter(({ path }) => path === '/v1/takes/t9/mend/use')).toHaveLength(1)
+  })
+
+  test('that would not be enough is not offered', async () => {
+    serve(mended({ 'GET /v1/takes/t9/mend': { ...aMend({ state: 'none' }), take_id: 't9' } }))
+    openApp('/desk')
+    expect(await screen.findByRole('button', { name: /^Send my own/ })).toBeInTheDocument()
+    expect(screen.queryByRole('button', { name: /^Use the mend/ })).not.toBeInTheDocument()
+  })
+
+  test('what only warned is listed with what a mend does, and leads to its page', async () => {
+    const offer = {
+      take_id: 't7',
+      cue: WARP,
+      variation: 2,
+      number: 3,
+      take_state: 'conforming',
+      state: 'offered',
+      says: 'Trims 45.0 ms from the start.',
+    }
+    serve(mended({ 'GET /v1/projects/p1/mends': [{ ...offer, take_id: 't9', take_state: 'returned' }, offer] }))
+    openApp('/desk')
+    const card = await screen.findByRole('region', { name: 'Could be mended' })
+    expect(within(card).getAllByRole('listitem')).toHaveLength(1)
+    expect(card).toHaveTextContent('warp_in_02 version 3')
+    expect(card).toHaveTextContent('Trims 45.0 ms from the start.')
+    expect(within(card).getByRole('link', { name: 'warp_in_02' })).toHaveAttribute('href', '/takes/t7')
   })
 })
 

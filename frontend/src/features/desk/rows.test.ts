@@ -1,11 +1,12 @@
 import { describe, expect, test } from 'vitest'
 
+import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
 import type { Upload } from '@/uploads'
 
 import { acceptedKinds } from './accepted'
 import type { Desk, DeliveryDetail, Finding, Take } from './api'
 import { labelsOf, rowsOf } from './rows'
-import { deskLine, spotOf, wordsOf, worstFirst } from './words'
+import { deskLine } from './words'
 
 const file = (name: string, size: number) => ({ name, size }) as File
 const upload = (more: Partial<Upload> & { name?: string; size?: number }): Upload => ({

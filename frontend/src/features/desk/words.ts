@@ -1,51 +1,8 @@
-import { figure, place, plural, range } from '@/ui/format'
-import { sentence, spelled } from '@/judging/words'
+import { ended } from '@/judging/findings'
+import { spelled } from '@/judging/words'
+import { figure, plural } from '@/ui/format'
 
-import type { Desk, Finding } from './api'
-
-export interface FindingWords {
-  /** What was measured, figure and all. */
-  head: string
-  /** The limit, and what to do. */
-  rest: string
-  /** Where in the sound. */
-  where: string
-}
-
-/** A sentence: a capital first, a full stop last. */
-export const ended = (text: string): string =>
-  text === '' || /[.!?]$/.test(text) ? sentence(text) : `${sentence(text)}.`
-
-/** What a finding says, taken apart: up to the first comma or bracket it is the figure, after it the limit. */
-export function wordsOf({ message, fix, start_s, end_s }: Finding): FindingWords {
-  const said = sentence(message)
-  const cut = said.search(/, | \(/)
-  const head = cut < 0 ? said : said.slice(0, cut)
-  // Where it is stands beside it; a bracket of times alone says no more.
-  const limit =
-    cut < 0
-      ? ''
-      : said
-          .slice(cut)
-          .replace(/^, |^ \([\d.,s …]+\)/, '')
-          .trim()
-  const rest = [ended(limit), ended(fix)].filter(Boolean).join(' ')
-  return { head, rest, where: spotOf(start_s, end_s) }
-}
-
-/** "0.416 s", "0.000–0.412 s", or nothing where it is about the whole file. */
-export function spotOf(startS: number | null, endS: number | null): string {
-  if (startS === null) return ''
-  return endS === null || endS - startS < 0.001 ? place(startS) : range(startS, endS)
-}
-
-/** Errors before warnings, then as the sound goes. */
-export const worstFirst = (findings: readonly Finding[]): Finding[] =>
-  findings.toSorted(
-    (a, b) =>
-      Number(b.severity === 'error') - Number(a.severity === 'error') ||
-      (a.start_s ?? Infinity) - (b.start_s ?? Infinity),
-  )
+import type { Desk } from './api'
 
 /** What waits, in one sentence. */
 export function deskLine(desk: Desk): string {

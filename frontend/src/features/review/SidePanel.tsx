@@ -4,7 +4,7 @@ import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState }
 
 import { ApiProblem } from '@/api'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
-import { capital, sentence, spot } from '@/judging/words'
+import { capital, HAPPENED, sentence, spot } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
@@ -288,6 +288,11 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
   }
   return (
     <div className={classes.findings}>
+      <p className="small">
+        <Link className="link" to="/takes/$takeId" params={{ takeId: take.id }}>
+          All figures of this version
+        </Link>
+      </p>
       {take.waived && (
         <p className="small mid">
           Let through by the approver{take.waiver_reason ? `: “${take.waiver_reason}”` : ''}. What was found stays.
@@ -311,22 +316,11 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
           }
         >
           {finding.waived ? 'Waived. ' : ''}
-          {capital(finding.fix)}.
+          {capital(finding.fix)}.{finding.mend && ` A mend ${finding.mend}.`}
         </Finding>
       ))}
     </div>
   )
-}
-
-const HAPPENED: Record<string, string> = {
-  received: 'Delivered',
-  checked: 'Checked',
-  waived: 'Let through',
-  approve: 'Approved',
-  set_aside: 'Set aside',
-  request_change: 'Change requested',
-  withdraw: 'Verdict taken back',
-  comment: 'Comment',
 }
 
 function History({ take }: { take: ReviewTake }) {

@@ -111,6 +111,9 @@ function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) 
           {finding.fix && !finding.fix.endsWith('.') ? '.' : ''}
         </Finding>
       ))}
+      <Link className="link small" to="/takes/$takeId" params={{ takeId: take.id }}>
+        All figures<span className="visually-hidden"> of {name}</span>
+      </Link>{' '}
       {reviews && (
         <Link
           className="link small"

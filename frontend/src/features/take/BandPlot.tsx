@@ -1,0 +1,92 @@
+import { useCallback } from 'react'
+
+import { Drawing, type Surface } from '@/audio'
+import { figure } from '@/ui/format'
+
+import type { Bands } from './api'
+import classes from './Take.module.css'
+
+const FROM_HZ = 20
+const FLOOR_DB = -96
+const LINES_HZ = [100, 1_000, 10_000]
+const LINES_DB = [-24, -48, -72]
+
+interface BandPlotProps {
+  bands: Bands
+  /** Half the sample rate. */
+  toHz: number
+  /** The highest frequency that stands out of the noise. */
+  bandwidthHz: number | null
+}
+
+/** How the energy of the whole sound is spread over frequency: level of each sixth of an octave, and where it ends. */
+export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
+  const across = (hz: number) => Math.log(Math.max(hz, FROM_HZ) / FROM_HZ) / Math.log(toHz / FROM_HZ)
+  const draw = useCallback(
+    (surface: Surface) => drawBands(surface, bands, bandwidthHz, toHz),
+    [bands, bandwidthHz, toHz],
+  )
+  const loudest = bands.dbfs.reduce<number>(
+    (most, db, at) => ((db ?? -999) > (bands.dbfs[most] ?? -999) ? at : most),
+    0,
+  )
+  return (
+    <figure className={classes.bands}>
+      <div className={classes.bandsWell}>
+        <Drawing draw={draw} />
+        {LINES_DB.map((db) => (
+          <span key={db} className={classes.bandsDb} style={{ top: `${(db / FLOOR_DB) * 100}%` }} aria-hidden="true">
+            {figure(db)}
+          </span>
+        ))}
+        {bandwidthHz !== null && bandwidthHz > FROM_HZ && (
+          <span
+            className={classes.bandwidth}
+            data-left={across(bandwidthHz) > 0.6 || undefined}
+            style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
+          >
+            ends at {said(bandwidthHz)}
+          </span>
+        )}
+      </div>
+      <div className={classes.bandsHz} aria-hidden="true">
+        <span data-edge="start">{FROM_HZ} Hz</span>
+        {LINES_HZ.filter((hz) => hz < toHz / 1.6).map((hz) => (
+          <span key={hz} className={hz > toHz / 3 ? 'wide-only' : undefined} style={{ left: `${across(hz) * 100}%` }}>
+            {said(hz)}
+          </span>
+        ))}
+        <span data-edge="end">{said(toHz)}</span>
+      </div>
+      <figcaption className="small mid">
+        RMS in each sixth of an octave over the whole sound, dBFS. Loudest near {said(bands.hz[loudest] ?? 0)}
+        {bands.dbfs[loudest] === null ? '; all of it is silence' : `, ${figure(bands.dbfs[loudest] ?? 0, 1)} dBFS`}.
+      </figcaption>
+    </figure>
+  )
+}
+
+const said = (hz: number): string =>
+  hz >= 1000 ? `${figure(hz / 1000, hz >= 10_000 ? 0 : 1)} kHz` : `${figure(hz)} Hz`
+
+/** Bars of ink on a logarithmic scale; beyond the bandwidth they are drawn quietly. */
+export function drawBands(surface: Surface, bands: Bands, bandwidthHz: number | null, toHz: number): void {
+  const { context, width, height, scale, colour } = surface
+  const x = (hz: number) => (width * Math.log(Math.max(hz, FROM_HZ) / FROM_HZ)) / Math.log(toHz / FROM_HZ)
+  const y = (db: number) => (height * Math.max(FLOOR_DB, Math.min(0, db))) / FLOOR_DB
+  context.fillStyle = colour('wave-grid')
+  for (const db of LINES_DB) context.fillRect(0, Math.round(y(db)), width, scale)
+  for (const hz of LINES_HZ) context.fillRect(Math.round(x(hz)), 0, scale, height)
+  bands.hz.forEach((hz, at) => {
+    const db = bands.dbfs[at]
+    if (db === null || db === undefined || db <= FLOOR_DB) return
+    const left = x(hz / 2 ** (1 / 12))
+    const right = x(hz * 2 ** (1 / 12))
+    context.fillStyle = colour(bandwidthHz !== null && hz > bandwidthHz * 1.06 ? 'wave-peak' : 'wave-rms')
+    context.fillRect(left, y(db), Math.max(scale, right - left - scale), height - y(db))
+  })
+  if (bandwidthHz !== null && bandwidthHz > FROM_HZ) {
+    context.fillStyle = colour('ink')
+    context.fillRect(Math.round(Math.min(x(bandwidthHz), width - scale)), 0, scale, height)
+  }
+}

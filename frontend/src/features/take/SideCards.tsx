@@ -1,0 +1,135 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { HAPPENED, sentence, spot } from '@/judging/words'
+import { Card, CardHead } from '@/ui/Card'
+import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { State } from '@/ui/State'
+
+import { type Check, type Finding, type GameFile, historyQuery } from './api'
+import { groupsOf, judgementsOf, type Line, textsOf } from './figures'
+import classes from './Take.module.css'
+
+/** Every figure of the report, in words and units; what is over a limit is marked. */
+export function FiguresCard({ check, findings }: { check: Check | null | undefined; findings: readonly Finding[] }) {
+  if (!check) return null
+  const facts = check.facts ?? {}
+  const found = new Map(findings.toReversed().map(({ check: name, severity }) => [name, severity]))
+  const groups = groupsOf(facts, check.measurements)
+  const judged = judgementsOf(check.judgements)
+  const texts = textsOf(facts)
+  return (
+    <Card aria-labelledby="figures">
+      <CardHead id="figures" title="Figures" end={`audio-checks ${check.tool_version}`} />
+      <div className={classes.figures}>
+        {groups.length === 0 && <p className="mid">Nothing could be measured: the file could not be read.</p>}
+        {groups.map(({ title, lines }) => (
+          <Lines key={title} title={title} lines={lines} found={found} />
+        ))}
+        {judged.length > 0 && <Lines title="Judged by its sound" lines={judged} found={found} />}
+        {texts.length > 0 && <Lines title="What the file says" lines={texts} found={found} />}
+      </div>
+    </Card>
+  )
+}
+
+interface LinesProps {
+  title: string
+  lines: readonly Line[]
+  found: ReadonlyMap<string, Finding['severity']>
+}
+
+function Lines({ title, lines, found }: LinesProps) {
+  return (
+    <section aria-label={title}>
+      <h3 className="small mid">{title}</h3>
+      <dl className={classes.lines}>
+        {lines.map(({ name, what, said, check }) => {
+          const severity = check === undefined ? undefined : found.get(check)
+          return (
+            <div key={name}>
+              <dt className="dim">{what}</dt>
+              <dd className={severity && `tone-${severity === 'error' ? 'bad' : 'warn'} toned`}>
+                {severity && (
+                  <>
+                    <Icon name={severity === 'error' ? 'back' : 'triangle'} size={14} />
+                    <span className="visually-hidden">{severity === 'error' ? 'Error: ' : 'Warning: '}</span>
+                  </>
+                )}
+                {said}
+              </dd>
+            </div>
+          )
+        })}
+      </dl>
+    </section>
+  )
+}
+
+/** What was made of it for the game, or why not. */
+export function GameFilesCard({ files }: { files: readonly GameFile[] }) {
+  return (
+    <Card aria-labelledby="game-files">
+      <CardHead id="game-files" title="Game files" />
+      <ul className={classes.files}>
+        {files.map((file) => (
+          <li key={file.target}>
+            <p className="row">
+              <span className="strong">{file.target}</span>
+              <span className="end">
+                {file.state === 'made' && <State kind="passed">Made</State>}
+                {file.state === 'refused' && <State kind="refused" />}
+                {file.state === 'waiting' && <span className="small dim">not made</span>}
+              </span>
+            </p>
+            <p className="small mid">{madeOf(file)}</p>
+            {file.file_url && (
+              <a className="link small" href={file.file_url} download>
+                Download<span className="visually-hidden"> the file for {file.target}</span>
+              </a>
+            )}
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+function madeOf({ state, refusal, facts, attenuation_db: down, file_bytes: size }: GameFile): string {
+  if (state === 'refused') return sentence(refusal ?? 'It was refused.')
+  if (state === 'waiting') return 'Game files are made of what conforms.'
+  const { sample_rate_hz: hz, bit_depth: bits, channels: count } = facts as Record<string, number | undefined>
+  const parts = [hz && rate(hz), bits && `${bits} bit`, count && channels(count), size && bytes(size)]
+  const lowered = down !== null && down > 0.005 ? `lowered by ${figure(down, 2)} dB to keep its peak limit` : ''
+  return [...parts, lowered].filter(Boolean).join(', ')
+}
+
+/** What happened to it, the newest first. */
+export function HistoryCard({ takeId }: { takeId: string }) {
+  const { data: history } = useQuery(historyQuery(takeId))
+  if (!history) return null
+  return (
+    <Card aria-labelledby="history">
+      <CardHead id="history" title="History" />
+      <ol className={classes.history}>
+        {history.toReversed().map((entry, at) => (
+          <li key={`${entry.at} ${at}`}>
+            <p className="row small">
+              <span className="strong">{HAPPENED[entry.kind] ?? entry.kind}</span>
+              <span className="mid cut-text">{entry.by?.name ?? ''}</span>
+              <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
+                {age(entry.at)}
+              </time>
+            </p>
+            {entry.text && (
+              <p className={`small mid ${classes.told}`}>
+                {entry.start_s !== null && <span className="mono dim">{spot(entry.start_s, entry.end_s)} </span>}
+                {entry.kind === 'received' ? entry.text : sentence(entry.text)}
+              </p>
+            )}
+          </li>
+        ))}
+      </ol>
+    </Card>
+  )
+}

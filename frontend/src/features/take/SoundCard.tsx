@@ -1,0 +1,162 @@
+import { useMediaQuery } from '@mantine/hooks'
+import { useMemo, useState } from 'react'
+
+import { HotkeyButton } from '@/app/keys'
+import { type FindingMark, LevelStrip, type Player, type PlayerState, SpectrumStrip, Waveform } from '@/audio'
+import { usePeaks } from '@/judging/api'
+import { Card, CardHead } from '@/ui/Card'
+import { length, rate } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
+
+import type { GameFile, Sounds, Take } from './api'
+import classes from './Take.module.css'
+
+const MASTER = 'master'
+
+interface SoundCardProps {
+  take: Take
+  sounds: Sounds | undefined
+  marks: readonly FindingMark[]
+  limitDbfs?: number
+  player: Player
+  playing: PlayerState
+  /** A finding's mark was pressed: its place in the list. */
+  onMark: (at: number) => void
+}
+
+/** The sound, large: its wave with what was found, its spectrum and its level on one axis, and the way to hear it. */
+export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onMark }: SoundCardProps) {
+  const narrow = useMediaQuery('(max-width: 760px)')
+  const [wanted, setWanted] = useState(MASTER)
+  const files = (sounds?.renders ?? []).filter(({ preview_url }) => preview_url !== null)
+  const file = files.find(({ target }) => target === wanted)
+  const sound = file ?? sounds?.master
+  const peaks = usePeaks(sound?.peaks_url)
+  const spectrumUrl = sound?.spectrum_url ?? null
+  const spectrum = useMemo(() => (spectrumUrl === null ? null : { src: spectrumUrl }), [spectrumUrl])
+  const sourceId = file ? `${take.id} ${file.target}` : take.id
+  const url = sound?.preview_url ?? null
+  const durationS = sound?.duration_s ?? null
+  const isHeard = playing.sourceId === sourceId
+  const isPlaying = isHeard && playing.status === 'playing'
+
+  const hear = (fromS?: number) => {
+    if (url === null) return
+    void player.select({ id: sourceId, url })
+    void player.play(fromS)
+  }
+  const seek = (s: number) => {
+    if (url === null) return
+    void player.select({ id: sourceId, url })
+    player.seek(s)
+  }
+  const choose = (target: string) => {
+    setWanted(target)
+    const next = target === MASTER ? sounds?.master : files.find((each) => each.target === target)
+    const id = target === MASTER ? take.id : `${take.id} ${target}`
+    // The other one goes on at the same place.
+    if (next?.preview_url && player.isPlaying()) void player.select({ id, url: next.preview_url })
+  }
+  return (
+    <Card aria-labelledby="sound">
+      <CardHead
+        id="sound"
+        title="The sound"
+        note={factsOf(sounds, file)}
+        end={
+          files.length > 0 && (
+            <Segmented
+              label="Master or game file"
+              options={[MASTER, ...files.map(({ target }) => target)].map((target) => ({
+                value: target,
+                label: target.charAt(0).toUpperCase() + target.slice(1),
+              }))}
+              value={file?.target ?? MASTER}
+              onChange={choose}
+            />
+          )
+        }
+      />
+      <div className={classes.sound}>
+        {durationS === null ? (
+          <p className="mid">
+            {sounds === undefined || sounds.master.state === 'drawing'
+              ? 'It is being drawn.'
+              : 'There is no picture of this file: it could not be read as a sound.'}
+          </p>
+        ) : (
+          <>
+            <Waveform
+              label={take.cue?.name ?? take.file_name}
+              peaks={peaks}
+              durationS={durationS}
+              findings={file ? [] : marks}
+              limitDbfs={file ? undefined : limitDbfs}
+              clock={isHeard ? player : undefined}
+              playheadS={0}
+              onSeek={seek}
+              onMark={(_, mark) => onMark(Number(mark.id))}
+              heightPx={narrow ? 150 : 220}
+            />
+            <SpectrumStrip
+              spectrogram={spectrum}
+              durationS={durationS}
+              clock={isHeard ? player : undefined}
+              heightPx={narrow ? 84 : 132}
+            />
+            <LevelStrip peaks={peaks} durationS={durationS} clock={isHeard ? player : undefined} heightPx={58} />
+          </>
+        )}
+        {playing.error !== null && isHeard && (
+          <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
+        )}
+        {url !== null && (
+          <div className={classes.transport}>
+            <HotkeyButton
+              variant="primary"
+              icon={isPlaying ? 'pause' : 'play'}
+              keys="Space"
+              keyLabel="Play, pause"
+              keyGroup="Version"
+              onPress={() => (isPlaying ? player.pause() : hear())}
+            >
+              {isPlaying ? 'Pause' : 'Play'}
+            </HotkeyButton>
+            <HotkeyButton
+              icon="loop"
+              keys="l"
+              keyLabel="Loop"
+              keyGroup="Version"
+              pressed={playing.looping}
+              onPress={() => player.setLooping(!playing.looping)}
+            >
+              Loop
+            </HotkeyButton>
+            <HotkeyButton
+              icon="reverse"
+              keys="v"
+              keyLabel="Backwards"
+              keyGroup="Version"
+              pressed={playing.reversed}
+              onPress={() => player.setReversed(!playing.reversed)}
+            >
+              Reverse
+            </HotkeyButton>
+          </div>
+        )}
+      </div>
+    </Card>
+  )
+}
+
+function factsOf(sounds: Sounds | undefined, file: GameFile | undefined): string {
+  const sound = file ?? sounds?.master
+  const { sample_rate_hz: hz, bit_depth: bits } = (sound?.facts ?? {}) as {
+    sample_rate_hz?: number
+    bit_depth?: number
+  }
+  return [hz && rate(hz), bits && `${bits} bit`, sound?.duration_s && length(sound.duration_s)]
+    .filter(Boolean)
+    .join(', ')
+}

@@ -1,0 +1,300 @@
+import { configure, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { openApp } from '@/test/openApp'
+import { aFinding, aMe, PROJECT } from '@/test/review'
+import { refusal } from '@/test/server'
+import { aCheck, aGameFile, aMend, aTakeServer, aVersion, DESIGNER, LATE, someSounds } from '@/test/take'
+
+vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
+configure({ asyncUtilTimeout: 5_000 })
+beforeAll(() => import('./TakePage'))
+
+let server: ReturnType<typeof aTakeServer>
+let contexts: HandContext[]
+
+beforeEach(() => {
+  dismissToast()
+  contexts = []
+  vi.stubGlobal(
+    'AudioContext',
+    class extends HandContext {
+      constructor() {
+        super()
+        contexts.push(this)
+      }
+    },
+  )
+  server = aTakeServer()
+})
+
+const opened = async () => {
+  const app = openApp('/takes/t1')
+  await screen.findByRole('heading', { level: 1, name: 'airlock_cycle' })
+  return app
+}
+const card = (name: string) => screen.findByRole('region', { name })
+const lastStarted = () => contexts.at(-1)?.started.at(-1)
+
+describe('findings', () => {
+  test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
+    await opened()
+    const list = await screen.findByRole('list', { name: 'Findings' })
+    await waitFor(() => expect(within(list).getAllByRole('listitem')).toHaveLength(2))
+    const [loud, late] = within(list).getAllByRole('listitem')
+    expect(loud).toHaveTextContent('Error: Sample peak 0.00 dBFS')
+    expect(loud).toHaveTextContent('Limit −0.1 dBFS. Lower the level by 0.10 dB or more.')
+    expect(loud).toHaveTextContent('A mend lowers the level by 0.10 dB.')
+    expect(loud).toHaveTextContent('0.418 s')
+    expect(late).toHaveTextContent('Warning: 412.0 ms of silence before the sound')
+    expect(within(list).getByRole('link', { name: /^sample-peak/ })).toHaveAttribute('href', '/checks/sample-peak')
+  })
+
+  test('one that no mend answers says why', async () => {
+    server.on(
+      'GET /v1/takes/t1/check',
+      aCheck({ findings: [aFinding({ no_mend: 'What was cut off at the top is gone.' })] }),
+    )
+    await opened()
+    expect(await screen.findByText('What was cut off at the top is gone.')).toBeInTheDocument()
+  })
+
+  test('j takes the next one, Enter plays its spot', async () => {
+    const user = userEvent.setup()
+    await opened()
+    const list = await screen.findByRole('list', { name: 'Findings' })
+    await waitFor(() => expect(within(list).getAllByRole('listitem')).toHaveLength(2))
+    await user.keyboard('j')
+    expect(within(list).getAllByRole('listitem')[0]).toHaveAttribute('aria-current', 'true')
+    await user.keyboard('{Enter}')
+    // From 0.3 s before it.
+    await waitFor(() => expect(lastStarted()?.fromS).toBeCloseTo(0.118))
+    await user.keyboard('k')
+    expect(within(list).getAllByRole('listitem')[1]).toHaveAttribute('aria-current', 'true')
+  })
+
+  test('nothing found is said, and so is a check that is still to come', async () => {
+    server
+      .on('GET /v1/takes/t1', aVersion({ state: 'conforming' }))
+      .on('GET /v1/takes/t1/check', aCheck({ findings: [], verdict: 'conforming' }))
+      .on('GET /v1/takes/t1/mend', aMend({ state: 'none' }))
+    await opened()
+    expect(await screen.findByText('Every check of the delivery spec passed.')).toBeInTheDocument()
+    expect(screen.queryByRole('region', { name: 'Mend' })).not.toBeInTheDocument()
+  })
+
+  test('a version that was let through says by whom and why', async () => {
+    const waiver = {
+      id: 'w',
+      codes: [LATE.code],
+      reason: 'Meant so',
+      waived_by: DESIGNER,
+      created_at: '2026-11-20T10:00:00Z',
+    }
+    server.on('GET /v1/takes/t1/check', aCheck({ findings: [{ ...LATE, waived: true }], waiver }))
+    await opened()
+    expect(await screen.findByText(/Let through by the approver\./)).toBeInTheDocument()
+    expect(screen.getByText(': Meant so')).toBeInTheDocument()
+  })
+})
+
+describe('the mend', () => {
+  test('is seen before and after, with what changes, and used by its designer in one press', async () => {
+    const user = userEvent.setup()
+    server.on('POST /v1/takes/t1/mend/use', aVersion({ id: 't2', number: 2, state: 'received', mend_of_id: 't1' }))
+    await opened()
+    const mend = await card('Mend')
+    expect(await within(mend).findByRole('slider', { name: 'Position in airlock_cycle, mended' })).toBeInTheDocument()
+    const changes = within(mend).getByLabelText('What changes')
+    expect(changes).toHaveTextContent('Sample peak0.0 dBFS →becomes −1.6 dBFS')
+    expect(changes).toHaveTextContent('Length0.80 s →becomes 0.40 s')
+    expect(mend).toHaveTextContent('It becomes version 2; version 1 stays as it is. No round counts.')
+    await user.click(within(mend).getByRole('button', { name: 'Start' }))
+    expect(within(mend).getByText('The start, 0.000–0.500 s')).toBeInTheDocument()
+    await user.keyboard('t')
+    expect(await screen.findByText('airlock_cycle version 2 is the mend; it is being checked.')).toBeInTheDocument()
+    expect(server.of('POST /v1/takes/t1/mend/use')).toHaveLength(1)
+  })
+
+  test('b hears the other one at the same place in the sound', async () => {
+    const user = userEvent.setup()
+    await opened()
+    const mend = await card('Mend')
+    await within(mend).findByRole('button', { name: /^Hear mended/ })
+    await user.click(await screen.findByRole('button', { name: /^Play/ }))
+    await waitFor(() => expect(lastStarted()?.buffer.duration).toBe(0.8))
+    const context = contexts.at(-1)
+    if (context) context.currentTime = 0.6
+    await user.keyboard('b')
+    // 0.4 s were cut from the start: 0.6 s of the one are 0.2 s of the other.
+    await waitFor(() => expect(lastStarted()?.buffer.duration).toBe(0.4))
+    await waitFor(() => expect(lastStarted()?.fromS).toBeCloseTo(0.2))
+    await user.keyboard('b')
+    await waitFor(() => expect(lastStarted()?.buffer.duration).toBe(0.8))
+    await waitFor(() => expect(lastStarted()?.fromS).toBeCloseTo(0.6))
+  })
+
+  test('is made when its designer asks, and shown once it is made', async () => {
+    const user = userEvent.setup()
+    let state: 'offered' | 'making' | 'made' = 'offered'
+    server
+      .on('GET /v1/takes/t1/mend', () => aMend({ state, says: 'Trims 407.0 ms from the start.' }))
+      .on('POST /v1/takes/t1/mend', () => {
+        state = 'making'
+        return aMend({ state })
+      })
+    await opened()
+    const mend = await card('Mend')
+    expect(mend).toHaveTextContent('A mend: trims 407.0 ms from the start.')
+    await user.click(within(mend).getByRole('button', { name: /^Mend it/ }))
+    expect(await within(mend).findByText(/being made/)).toBeInTheDocument()
+    state = 'made'
+    expect(await within(mend).findByRole('button', { name: /^Use the mend/ })).toBeInTheDocument()
+  })
+
+  test('the approver sees that it is offered, and cannot use it', async () => {
+    server.on('GET /v1/me', aMe())
+    const user = userEvent.setup()
+    await opened()
+    const mend = await card('Mend')
+    expect(mend).toHaveTextContent('Its designer decides whether it becomes a version.')
+    expect(within(mend).queryByRole('button', { name: /^Use the mend/ })).not.toBeInTheDocument()
+    await user.keyboard('t')
+    expect(server.asked.some(({ method }) => method === 'POST')).toBe(false)
+  })
+
+  test('a refusal stays where it happened', async () => {
+    const user = userEvent.setup()
+    server.on(
+      'POST /v1/takes/t1/mend/use',
+      refusal(409, 'nothing-to-mend', 'a change_requested version is decided upon', { fix: 'send your own version' }),
+    )
+    await opened()
+    await user.click(await screen.findByRole('button', { name: /^Use the mend/ }))
+    expect(await screen.findByRole('alert')).toHaveTextContent(
+      'A change_requested version is decided upon. Send your own version.',
+    )
+  })
+
+  test('our own fault can be tried again', async () => {
+    server.on('GET /v1/takes/t1/mend', aMend({ state: 'refused', says: 'Our mender failed.', is_our_fault: true }))
+    await opened()
+    expect(await screen.findByRole('button', { name: /^Mend it/ })).toBeInTheDocument()
+    expect(screen.getByText('Our mender failed.')).toBeInTheDocument()
+  })
+
+  test('both versions lead to each other, with who agreed', async () => {
+    server.on('GET /v1/takes/t1/mend', aMend({ state: 'used', new_take_id: 't2', used_by: DESIGNER }))
+    await opened()
+    const link = await screen.findByRole('link', { name: 'Version 2' })
+    expect(link).toHaveAttribute('href', '/takes/t2')
+    expect(link.parentElement).toHaveTextContent('Version 2 is its mend, with the consent of Sound designer.')
+  })
+
+  test('a mend says what it was made of', async () => {
+    const { repairs } = aMend()
+    server.on(
+      'GET /v1/takes/t1/mend',
+      aMend({
+        state: 'none',
+        mended_from: { take_id: 't0', number: 1, repairs, used_by: DESIGNER, used_at: '2026-11-20T10:00:00Z' },
+      }),
+    )
+    await opened()
+    expect(await screen.findByRole('link', { name: 'version 1' })).toHaveAttribute('href', '/takes/t0')
+    expect(screen.getByText(/level lowered by 1\.62 dB\.$/)).toBeInTheDocument()
+  })
+})
+
+describe('figures and files', () => {
+  test('every figure stands with its unit; what is over a limit is marked', async () => {
+    server.on('GET /v1/takes/t1/check', aCheck({ measurements: { sample_peak_dbfs: 0, novel_slope_db: -3 } }))
+    await opened()
+    const figures = await card('Figures')
+    expect(within(figures).getByText('48 kHz')).toBeInTheDocument()
+    expect(within(figures).getByText('0.0 dBFS')).toHaveTextContent('Error: 0.0 dBFS')
+    expect(within(figures).getByText('Novel slope')).toBeInTheDocument()
+    expect(within(figures).getByText('−3.0 dB')).toBeInTheDocument()
+  })
+
+  test('the spectrum of the whole sound says where it ends and where it is loudest', async () => {
+    await opened()
+    const spectrum = await card('Spectrum of the whole sound')
+    expect(spectrum).toHaveTextContent('ends at 19 kHz')
+    expect(spectrum).toHaveTextContent('Loudest near 1.0 kHz, −12.4 dBFS.')
+  })
+
+  test('a game file can be seen and heard in place of the master', async () => {
+    const user = userEvent.setup()
+    server.on(
+      'GET /v1/takes/t1/sounds',
+      someSounds({
+        renders: [
+          aGameFile({ attenuation_db: 0.43 }),
+          aGameFile({
+            target: 'handheld',
+            state: 'refused',
+            refusal: 'the target asks for more',
+            preview_url: null,
+            file_url: null,
+          }),
+        ],
+      }),
+    )
+    await opened()
+    const files = await card('Game files')
+    expect(files).toHaveTextContent('44.1 kHz, 16 bit, mono, 70.0 kB, lowered by 0.43 dB to keep its peak limit')
+    expect(files).toHaveTextContent('The target asks for more')
+    await user.click(screen.getByRole('button', { name: 'Game' }))
+    await user.click(screen.getByRole('button', { name: /^Play/ }))
+    await waitFor(() => expect(server.of('GET /v1/sounds/g1/preview')).toHaveLength(1))
+  })
+
+  test('a file that cannot be read as a sound says so', async () => {
+    server
+      .on('GET /v1/takes/t1/sounds', {
+        ...someSounds({ mend: null }),
+        master: { ...someSounds().master, state: 'undrawable', duration_s: null, preview_url: null, peaks_url: null },
+      })
+      .on('GET /v1/takes/t1/check', aCheck({ verdict: 'unreadable', facts: null, measurements: {} }))
+      .on('GET /v1/takes/t1/mend', aMend({ state: 'none' }))
+    await opened()
+    expect(
+      await screen.findByText('There is no picture of this file: it could not be read as a sound.'),
+    ).toBeInTheDocument()
+    expect(screen.getByText('Nothing could be measured: the file could not be read.')).toBeInTheDocument()
+  })
+})
+
+test('the ways lead to the cue, and for the team to the review room', async () => {
+  server.on('GET /v1/me', aMe())
+  await opened()
+  expect(screen.getByRole('link', { name: 'The cue' })).toHaveAttribute(
+    'href',
+    `/projects/${PROJECT}/sound-list/cues/c1`,
+  )
+  expect(await screen.findByRole('link', { name: 'Hear it in review' })).toHaveAttribute(
+    'href',
+    `/projects/${PROJECT}/review/c1?take=t1`,
+  )
+})
+
+test('a version that is not there says so', async () => {
+  server.on('GET /v1/takes/t1', refusal(404, 'take-not-found', 'no take t1'))
+  openApp('/takes/t1')
+  expect(await screen.findByRole('heading', { level: 1, name: 'This version is not here.' })).toBeInTheDocument()
+})
+
+test('the page is without fault for those who listen to it', async () => {
+  await opened()
+  await card('Mend')
+  await card('Spectrum of the whole sound')
+  const { violations } = await axe.run(document.body, {
+    rules: { 'color-contrast': { enabled: false }, region: { enabled: false } },
+  })
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
+})

@@ -1,0 +1,269 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { type ReactNode, useMemo, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
+import { meQuery, useMyProject } from '@/judging/api'
+import { ended, wordsOf, worstFirst } from '@/judging/findings'
+import { MendPanel, useMending, useSounds } from '@/mending'
+import { Card, CardHead } from '@/ui/Card'
+import { ago, bytes, day } from '@/ui/format'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
+
+import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
+import { FindingsCard } from './FindingsCard'
+import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
+import { SoundCard } from './SoundCard'
+import { SpectrumCard } from './SpectrumCard'
+import classes from './Take.module.css'
+
+/** Everything that is known of one version: what was found, what was measured, what it looks and sounds like. */
+export function TakePage() {
+  const { takeId } = useParams({ from: '/shell/takes/$takeId' })
+  const { data: take, error } = useQuery(takeQuery(takeId))
+  useTitle(take ? nameOf(take) : 'Version')
+  if (take === undefined) {
+    const problem = error instanceof ApiProblem ? error : null
+    return (
+      <div className="page">
+        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This version is not here.' : 'Version'}</h1>
+        {problem && <ProblemNote detail={ended(problem.detail)} fix={ended(problem.fix)} />}
+      </div>
+    )
+  }
+  return <WithSounds key={take.id} take={take} />
+}
+
+const nameOf = ({ cue, file_name, number }: Take): string =>
+  `${cue?.name ?? file_name}${number === null ? '' : `, version ${number}`}`
+
+function WithSounds({ take }: { take: Take }) {
+  const { data: sounds, error: noSounds } = useSounds(take.id)
+  const { data: check, error: noCheck } = useQuery(checkQuery(take))
+  const problem = [noSounds, noCheck].find((each) => each instanceof ApiProblem)
+  return (
+    <TakeSheet take={take} sounds={sounds} check={check}>
+      {problem instanceof ApiProblem && <ProblemNote detail={ended(problem.detail)} fix={ended(problem.fix)} />}
+    </TakeSheet>
+  )
+}
+
+interface TakeSheetProps {
+  take: Take
+  sounds: Sounds | undefined
+  /** null before the first check. */
+  check: Check | null | undefined
+  /** What went wrong. */
+  children: ReactNode
+}
+
+const NONE: Finding[] = []
+/** They stand in the large wave above. */
+const NO_MARKS: FindingMark[] = []
+
+function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
+  const navigate = useNavigate()
+  const [player, playing] = usePlayer()
+  const { data: me } = useQuery(meQuery)
+  const project = useMyProject(take.project_id)
+  const [openAt, setOpenAt] = useState<number | null>(null)
+  const findings = useMemo(() => (check ? worstFirst(check.findings) : NONE), [check])
+  const marks = useMemo(() => findings.map(markOf), [findings])
+
+  const isMaker = me?.person.id === take.designer.id && (project?.engagement_kind ?? null) !== null
+  const master = sounds?.master
+  const mended = {
+    id: take.id,
+    name: take.cue?.name ?? take.file_name,
+    number: take.number,
+    previewUrl: master?.preview_url ?? null,
+  }
+  const mending = useMending(mended, player, playing, { mayUse: isMaker, group: 'Version' })
+
+  const jump = (at: number, plays: boolean) => {
+    setOpenAt(at)
+    const startS = findings[at]?.start_s ?? null
+    if (startS === null || mended.previewUrl === null) return
+    void player.select({ id: take.id, url: mended.previewUrl })
+    if (plays) void player.play(playFrom(startS))
+    else player.seek(startS)
+  }
+  const step = (by: number) => {
+    if (findings.length > 0) jump(((openAt ?? (by > 0 ? -1 : 0)) + by + findings.length) % findings.length, false)
+  }
+  const back = () => {
+    if (project?.part === 'designer') {
+      void navigate({ to: '/projects/$projectId/desk', params: { projectId: take.project_id } })
+    } else if (take.cue) {
+      void navigate({
+        to: '/projects/$projectId/sound-list/cues/$cueId',
+        params: { projectId: take.project_id, cueId: take.cue.id },
+      })
+    } else void navigate({ to: '/projects/$projectId/sound-list', params: { projectId: take.project_id } })
+  }
+  const none = findings.length === 0
+  useHotkeys([
+    { keys: 'j', label: 'Next finding', group: 'Version', run: () => step(1), disabled: none },
+    { keys: 'k', label: 'Previous finding', group: 'Version', run: () => step(-1), disabled: none },
+    {
+      keys: 'Enter',
+      label: 'Hear the finding',
+      group: 'Version',
+      run: () => openAt !== null && jump(openAt, true),
+      disabled: openAt === null,
+    },
+    { keys: 'Escape', label: 'Back', group: 'Version', run: back },
+  ])
+
+  const { mend } = mending
+  return (
+    <div className={`page ${classes.page}`}>
+      <Head take={take} check={check} isTeam={project?.part === 'team'} mend={mending} />
+      {children}
+      <div className={`columns ${classes.columns}`}>
+        <div className="stack">
+          <SoundCard
+            take={take}
+            sounds={sounds}
+            marks={marks}
+            limitDbfs={peakLimit(findings)}
+            player={player}
+            playing={playing}
+            onMark={(at) => jump(at, true)}
+          />
+          <FindingsCard take={take} check={check} findings={findings} openAt={openAt} onSpot={(at) => jump(at, true)} />
+          {mend && mend.state !== 'none' && (
+            <Card aria-labelledby="mend">
+              <CardHead id="mend" title="Mend" end={isMaker ? undefined : 'for its designer to use'} />
+              <div className={classes.mend}>
+                <MendPanel
+                  take={mended}
+                  durationS={master?.duration_s ?? null}
+                  peaksUrl={master?.peaks_url ?? null}
+                  mending={mending}
+                  player={player}
+                  findings={NO_MARKS}
+                  limitDbfs={peakLimit(findings)}
+                  mayUse={isMaker}
+                />
+              </div>
+            </Card>
+          )}
+          <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
+        </div>
+        <aside className="stack" aria-label="Figures of this version">
+          <FiguresCard check={check} findings={findings} />
+          {sounds && sounds.renders.length > 0 && <GameFilesCard files={sounds.renders} />}
+          <HistoryCard takeId={take.id} />
+        </aside>
+      </div>
+    </div>
+  )
+}
+
+function markOf(finding: Finding, at: number): FindingMark {
+  return {
+    id: String(at),
+    severity: finding.severity,
+    label: wordsOf(finding).head,
+    startS: finding.start_s ?? undefined,
+    endS: finding.end_s ?? undefined,
+  }
+}
+
+/** The lowest peak limit that something was found against, for the line in the wave. */
+function peakLimit(findings: readonly Finding[]): number | undefined {
+  const limits = findings.flatMap(({ check, limit }) => (check.endsWith('-peak') && limit !== null ? [limit] : []))
+  return limits.length > 0 ? Math.min(...limits) : undefined
+}
+
+interface HeadProps {
+  take: Take
+  check: Check | null | undefined
+  isTeam: boolean
+  mend: ReturnType<typeof useMending>
+}
+
+function Head({ take, check, isTeam, mend }: HeadProps) {
+  const { cue, state, project_id: projectId } = take
+  const origin = mend.mend?.mended_from
+  const waiver = check?.waiver
+  return (
+    <header className={classes.head}>
+      <div>
+        <div className={classes.names}>
+          <h1>{cue?.name ?? take.file_name}</h1>
+          <State kind={state === 'received' ? 'checking' : state} pill />
+          {waiver && <State kind="waived" reason={waiver.reason} />}
+          <span className="small dim">
+            {cue && <span className="mono">{cue.label}</span>}
+            {take.variation > 1 && `, _${String(take.variation).padStart(2, '0')}`}
+            {take.number !== null && `, version ${take.number}`}
+            {take.alternate !== null && ` ${String.fromCharCode(64 + take.alternate)}`}
+          </span>
+        </div>
+        <p className="mid">
+          <span className="mono">{take.file_name}</span>, {bytes(take.master_bytes)}, from {take.designer.name},{' '}
+          <time dateTime={take.received_at} title={day(take.received_at)}>
+            {ago(take.received_at)}
+          </time>
+          {take.late && ', after its delivery was closed'}.
+        </p>
+        {origin && (
+          <p className="mid">
+            A mend of{' '}
+            <Link className="link" to="/takes/$takeId" params={{ takeId: origin.take_id }}>
+              version {origin.number}
+            </Link>
+            , with the consent of {origin.used_by.name}: {origin.repairs.map(({ words }) => words).join(', ')}.
+          </p>
+        )}
+        {take.note && <p className="mid">“{take.note}”</p>}
+        <p className={classes.ways}>
+          {cue && (
+            <Link
+              className="link"
+              to="/projects/$projectId/sound-list/cues/$cueId"
+              params={{ projectId, cueId: cue.id }}
+            >
+              The cue
+            </Link>
+          )}
+          {cue && isTeam && (
+            <Link
+              className="link"
+              to="/projects/$projectId/review/$cueId"
+              params={{ projectId, cueId: cue.id }}
+              search={{ take: take.id }}
+            >
+              Hear it in review
+            </Link>
+          )}
+          {!isTeam && (
+            <Link className="link" to="/projects/$projectId/desk" params={{ projectId }}>
+              Your desk
+            </Link>
+          )}
+          <a className="link" href={`/v1/takes/${take.id}/master`} download>
+            Download the master
+          </a>
+        </p>
+      </div>
+      <div className="wide-only">
+        <KeysLine
+          keys={[
+            { keys: ['Space'], label: 'play' },
+            { keys: ['j', 'k'], label: 'findings' },
+            { keys: ['Enter'], label: 'the spot' },
+            { keys: ['?'], label: 'all keys' },
+          ]}
+        />
+      </div>
+    </header>
+  )
+}

@@ -1,0 +1,58 @@
+import { queryOptions } from '@tanstack/react-query'
+
+import { answered, api, ApiProblem } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { keys } from '@/judging/api'
+
+type Schemas = components['schemas']
+export type Take = Schemas['TakeRead']
+export type Check = Schemas['CheckRead']
+export type Finding = Schemas['FindingRead']
+export type Sounds = Schemas['TakeSoundsRead']
+export type GameFile = Schemas['RenderSoundRead']
+export type HistoryEntry = Schemas['HistoryEntry']
+export type Bands = Schemas['BandsRead']
+
+const POLL_MS = 1000
+const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
+
+/** One delivered file; asked again while it is being checked. */
+export const takeQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: ['take', takeId],
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}', ofTake(takeId))),
+    refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
+  })
+
+/** What the newest check says of it; null before the first one. */
+export const checkQuery = (take: Take) =>
+  queryOptions({
+    queryKey: ['take', take.id, 'check', take.state, take.state_since],
+    queryFn: async (): Promise<Check | null> => {
+      try {
+        return await answered(api.GET('/v1/takes/{take_id}/check', ofTake(take.id)))
+      } catch (refusal) {
+        if (refusal instanceof ApiProblem && refusal.code === 'check-not-found') return null
+        throw refusal
+      }
+    },
+  })
+
+export const historyQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: keys.history(takeId),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', ofTake(takeId))),
+  })
+
+/** How the energy of a sound is spread over frequency, beside its shape; null where an earlier version drew it. */
+export const bandsQuery = (peaksUrl: string | null) =>
+  queryOptions({
+    queryKey: ['bands', peaksUrl],
+    queryFn: async (): Promise<Bands | null> => {
+      const response = await fetch(peaksUrl ?? '', { credentials: 'same-origin' })
+      if (!response.ok) return null
+      return ((await response.json()) as Schemas['PeaksRead']).bands ?? null
+    },
+    enabled: peaksUrl !== null,
+    staleTime: Infinity,
+  })

@@ -1,0 +1,19 @@
+import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
+
+import { keepLastProject } from '@/app/lastProject'
+import { shellRoute } from '@/app/roots'
+
+import { takeQuery } from './api'
+
+export const takeRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/takes/$takeId',
+    // The frame shows the project that the version is of; a version that is not there says so on its page.
+    loader: async ({ context, params }) => {
+      const take = await context.queryClient.ensureQueryData(takeQuery(params.takeId)).catch(() => null)
+      if (take) keepLastProject(take.project_id)
+    },
+    component: lazyRouteComponent(() => import('./TakePage'), 'TakePage'),
+  }),
+] as const

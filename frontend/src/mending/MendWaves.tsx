@@ -1,0 +1,161 @@
+import { useState } from 'react'
+
+import { type Clock, type FindingMark, finePeaks, type Player, Waveform } from '@/audio'
+import { usePeaks } from '@/judging/api'
+import { length } from '@/ui/format'
+import { Segmented } from '@/ui/Segmented'
+
+import type { Mend, Shape, SoundBrief, Spot } from './api'
+import classes from './Mend.module.css'
+import type { Mending } from './useMending'
+import { spotName } from './words'
+
+interface Before {
+  name: string
+  durationS: number
+  peaksUrl: string | null
+}
+
+interface MendWavesProps {
+  before: Before
+  mend: Mend
+  sound: SoundBrief
+  mending: Mending
+  player: Player
+  findings: readonly FindingMark[]
+  limitDbfs?: number
+}
+
+const share = (part: number, whole: number) => `${(part / Math.max(whole, 1e-9)) * 100}%`
+
+/** A take and its mended copy on one axis of time; hatched is what goes. Below them the spots, as near as it takes. */
+export function MendWaves({ before, mend, sound, mending, player, findings, limitDbfs }: MendWavesProps) {
+  const peaks = usePeaks(before.peaksUrl)
+  const mendedPeaks = usePeaks(sound.peaks_url)
+  const { cut_head_s: headS, cut_tail_s: tailS } = mend
+  const mendedS = sound.duration_s ?? before.durationS - headS - tailS
+  const clock = (side: 'before' | 'mended'): Clock | undefined => (mending.side === side ? player : undefined)
+  const cuts = [
+    { startS: 0, endS: headS },
+    { startS: before.durationS - tailS, endS: before.durationS },
+  ].filter(({ startS, endS }) => endS > startS)
+  return (
+    <div className={classes.waves}>
+      <div className={classes.line}>
+        <p className={classes.side}>
+          Before <span className="dim">{length(before.durationS)}</span>
+        </p>
+        <Waveform
+          label={`${before.name}, before`}
+          peaks={peaks}
+          durationS={before.durationS}
+          findings={findings}
+          cuts={cuts}
+          limitDbfs={limitDbfs}
+          clock={clock('before')}
+          playheadS={0}
+          onSeek={(s) => mending.hear('before', s)}
+          onMark={(s) => mending.hear('before', s)}
+          heightPx={76}
+          still={mending.side !== 'before'}
+          plain
+        />
+      </div>
+      <div className={classes.line}>
+        <p className={classes.side}>
+          Mended <span className="dim">{length(mendedS)}</span>
+        </p>
+        <div style={{ marginLeft: share(headS, before.durationS), width: share(mendedS, before.durationS) }}>
+          <Waveform
+            label={`${before.name}, mended`}
+            peaks={mendedPeaks}
+            durationS={mendedS}
+            limitDbfs={limitDbfs}
+            clock={clock('mended')}
+            playheadS={0}
+            onSeek={(s) => mending.hear('mended', s)}
+            heightPx={76}
+            still={mending.side !== 'mended'}
+            lit
+            plain
+          />
+        </div>
+      </div>
+      <Spots name={before.name} spots={mend.spots} headS={headS} limitDbfs={limitDbfs} mending={mending} />
+    </div>
+  )
+}
+
+interface SpotsProps {
+  name: string
+  spots: readonly Spot[]
+  headS: number
+  limitDbfs?: number
+  mending: Mending
+}
+
+const peaksOf = (shape: Shape) => finePeaks({ ...shape, points: shape.rms.length })
+const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest spot' } as const
+
+/** The sound around each repair, before and mended, large enough to see what changes. */
+function Spots({ name, spots, headS, limitDbfs, mending }: SpotsProps) {
+  const [kind, setKind] = useState<Spot['kind'] | null>(null)
+  const spot = spots.find((each) => each.kind === kind) ?? spots.at(-1)
+  if (spot === undefined) return null
+  const wholeS = spot.end_s - spot.start_s
+  const limit = spot.kind === 'gain' ? limitDbfs : undefined
+  const cuts = [
+    { startS: 0, endS: spot.after_start_s - spot.start_s },
+    { startS: spot.after_end_s - spot.start_s, endS: wholeS },
+  ].filter(({ startS, endS }) => endS - startS > 1e-6)
+  const leftS = spot.after_end_s - spot.after_start_s
+  return (
+    <section className={classes.spots} aria-label="The spot">
+      <div className={classes.spotHead}>
+        <span className="small mid">{spotName(spot)}</span>
+        {spots.length > 1 && (
+          <Segmented
+            label="Which spot"
+            options={spots.map((each) => ({ value: each.kind, label: SPOT_WORDS[each.kind] }))}
+            value={spot.kind}
+            onChange={setKind}
+          />
+        )}
+      </div>
+      <div className={classes.pair}>
+        <div>
+          <Waveform
+            label={`${name}, before, ${spotName(spot).toLowerCase()}`}
+            peaks={peaksOf(spot.before)}
+            durationS={wholeS}
+            cuts={cuts}
+            limitDbfs={limit}
+            onSeek={(s) => mending.hear('before', spot.start_s + s)}
+            heightPx={92}
+            still
+            plain
+          />
+          <p className="micro dim">Before</p>
+        </div>
+        <div>
+          {leftS > 0 && (
+            <div style={{ marginLeft: share(spot.after_start_s - spot.start_s, wholeS), width: share(leftS, wholeS) }}>
+              <Waveform
+                label={`${name}, mended, ${spotName(spot).toLowerCase()}`}
+                peaks={peaksOf(spot.after)}
+                durationS={leftS}
+                limitDbfs={limit}
+                onSeek={(s) => mending.hear('mended', spot.after_start_s - headS + s)}
+                heightPx={92}
+                still
+                lit
+                plain
+              />
+            </div>
+          )}
+          <p className="micro dim">Mended</p>
+        </div>
+      </div>
+    </section>
+  )
+}
