@@ -180,8 +180,8 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     Py_RETURN_NONE;
 }
 
-/* A crest is what a wave does between rising over `floor` and falling below it; seven figures tell its shape. */
-enum { CREST_FIGURES = 7, SHAPE_FIGURES = 8 };
+/* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
+enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8 };
 
 typedef struct {
     double sign, floor, least, rail, grain, share, flat, wide;
@@ -210,6 +210,9 @@ static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t en
     Py_ssize_t from = flat_place, to = flat_place + flat;
     while (from > start && wanted->sign * samples[from - 1] >= top * wanted->wide) from--;
     while (to < end && wanted->sign * samples[to] >= top * wanted->wide) to++;
+    Py_ssize_t rise = from, fall = to; /* where it crosses zero */
+    while (rise > 0 && wanted->sign * samples[rise - 1] > 0) rise--;
+    while (fall < frames && wanted->sign * samples[fall] > 0) fall++;
     const double before = place >= 2 ? wanted->sign * samples[place - 2] : 0;
     const double after = place + hard + 1 < frames ? wanted->sign * samples[place + hard + 1] : 0;
     figures[0] = (double)place;
@@ -219,6 +222,7 @@ static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t en
     figures[4] = (double)flat;
     figures[5] = (double)(to - from);
     figures[6] = (double)longest_run(samples, start, end, wanted->sign, wanted->rail, &place);
+    figures[7] = (double)(fall - rise);
 }
 
 PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
@@ -234,6 +238,11 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
     const Py_ssize_t most = held.views[2].len / (Py_ssize_t)sizeof(double) / CREST_FIGURES;
+    if (first < 0 || first > frames) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "a first frame among the samples is wanted");
+        return NULL;
+    }
     shape wanted;
     memcpy(&wanted, wanted_figures, sizeof wanted);
     Py_ssize_t found = 0;

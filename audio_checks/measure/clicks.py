@@ -23,7 +23,7 @@ GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
 STEADY = 3.0  # peak over RMS of the sixth differences; below that tones hide small clicks in them
 SEGMENT = 64  # cells of steady sound that are looked at together
 ORDER = 20  # samples that foretell the next one
-ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are done with
+ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
 MAX_KEPT = 1_000
 
 

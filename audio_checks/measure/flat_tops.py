@@ -22,11 +22,13 @@ SOFT_FLAT = 0.98  # a soft top is what lies above this share of its crest
 SOFT_WIDE, SOFT_RATIO = 0.8, 1.7  # above this share a round crest is 3.2 times as wide, and a soft top at most this
 SOFT_S = 1e-4  # a soft top lasts that long, and five samples
 SOFT_FEWEST, SOFT_SHARE = 8, 0.6  # of the highest crests: what happens to fewer of them is not a ceiling
-SQUARE_RUN, SQUARE_EDGE = 8, 2  # a top of that many samples with an edge of so few is a square wave's
+SQUARE_RUN, SQUARE_EDGE = 8, 2  # a half wave of that many samples, all but so few on top, is a square's
 MAX_AT_ONCE = 4_096  # crests of one stretch of samples
 MAX_KEPT = 20_000
 MAX_SPANS = 1_000
-START, TOP, RUN, FALL, FLAT, WIDE, AT_RAIL, CHANNEL, SIGN, FIGURES_KEPT = range(10)  # columns of the crests kept
+START, TOP, RUN, FALL, FLAT, WIDE, AT_RAIL, HALF_WAVE, CHANNEL, SIGN, FIGURES_KEPT = range(
+    11
+)  # columns of the crests kept
 
 
 class FlatTop(NamedTuple):
@@ -105,7 +107,7 @@ class FlatTops:
 
     def _flat(self, crests: NDArray[np.float64], extreme: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return which of the highest crests of one side are cut off, and which are flattened softly."""
-        square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, WIDE] - crests[:, FLAT] <= SQUARE_EDGE)
+        square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, HALF_WAVE] - crests[:, FLAT] <= SQUARE_EDGE)
         hard = crests[:, AT_RAIL] >= SHORTEST_RUN
         corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
         under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square

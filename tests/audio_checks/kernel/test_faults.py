@@ -1,0 +1,162 @@
+"""Cells, crests, repeats and what cannot be foretold, held to plain references."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from audio_checks import kernel
+from tests.audio_checks.kernel.signals import Samples, signals
+
+HISTORY = 6
+
+
+@given(signals(), st.integers(1, 50))
+def test_cells_of_any_size(samples: Samples, size: int):
+    channels = samples.shape[1]
+    rows = np.concatenate((np.zeros((channels, HISTORY)), samples.T), axis=1)
+    count = len(samples) // size
+    figures = np.empty((5 * channels, count))
+    kernel.cells(rows, HISTORY, size, figures)
+    sums, squares, steps, sharpness, edges = figures.reshape(5, channels, count)
+    used = HISTORY + count * size
+    shape = (channels, count, size)
+    whole = rows[:, HISTORY:used].reshape(shape)
+    sixth = np.diff(rows[:, :used], n=6, axis=1).reshape(shape)
+    loudest = np.abs(samples).max(initial=0)
+    np.testing.assert_allclose(sums, whole.sum(axis=2), rtol=1e-9, atol=1e-12 * (1 + loudest))
+    np.testing.assert_allclose(squares, np.square(whole).sum(axis=2), rtol=1e-12, atol=1e-300)
+    np.testing.assert_array_equal(
+        steps, np.abs(np.diff(rows[:, HISTORY - 1 : used], axis=1)).reshape(shape).max(axis=2)
+    )
+    np.testing.assert_allclose(sharpness, np.abs(sixth).max(axis=2), rtol=1e-9, atol=1e-12 * (1 + loudest))
+    np.testing.assert_allclose(edges, np.square(sixth).sum(axis=2), rtol=1e-6, atol=1e-12 * (1 + loudest**2))
+
+
+def crests_of(row: NDArray[np.float64], first: int, shape: list[float]) -> list[list[float]]:
+    """The same, sample by sample."""
+    sign, floor, least, rail, grain, share, flat, wide = shape
+    wave = sign * row
+    found, start = [], None
+    for at, high in enumerate([*(wave >= floor), False]):
+        if high and start is None:
+            start = at
+        elif not high and start is not None:
+            top = wave[start:at].max()
+            if first <= at < len(row) and top >= least:
+                found.append(crest(wave, start, at, top, rail, max(grain, share * top), flat, wide))
+            start = None
+    return found
+
+
+def crest(wave, start, end, top, rail, grain, flat, wide) -> list[float]:
+    run, place = longest(wave, start, end, top - grain)
+    soft, left = longest(wave, start, end, top * flat)
+    right = left + soft
+    while left > start and wave[left - 1] >= top * wide:
+        left -= 1
+    while right < end and wave[right] >= top * wide:
+        right += 1
+    width = right - left
+    while left > 0 and wave[left - 1] > 0:
+        left -= 1
+    while right < len(wave) and wave[right] > 0:
+        right += 1
+    before = wave[place - 2] if place >= 2 else 0
+    after = wave[place + run + 1] if place + run + 1 < len(wave) else 0
+    at_rail, _ = longest(wave, start, end, rail)
+    return [place, top, run, top - max(before, after), soft, width, at_rail, right - left]
+
+
+def longest(wave, start, end, level) -> tuple[int, int]:
+    best, place, run = 0, start, 0
+    for at in range(start, end):
+        run = run + 1 if wave[at] >= level else 0
+        if run > best:
+            best, place = run, at - run + 1
+    return best, place
+
+
+@given(signals(most_channels=1), st.integers(0, 300), st.sampled_from([1.0, -1.0]), st.sampled_from([0.0, 0.01, 0.5]))
+def test_crests(samples: Samples, first: int, sign: float, grain: float):
+    row = np.ascontiguousarray(np.repeat(samples[:, 0], 2))  # so that some have flat tops
+    extreme = float((sign * row).max(initial=0))
+    shape = [sign, 0.5 * extreme, 0.6 * extreme, 0.9 * extreme, grain * extreme, 1e-4, 0.98, 0.8]
+    first = min(first, len(row))
+    out = np.empty((len(row) + 1, 8))
+    if extreme:
+        count = kernel.crests(row, first, np.array(shape), out)
+        assert out[:count].tolist() == crests_of(row, first, shape)
+
+
+@pytest.mark.parametrize("times", [1, 2, 4])
+def test_a_stretch_that_comes_again_is_found_to_the_frame(times: int):
+    found = 0
+    for lag in range(64, 464):
+        rng = np.random.default_rng(lag)
+        before, stretch, after = (rng.standard_normal(count) for count in (500, lag, 700))
+        row = np.concatenate((before, np.tile(stretch, times + 1), after))
+        out = np.empty((8, 3), np.int64)
+        count = kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, out)
+        assert out[:count].tolist() in ([[500 + lag, 500 + lag * (times + 1), lag]], [])
+        found += count
+    assert found >= 395  # one word in 16 is looked up: of the shortest stretches, one in 40 has none
+
+
+@given(signals(most_channels=1), st.integers(0, 2**32 - 1))
+def test_what_is_reported_did_come_twice(samples: Samples, seed: int):
+    rng = np.random.default_rng(seed)
+    row = np.ascontiguousarray(np.tile(samples[:, 0], 3))
+    if len(row):
+        row[rng.integers(0, len(row), 3)] += 1.0
+    out = np.empty((50, 3), np.int64)
+    for start, end, lag in out[: kernel.recurrences(row, 0, 1e-3, 40, 800, 4.5, out)].tolist():
+        assert 40 <= lag <= 800
+        assert lag <= end - start <= 4.5 * lag + 1
+        np.testing.assert_array_equal(row[start:end], row[start - lag : end - lag])
+        assert row[end] != row[end - lag]
+        assert start == lag or row[start - 1] != row[start - 1 - lag]
+
+
+@pytest.mark.parametrize("frames", [400, 1_003])
+@pytest.mark.parametrize("order", [1, 8, 20])
+def test_what_cannot_be_foretold(frames: int, order: int):
+    rng = np.random.default_rng(frames + order)
+    times = np.arange(frames + order)
+    row = np.sin(0.3 * times) + 0.5 * np.sin(1.1 * times) + 0.01 * rng.standard_normal(len(times))
+    window = np.hanning(frames)
+    faded = row[order:] * window
+    products = np.array([faded[: frames - lag] @ faded[lag:] for lag in range(order + 1)])
+    products[0] *= 1 + 1e-10
+    lags = np.abs(np.subtract.outer(np.arange(order), np.arange(order)))
+    coefficients = np.linalg.solve(products[lags], products[1:])
+    rest = row[order:].copy()
+    for place in range(order):
+        rest -= coefficients[place] * row[order - 1 - place :][:frames]
+    out = np.empty(frames // 24)
+    kernel.unforeseen(row, order, window, order, 24, out)
+    np.testing.assert_allclose(out, np.abs(rest[: len(out) * 24]).reshape(-1, 24).max(axis=1), rtol=1e-6)
+
+
+def test_silence_is_foretold():
+    out = np.ones(4)
+    kernel.unforeseen(np.zeros(200), 20, np.hanning(180), 20, 45, out)
+    assert out.tolist() == [0.0] * 4
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda: kernel.cells(np.zeros((1, 100)), 5, 10, np.empty((5, 9))),
+        lambda: kernel.cells(np.zeros((1, 100)), 6, 10, np.empty((5, 10))),
+        lambda: kernel.cells(np.zeros((2, 100)), 6, 10, np.empty((5, 9))),
+        lambda: kernel.unforeseen(np.zeros(100), 10, np.ones(90), 20, 10, np.empty(9)),
+        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(90), 20, 10, np.empty(9)),
+        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(80), 65, 10, np.empty(8)),
+        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(80), 20, 10, np.empty(9)),
+    ],
+)
+def test_what_would_reach_beyond_the_samples_is_refused(wrong):
+    with pytest.raises(ValueError, match="wanted"):
+        wrong()
