@@ -7,9 +7,11 @@ from fastapi import APIRouter, Query
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
-from app.dashboards import schemas, service
-from app.kit.http import DbSession, Route, problems
+from app.dashboards import schemas, service, standing
+from app.kit.http import BadCursor, DbSession, Route, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
+from app.sound_lists.endpoints import PageLength
+from app.sound_lists.rules import PAGE
 
 router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=Route)
 
@@ -20,12 +22,31 @@ def read_me(session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.
     return service.me(session, actor)
 
 
-@router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound))
+@router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound, BadCursor))
 def read_list_standing(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+    project_id: UUID,
+    session: DbSession,
+    cursor: str | None = None,
+    limit: PageLength = PAGE,
+    actor: Actor = allows(Sight.PROJECT),
 ) -> schemas.ListStanding:
-    """Return where every cue of the list stands; a designer sees their own takes only."""
-    return service.list_standing(session, actor, project_id)
+    """Return where the cues of one page of the list stand; a designer sees their own takes only.
+
+    Pages and cursors are those of the sound list itself.
+    """
+    return standing.list_standing(session, actor, project_id, cursor=cursor, limit=limit)
+
+
+@router.get("/projects/{project_id}/sound-list/counts", responses=problems(ProjectNotFound))
+def read_list_counts(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ListCounts:
+    """Return how many cues of the whole list stand where; a designer's view is of their own takes."""
+    return standing.list_counts(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/judged-lately", responses=problems(ProjectNotFound, TeamNeeded))
+def read_judged_lately(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> list[schemas.Judged]:
+    """Return the cues that were decided upon within a week, the newest first."""
+    return standing.judged_lately(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/today", responses=problems(ProjectNotFound, TeamNeeded))

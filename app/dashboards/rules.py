@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 from app.deliveries.rules import TakeState
 from app.sound_lists.rules import CueState
@@ -41,33 +42,49 @@ MOST_URGENT_FIRST = (
     CueStatus.TO_REVIEW,
     CueStatus.CHECKING,
 )
-NEEDS_THE_TEAM = frozenset({CueStatus.TO_REVIEW, CueStatus.QUESTION, CueStatus.UNJUDGED})
+WITH_DESIGNER = (TakeState.RETURNED, TakeState.CHANGE_REQUESTED, TakeState.UNJUDGED)
+
+
+# The newest take that is not set aside speaks for its variation; 0 is none. Codes fit in three bits.
+STATE_CODES = {state: code for code, state in enumerate(STATUS_OF_TAKE, start=1)}
+STATES_BY_CODE = {code: state for state, code in STATE_CODES.items()}
+CODE_BASE = 8
 
 
 @dataclass(frozen=True)
-class TakeFact:
-    """What a cue's standing depends on of one take."""
+class VariationFact:
+    """What the standing of one variation depends on; the database sums it up from the takes."""
 
-    variation: int
-    number: int
-    state: TakeState
+    has_approved: bool
+    has_waiting: bool
+    newest: TakeState | None  # of those not set aside
+
+    @classmethod
+    def unpacked(cls, packed: int) -> "VariationFact":
+        """Read a fact back from the whole number that the database makes of it."""
+        flags, code = divmod(packed, CODE_BASE)
+        return cls(flags >= 2, flags % 2 == 1, STATES_BY_CODE.get(code))
 
 
-def variation_status(takes: Sequence[TakeFact]) -> CueStatus:
+def variation_status(fact: VariationFact) -> CueStatus:
     """Return where one variation stands: approved once is accepted; else the newest take that is not set aside."""
-    if any(take.state is TakeState.APPROVED for take in takes):
+    if fact.has_approved:
         return CueStatus.ACCEPTED
-    open_takes = [take for take in takes if take.state is not TakeState.SET_ASIDE]
-    if not open_takes:
+    if fact.newest is None:
         return CueStatus.TO_MAKE
-    waiting = [take for take in open_takes if take.state is TakeState.CONFORMING]
-    newest = max(open_takes, key=lambda take: take.number)
-    return CueStatus.TO_REVIEW if waiting and newest.state is TakeState.RETURNED else STATUS_OF_TAKE[newest.state]
+    if fact.has_waiting and fact.newest is TakeState.RETURNED:
+        return CueStatus.TO_REVIEW
+    return STATUS_OF_TAKE[fact.newest]
 
 
-def cue_status(
-    state: CueState, variations: Sequence[CueStatus], *, open_questions: int, placeholder: bool
-) -> CueStatus:
+@lru_cache(maxsize=4096)
+def statuses_of(packed: str, variations: int) -> tuple[CueStatus, ...]:
+    """Return where the variations of a cue stand, from their packed facts in no order; the rest is still to make."""
+    told = [variation_status(VariationFact.unpacked(int(part))) for part in packed.split(",") if part]
+    return (*told, *[CueStatus.TO_MAKE] * (variations - len(told)))
+
+
+def cue_status(state: CueState, variations: Sequence[CueStatus], *, is_asked: bool, placeholder: bool) -> CueStatus:
     """Return the one word for a cue with the statuses of its variations."""
     if state is CueState.CUT:
         return CueStatus.CUT
@@ -76,7 +93,7 @@ def cue_status(
     for status in MOST_URGENT_FIRST:
         if status in variations:
             return status
-    if open_questions:
+    if is_asked:
         return CueStatus.QUESTION
     if CueStatus.ACCEPTED in variations:
         return CueStatus.PARTLY_ACCEPTED

@@ -86,11 +86,25 @@ class Standing(Schema):
 
 
 class ListStanding(Schema):
-    """Where every cue of a list stands."""
+    """Where the cues of one page of the list stand; `next` is the cursor of the following page, null at the end."""
 
     cues: list[Standing]
+    next: str | None
+
+
+class ListCounts(Schema):
+    """How many cues of the whole list stand where."""
+
     counts: dict[CueStatus, int]
     files_to_review: int
+
+
+class Judged(Schema):
+    """A cue of which a take was approved, or a change requested, within a week."""
+
+    cue: CueBrief
+    status: Literal["accepted", "change_requested"]
+    since: datetime
 
 
 class AskedQuestion(Schema):

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Query, Response
 from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
-from app.kit.http import DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.schemas import ResolvedSpec
@@ -30,6 +30,7 @@ from app.sound_lists.errors import (
     SheetUnreadable,
 )
 from app.sound_lists.imports import import_sheet
+from app.sound_lists.rules import LONGEST_PAGE, PAGE
 from app.sound_lists.schemas import (
     AnswerAdd,
     CueDetail,
@@ -52,22 +53,30 @@ from app.sound_lists.schemas import (
 from app.sound_lists.sheets import Sheet, read_bytes, read_text
 
 router = APIRouter(prefix="/v1", tags=["sound-lists"], route_class=Route)
-PAGE = 50
+REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
+PageLength = Annotated[int, Query(ge=1, le=LONGEST_PAGE, description="How many cues to answer at most.")]
 
 
-@router.get("/projects/{project_id}/sound-list", response_model=SoundListRead, responses=problems(ProjectNotFound))
+@router.get(
+    "/projects/{project_id}/sound-list",
+    response_model=SoundListRead,
+    responses=problems(ProjectNotFound, BadCursor),
+)
 def get_sound_list(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+    project_id: UUID,
+    session: DbSession,
+    cursor: str | None = None,
+    limit: PageLength = PAGE,
+    actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ),
 ) -> SoundListRead:
-    """Return every cue of the project in list order, cut ones too."""
+    """Return one page of the project's cues in list order, cut ones too."""
     project = standing_in(session, actor, project_id).project
+    cues, following = service.page_of(session, project.id, cursor=cursor, limit=limit)
     open_questions = queries.open_question_counts(session, project.id)
     return SoundListRead(
         revision=queries.revision_number(session, project.id),
-        cues=[
-            service.cue_read(cue, project.cue_prefix, open_questions.get(cue.id, 0))
-            for cue in queries.cues_of(session, project.id)
-        ],
+        cues=[service.cue_read(cue, project.cue_prefix, open_questions.get(cue.id, 0)) for cue in cues],
+        next=following,
     )
 
 
@@ -203,10 +212,10 @@ def list_revisions(
 ) -> Page[RevisionRead]:
     """Return the saved changes of the list, the newest first."""
     project = standing_in(session, actor, project_id).project
-    found = queries.revisions_of(session, project.id, before=cursor, limit=PAGE + 1)
+    found = queries.revisions_of(session, project.id, before=cursor, limit=REVISIONS_AT_ONCE + 1)
     return Page(
-        items=[RevisionRead.model_validate(revision) for revision in found[:PAGE]],
-        next=cursor_of(found[PAGE - 1].number) if len(found) > PAGE else None,
+        items=[RevisionRead.model_validate(revision) for revision in found[:REVISIONS_AT_ONCE]],
+        next=cursor_of(found[-2].number) if len(found) > REVISIONS_AT_ONCE else None,
     )
 
 
@@ -236,10 +245,12 @@ def list_questions(
 ) -> Page[QuestionRead]:
     """Return the questions on the project's cues, the oldest first."""
     standing = standing_in(session, actor, project_id)
-    found = queries.questions_of(session, project_id, only_open=only_open, after=uuid_cursor(cursor), limit=PAGE + 1)
+    found = queries.questions_of(
+        session, project_id, only_open=only_open, after=uuid_cursor(cursor), limit=QUESTIONS_AT_ONCE + 1
+    )
     return Page(
-        items=[questions.question_read(question, standing) for question in found[:PAGE]],
-        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+        items=[questions.question_read(question, standing) for question in found[:QUESTIONS_AT_ONCE]],
+        next=cursor_of(found[-2].id) if len(found) > QUESTIONS_AT_ONCE else None,
     )
 
 

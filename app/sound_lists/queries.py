@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import Row, func, select
+from sqlalchemy import Row, func, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.projects.models import Project
@@ -23,6 +23,14 @@ def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
         .order_by(Cue.position, Cue.number)
         .execution_options(populate_existing=True)
     ).all()
+
+
+def cue_page(session: Session, project_id: UUID, *, after: tuple[int, int] | None, limit: int) -> Sequence[Cue]:
+    """Return the cues that follow a position and number in list order, with their stems."""
+    query = select(Cue).where(Cue.project_id == project_id)
+    if after is not None:
+        query = query.where(tuple_(Cue.position, Cue.number) > tuple_(*after))
+    return session.scalars(query.options(selectinload(Cue.stems)).order_by(Cue.position, Cue.number).limit(limit)).all()
 
 
 def cue_by_id(session: Session, cue_id: UUID) -> Cue | None:

@@ -26,6 +26,8 @@ class Reverb(StrEnum):
     SEPARATE_TAIL = "separate-tail"
 
 
+PAGE = 100  # cues answered at once, unless somebody asks for more
+LONGEST_PAGE = 500
 MAX_VARIATIONS = 99
 LONGEST_S = 86_400.0
 Facts = dict[str, Any]  # what the list says of one cue, by the names of NEW_CUE

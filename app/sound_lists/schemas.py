@@ -49,10 +49,11 @@ class CueRead(Schema):
 
 
 class SoundListRead(Schema):
-    """The list as it stands."""
+    """One page of the list as it stands."""
 
     revision: int = Field(description="0 while the list is empty and untouched.")
     cues: list[CueRead]
+    next: str | None = Field(description="The cursor of the following page, null at the end.")
 
 
 class CueAdd(Schema):

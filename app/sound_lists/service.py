@@ -14,6 +14,7 @@ from app.accounts.rules import Actor
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.events import publish
+from app.kit.http import BadCursor, cursor_of
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import Standing, standing_in
@@ -35,6 +36,7 @@ from app.sound_lists.rules import (
 )
 from app.sound_lists.schemas import CueRead, PreviewCue
 
+CURSOR_DIGITS = 10  # what a database column of whole numbers holds
 OWN_COLUMNS = ("playback_priority", "placeholder", "palette")  # in the export beside those every tool knows
 
 
@@ -104,6 +106,21 @@ def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
         cut_at=cue.cut_at,
         open_questions=open_questions,
     )
+
+
+def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: int) -> tuple[Sequence[Cue], str | None]:
+    """Return one page of the list with the stems of its cues, and the cursor of the following page."""
+    after = _read_cursor(cursor) if cursor is not None else None
+    found = queries.cue_page(session, project_id, after=after, limit=limit + 1)
+    page = found[:limit]
+    return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
+
+
+def _read_cursor(cursor: str) -> tuple[int, int]:
+    position, _, number = cursor.partition(".")
+    if not (position.isdecimal() and number.isdecimal() and max(len(position), len(number)) < CURSOR_DIGITS):
+        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
+    return int(position), int(number)
 
 
 def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:

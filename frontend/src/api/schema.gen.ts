@@ -706,7 +706,7 @@ export interface paths {
         };
         /**
          * Get Sound List
-         * @description Return every cue of the project in list order, cut ones too.
+         * @description Return one page of the project's cues in list order, cut ones too.
          */
         get: operations["get_sound_list"];
         put?: never;
@@ -1890,9 +1890,51 @@ export interface paths {
         };
         /**
          * Read List Standing
-         * @description Return where every cue of the list stands; a designer sees their own takes only.
+         * @description Return where the cues of one page of the list stand; a designer sees their own takes only.
+         *
+         *     Pages and cursors are those of the sound list itself.
          */
         get: operations["read_list_standing"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/sound-list/counts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read List Counts
+         * @description Return how many cues of the whole list stand where; a designer's view is of their own takes.
+         */
+        get: operations["read_list_counts"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/judged-lately": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Judged Lately
+         * @description Return the cues that were decided upon within a week, the newest first.
+         */
+        get: operations["read_judged_lately"];
         put?: never;
         post?: never;
         delete?: never;
@@ -2040,6 +2082,8 @@ export interface components {
             bit_depths: number[] | null;
             /** Channels */
             channels: number[] | null;
+            /** Layouts */
+            layouts: string[] | null;
             duration_s: components["schemas"]["RangeRead"];
         };
         /**
@@ -3549,6 +3593,23 @@ export interface components {
             studio: components["schemas"]["StudioBrief"];
         };
         /**
+         * Judged
+         * @description A cue of which a take was approved, or a change requested, within a week.
+         */
+        Judged: {
+            cue: components["schemas"]["CueBrief"];
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "accepted" | "change_requested";
+            /**
+             * Since
+             * Format: date-time
+             */
+            since: string;
+        };
+        /**
          * LeftRead
          * @description What is still found in a mended copy, and why no mend answers it.
          */
@@ -3589,6 +3650,8 @@ export interface components {
             loudness_lufs: components["schemas"]["RangeRead"];
             /** Noise Floor Dbfs */
             noise_floor_dbfs: number | null;
+            /** Mono Loss Db */
+            mono_loss_db: number | null;
         };
         /**
          * ListComparison
@@ -3607,18 +3670,26 @@ export interface components {
             cut: components["schemas"]["CueDifference"][];
         };
         /**
-         * ListStanding
-         * @description Where every cue of a list stands.
+         * ListCounts
+         * @description How many cues of the whole list stand where.
          */
-        ListStanding: {
-            /** Cues */
-            cues: components["schemas"]["Standing"][];
+        ListCounts: {
             /** Counts */
             counts: {
                 [key: string]: number;
             };
             /** Files To Review */
             files_to_review: number;
+        };
+        /**
+         * ListStanding
+         * @description Where the cues of one page of the list stand; `next` is the cursor of the following page, null at the end.
+         */
+        ListStanding: {
+            /** Cues */
+            cues: components["schemas"]["Standing"][];
+            /** Next */
+            next: string | null;
         };
         /**
          * MailRead
@@ -3919,14 +3990,42 @@ export interface components {
             name: string;
         };
         /**
+         * NameTokenRead
+         * @description One part of a name.
+         */
+        NameTokenRead: {
+            /** Name */
+            name: string;
+            /**
+             * Wanted
+             * @description What it may be, in words.
+             */
+            wanted: string;
+            /** Optional */
+            optional: boolean;
+            /** Repeats */
+            repeats: boolean;
+        };
+        /**
          * NamingRead
-         * @description How files are named.
+         * @description How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System.
          */
         NamingRead: {
             /** Pattern */
             pattern: string | null;
             /** Extension */
             extension: string | null;
+            /** Tokens */
+            tokens: components["schemas"]["NameTokenRead"][];
+            /** Separator */
+            separator: string;
+            /** Grammar */
+            grammar: string | null;
+            /**
+             * Portable
+             * @description Whether names must be such that every system can hold them.
+             */
+            portable: boolean;
         };
         /**
          * NewPassword
@@ -4615,6 +4714,8 @@ export interface components {
             accept: components["schemas"]["AcceptRead"];
             limits: components["schemas"]["LimitsRead"];
             naming: components["schemas"]["NamingRead"];
+            /** Required Metadata */
+            required_metadata: string[];
             engine: components["schemas"]["EngineRead"];
             /** Targets */
             targets: {
@@ -4757,6 +4858,11 @@ export interface components {
              * @description Integrated, or of the loudest 0.4 s where that is all there is.
              */
             loudness_lufs: number | null;
+            /**
+             * Away From Set Lu
+             * @description Louder than the middle of the other variations by so much.
+             */
+            away_from_set_lu: number | null;
             /** Sample Peak Dbfs */
             sample_peak_dbfs: number | null;
             /** True Peak Dbtp */
@@ -4986,7 +5092,7 @@ export interface components {
         };
         /**
          * SoundListRead
-         * @description The list as it stands.
+         * @description One page of the list as it stands.
          */
         SoundListRead: {
             /**
@@ -4996,6 +5102,11 @@ export interface components {
             revision: number;
             /** Cues */
             cues: components["schemas"]["CueRead"][];
+            /**
+             * Next
+             * @description The cursor of the following page, null at the end.
+             */
+            next: string | null;
         };
         /**
          * SpecBrief
@@ -7766,7 +7877,11 @@ export interface operations {
     };
     get_sound_list: {
         parameters: {
-            query?: never;
+            query?: {
+                cursor?: string | null;
+                /** @description How many cues to answer at most. */
+                limit?: number;
+            };
             header?: never;
             path: {
                 project_id: string;
@@ -7793,13 +7908,13 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `bad-cursor` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -11500,7 +11615,11 @@ export interface operations {
     };
     read_list_standing: {
         parameters: {
-            query?: never;
+            query?: {
+                cursor?: string | null;
+                /** @description How many cues to answer at most. */
+                limit?: number;
+            };
             header?: never;
             path: {
                 project_id: string;
@@ -11516,6 +11635,95 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ListStanding"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_list_counts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ListCounts"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_judged_lately: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Judged"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `project-not-found` */

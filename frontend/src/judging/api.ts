@@ -1,6 +1,6 @@
 import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { finePeaks, type Peaks } from '@/audio'
 
@@ -40,16 +40,8 @@ export function useMyProject(projectId: string): MyProject | undefined {
   return data?.projects.find(({ id }) => id === projectId)
 }
 
-async function everyPage<T>(page: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> {
-  const all: T[] = []
-  let cursor: string | undefined
-  do {
-    const { items, next } = await page(cursor)
-    all.push(...items)
-    cursor = next ?? undefined
-  } while (cursor !== undefined)
-  return all
-}
+const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
+  (await everyPage(read)).flatMap(({ items }) => items)
 
 /** How often a screen that people leave open asks whether something new arrived. */
 export const ARRIVALS_MS = 15_000
@@ -59,7 +51,7 @@ export const queueQuery = (projectId: string) =>
   queryOptions({
     queryKey: keys.queue(projectId),
     queryFn: () =>
-      everyPage((cursor) =>
+      everyItem((cursor) =>
         answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
       ),
     refetchInterval: ARRIVALS_MS,
@@ -76,7 +68,7 @@ export const draftsQuery = (projectId: string) =>
   queryOptions({
     queryKey: keys.drafts(projectId),
     queryFn: () =>
-      everyPage((cursor) =>
+      everyItem((cursor) =>
         answered(
           api.GET('/v1/projects/{project_id}/change-requests', {
             params: { path: { project_id: projectId }, query: { state: 'draft', cursor } },

@@ -114,12 +114,12 @@ export class ListServer {
         ],
       },
       'GET /v1/review-queue': { items: [], next: null },
-      [`GET ${this.at}/sound-list`]: () => ({ revision: this.revision, cues: this.cues }),
+      [`GET ${this.at}/sound-list`]: () => ({ revision: this.revision, cues: this.cues, next: null }),
       [`GET ${this.at}/sound-list/standing`]: () => ({
         cues: this.cues.map((cue) => aStanding(cue, standings[cue.name])),
-        counts: {},
-        files_to_review: 3,
+        next: null,
       }),
+      [`GET ${this.at}/sound-list/counts`]: { counts: {}, files_to_review: 3 },
       [`GET ${this.at}/questions`]: { items: [], next: null },
       [`GET ${this.at}/takes`]: { items: [], next: null },
       [`GET ${this.at}/sound-list/revisions/compare`]: ({ query }: Asked) => ({

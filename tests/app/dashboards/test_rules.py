@@ -2,15 +2,17 @@
 
 import pytest
 
-from app.dashboards.rules import CueStatus, TakeFact, cue_status, variation_status
+from app.dashboards.rules import CueStatus, VariationFact, cue_status, variation_status
 from app.deliveries.rules import TakeState
 from app.sound_lists.rules import CueState
 
 S, T = CueStatus, TakeState
 
 
-def takes(*states: TakeState) -> list[TakeFact]:
-    return [TakeFact(1, number, state) for number, state in enumerate(states, start=1)]
+def summed(*states: TakeState) -> VariationFact:
+    """What takes that came in this order add up to."""
+    seen = [state for state in states if state is not T.SET_ASIDE]
+    return VariationFact(T.APPROVED in states, T.CONFORMING in states, seen[-1] if seen else None)
 
 
 @pytest.mark.parametrize(
@@ -29,7 +31,7 @@ def takes(*states: TakeState) -> list[TakeFact]:
     ],
 )
 def test_one_variation(states: list[TakeState], status: CueStatus):
-    assert variation_status(takes(*states)) is status
+    assert variation_status(summed(*states)) is status
 
 
 @pytest.mark.parametrize(
@@ -45,9 +47,9 @@ def test_one_variation(states: list[TakeState], status: CueStatus):
     ],
 )
 def test_a_cue_shows_what_needs_somebody(variations, questions, placeholder, status):
-    found = cue_status(CueState.LOCKED, variations, open_questions=questions, placeholder=placeholder)
+    found = cue_status(CueState.LOCKED, variations, is_asked=bool(questions), placeholder=placeholder)
     assert found is status
 
 
 def test_a_cut_cue_is_cut_whatever_was_delivered():
-    assert cue_status(CueState.CUT, [S.ACCEPTED], open_questions=1, placeholder=True) is S.CUT
+    assert cue_status(CueState.CUT, [S.ACCEPTED], is_asked=True, placeholder=True) is S.CUT

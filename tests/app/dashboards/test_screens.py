@@ -46,7 +46,9 @@ def test_where_every_cue_stands(begun: World):
     assert laser["newest_take"]["thumb"]["points"] > 0
     assert airlock["worst_finding"]["code"] == "sample-peak:over"
     assert coolant["open_question"] == "A drop, a tool, a person?"
-    assert standing["files_to_review"] == 1
+    counts = screen(begun, "sound-list/counts")
+    assert counts["files_to_review"] == 1
+    assert counts["counts"] == dict.fromkeys(("to_review", "returned", "question", "placeholder", "to_make"), 1)
 
 
 def test_today_and_the_desk(begun: World):

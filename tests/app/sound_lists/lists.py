@@ -20,10 +20,22 @@ def add(world: World, *rows: dict[str, object], by: TestClient | None = None) ->
 
 
 def the_list(world: World) -> dict[str, Any]:
-    answer = world.producer.get(f"/v1/projects/{world.project_id}/sound-list")
-    assert answer.status_code == 200
-    found: dict[str, Any] = answer.json()
+    """The revision and every cue, whatever the number of pages."""
+    found: dict[str, Any] = {"cues": []}
+    cursor: str | None = None
+    while "revision" not in found or cursor:
+        page = page_of(world, cursor=cursor)
+        cursor = page["next"]
+        found = {"revision": page["revision"], "cues": [*found["cues"], *page["cues"]]}
     return found
+
+
+def page_of(world: World, path: str = "sound-list", by: TestClient | None = None, **query: Any) -> dict[str, Any]:
+    asked = {name: value for name, value in query.items() if value is not None}
+    answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/{path}", params=asked)
+    assert answer.status_code == 200, answer.text
+    page: dict[str, Any] = answer.json()
+    return page
 
 
 def cut(world: World, cue_id: object, reason: str) -> None:

@@ -9,7 +9,7 @@ from fastapi.testclient import TestClient
 import audio_checks
 from app.kit import events
 from app.sound_lists import service
-from tests.app.sound_lists.lists import add, cut, the_list
+from tests.app.sound_lists.lists import add, cut, page_of, the_list
 from tests.support.server import World
 
 
@@ -156,6 +156,34 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
         ("cue.changed", {**studio, "cue_ids": [cue["id"]]}),
         ("list.revised", {**whole, "revision": 3, "added": 0, "changed": 1, "cut": 0}),
     ]
+
+
+def test_the_list_comes_in_pages_in_its_own_order(world: World) -> None:
+    names = [cue["name"] for cue in add(world, *({"name": f"Sound {place}"} for place in range(7)))]
+    ids = [cue["id"] for cue in the_list(world)["cues"]]
+    moved = [ids[6], *ids[:6]]
+    answer = world.producer.post(f"/v1/projects/{world.project_id}/cues/order", json={"cue_ids": moved})
+    assert answer.status_code == 204
+    pages, cursor = [], None
+    while not pages or cursor:
+        page = page_of(world, limit=3, cursor=cursor)
+        pages.append([cue["name"] for cue in page["cues"]])
+        cursor = page["next"]
+    assert pages == [[names[6], *names[:2]], names[2:5], names[5:6]]
+
+
+def test_a_page_that_just_fits_is_the_last(world: World) -> None:
+    add(world, {"name": "A"}, {"name": "B"}, {"name": "C"})
+    assert page_of(world, limit=3)["next"] is None
+
+
+NO_PAGES = [{"limit": 0}, {"limit": 501}, *({"cursor": cursor} for cursor in ("here", "1", "-1.2", "1." + "9" * 40))]
+
+
+@pytest.mark.parametrize("query", NO_PAGES)
+def test_a_page_that_cannot_be_is_refused(world: World, query: dict[str, object]) -> None:
+    for path in ("sound-list", "sound-list/standing"):
+        assert world.producer.get(f"/v1/projects/{world.project_id}/{path}", params=query).status_code == 422
 
 
 def test_order(world: World) -> None:

@@ -1,6 +1,6 @@
 import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
 import type { FileKind } from '@/uploads'
@@ -165,8 +165,14 @@ export const useCues = (projectId: string, enabled = true) =>
   useQuery({
     queryKey: ['sound-list', projectId, 'to choose from'],
     queryFn: async () => {
-      const { cues } = await answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId)))
-      return cues.filter(({ cut_at }) => cut_at === null)
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/sound-list', {
+            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ cues }) => cues).filter(({ cut_at }) => cut_at === null)
     },
     enabled,
   })

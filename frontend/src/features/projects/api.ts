@@ -7,7 +7,7 @@ import {
   useQueryClient,
 } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { meQuery } from '@/judging/api'
 
@@ -85,7 +85,16 @@ export const overviewQuery = (projectId: string) =>
 export const cuesQuery = (projectId: string) =>
   queryOptions({
     queryKey: ['sound-list', projectId, 'of the project'],
-    queryFn: async () => (await answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId)))).cues,
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/sound-list', {
+            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ cues }) => cues)
+    },
   })
 
 export function useOpenProject() {

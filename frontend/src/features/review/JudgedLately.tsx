@@ -14,15 +14,15 @@ export function JudgedLately({ projectId }: { projectId: string }) {
     <>
       <h3 className={`${classes.sub} small`}>Judged in the last 7 days</h3>
       <ul>
-        {judged.map(({ cueId, name, status }) => (
-          <li key={cueId}>
+        {judged.map(({ cue, status }) => (
+          <li key={cue.id}>
             <Link
               className={classes.judged}
               to="/projects/$projectId/review/$cueId"
-              params={{ projectId, cueId }}
+              params={{ projectId, cueId: cue.id }}
               search={{}}
             >
-              <span className="grow cut-text">{name}</span>{' '}
+              <span className="grow cut-text">{cue.name}</span>{' '}
               <State kind={status === 'accepted' ? 'approved' : 'change_requested'} />
             </Link>
           </li>

@@ -50,10 +50,13 @@ beforeEach(() => {
     .on('GET /v1/review-queue', () => ({ items: queue, next: null }))
     .on(`GET /v1/projects/${PROJECT}/change-requests`, { items: [], next: null })
     .on(`GET /v1/projects/${PROJECT}/overview`, { palette: [] })
-    .on(`GET /v1/projects/${PROJECT}/sound-list`, { revision: 1, cues: [{ id: 'clamp', name: 'dock_clamp' }] })
-    .on(`GET /v1/projects/${PROJECT}/sound-list/standing`, {
-      cues: [{ cue_id: 'clamp', status: 'accepted', since: new Date().toISOString() }],
-    })
+    .on(`GET /v1/projects/${PROJECT}/judged-lately`, [
+      {
+        cue: { id: 'clamp', label: 'SW-009', name: 'dock_clamp' },
+        status: 'accepted',
+        since: new Date().toISOString(),
+      },
+    ])
   for (const id of ['a', 'b', 'w1', 'w2', 'old']) {
     server.on(`GET /v1/sounds/${id}/preview`, aPreview).on(`GET /v1/sounds/${id}/peaks.json`, somePeaks)
   }

@@ -9,37 +9,14 @@ export type Comment = Schemas['CommentRead']
 export type HistoryEntry = Schemas['HistoryEntry']
 export type PaletteSound = Schemas['PaletteSound']
 
-export interface Judged {
-  cueId: string
-  name: string
-  status: 'accepted' | 'change_requested'
-  since: string
-}
-
-const LATELY_MS = 7 * 24 * 60 * 60 * 1000
-const SHOWN = 6
+export type Judged = Schemas['Judged']
 
 /** What was decided within a week, the newest first. */
 export const judgedQuery = (projectId: string) =>
   queryOptions({
     queryKey: ['judged', projectId],
-    queryFn: async (): Promise<Judged[]> => {
-      const params = { params: { path: { project_id: projectId } } }
-      const [standing, list] = await Promise.all([
-        answered(api.GET('/v1/projects/{project_id}/sound-list/standing', params)),
-        answered(api.GET('/v1/projects/{project_id}/sound-list', params)),
-      ])
-      const names = new Map(list.cues.map((cue) => [cue.id, cue.name]))
-      const from = Date.now() - LATELY_MS
-      return standing.cues
-        .flatMap(({ cue_id, status, since }) =>
-          (status === 'accepted' || status === 'change_requested') && since && Date.parse(since) >= from
-            ? [{ cueId: cue_id, name: names.get(cue_id) ?? '', status, since }]
-            : [],
-        )
-        .sort((a, b) => b.since.localeCompare(a.since))
-        .slice(0, SHOWN)
-    },
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/judged-lately', { params: { path: { project_id: projectId } } })),
   })
 
 /** The sounds that new ones are compared with. */

@@ -73,7 +73,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const [doing, setDoing] = useState<'edit' | 'cut' | null>(null)
 
   const cues = list?.cues
-  const row = useMemo(() => rowsOf([cue], { standings: standings?.cues })[0], [cue, standings])
+  const row = useMemo(() => rowsOf([cue], { standings })[0], [cue, standings])
   const categories = useMemo(() => categoriesOf((cues ?? []).map((each) => ({ cue: each }))), [cues])
   const at = cues?.findIndex(({ id }) => id === cue.id) ?? -1
   const delivered = versions.data ?? NO_VERSIONS

@@ -15,6 +15,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { AddCues } from './AddCues'
 import {
   compareQuery,
+  countsQuery,
   type Cue,
   listQuery,
   openQuestionsQuery,
@@ -46,6 +47,7 @@ export function SoundListPage(): ReactNode {
   const rights = useRights(projectId)
   const list = useQuery(listQuery(projectId))
   const standing = useQuery(standingQuery(projectId))
+  const { data: counts } = useQuery(countsQuery(projectId))
   const { data: questions } = useQuery(openQuestionsQuery(projectId))
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
   const [player, playing] = usePlayer()
@@ -61,7 +63,7 @@ export function SoundListPage(): ReactNode {
 
   const cues = list.data?.cues ?? NO_CUES
   const rows = useMemo(
-    () => rowsOf(cues, { standings: standing.data?.cues, questions, unmatched }),
+    () => rowsOf(cues, { standings: standing.data, questions, unmatched }),
     [cues, standing.data, questions, unmatched],
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
@@ -419,7 +421,7 @@ export function SoundListPage(): ReactNode {
               {playing.error}
             </p>
           )}
-          <p className="small dim">{sumsOf(rows, standing.data?.files_to_review ?? 0)}</p>
+          <p className="small dim">{sumsOf(rows, counts?.files_to_review ?? 0)}</p>
         </footer>
       )}
       {!isEmpty && (

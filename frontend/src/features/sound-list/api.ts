@@ -6,7 +6,7 @@ import {
   useQueryClient,
 } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem } from '@/api'
+import { answered, api, ApiProblem, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { useMyProject } from '@/judging/api'
 
@@ -32,7 +32,9 @@ const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
 
 const keys = {
   list: (projectId: string) => ['sound-list', projectId, 'list'] as const,
-  standing: (projectId: string) => ['standing', projectId] as const,
+  standings: (projectId: string) => ['standing', projectId] as const,
+  standing: (projectId: string) => ['standing', projectId, 'cues'] as const,
+  counts: (projectId: string) => ['standing', projectId, 'counts'] as const,
   questions: (projectId: string) => ['sound-list', projectId, 'open questions'] as const,
   unmatched: (projectId: string) => ['sound-list', projectId, 'unmatched'] as const,
   revisions: (projectId: string) => ['sound-list', projectId, 'revisions'] as const,
@@ -41,31 +43,61 @@ const keys = {
   takes: (cueId: string) => ['cue-takes', cueId] as const,
 }
 
-async function everyPage<T>(page: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> {
-  const all: T[] = []
-  let cursor: string | undefined
-  do {
-    const { items, next } = await page(cursor)
-    all.push(...items)
-    cursor = next ?? undefined
-  } while (cursor !== undefined)
-  return all
+/** Cues a page after the first one, which comes with the server's own, shorter length. */
+const AT_ONCE = 500
+
+const pageOf = (projectId: string, cursor: string | undefined) => ({
+  params: { path: { project_id: projectId }, query: cursor === undefined ? {} : { cursor, limit: AT_ONCE } },
+})
+
+/** Read every page; while nothing was here before, what has come is shown already. */
+async function readAll<P extends { next: string | null }, T>(
+  client: QueryClient,
+  queryKey: readonly unknown[],
+  read: (cursor: string | undefined) => Promise<P>,
+  joined: (pages: readonly P[]) => T,
+): Promise<T> {
+  const isNew = client.getQueryData(queryKey) === undefined
+  const pages = await everyPage(read, (sofar) => {
+    if (isNew) client.setQueryData(queryKey, joined(sofar))
+  })
+  return joined(pages)
 }
 
 export const listQuery = (projectId: string) =>
   queryOptions({
     queryKey: keys.list(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list', inProject(projectId))),
+    queryFn: ({ client, queryKey }) =>
+      readAll(
+        client,
+        queryKey,
+        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list', pageOf(projectId, cursor))),
+        (pages) => ({ revision: pages[0]?.revision ?? 0, cues: pages.flatMap(({ cues }) => cues) }),
+      ),
   })
 
 const SOON_MS = 3000
 
-/** Where every cue stands; asked again soon while something is being checked. */
+/** Where every cue stands; asked again soon while something is being checked, the longer the list the later. */
 export const standingQuery = (projectId: string) =>
   queryOptions({
     queryKey: keys.standing(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/standing', inProject(projectId))),
-    refetchInterval: ({ state: { data } }) => ((data?.counts.checking ?? 0) > 0 ? SOON_MS : false),
+    queryFn: ({ client, queryKey }) =>
+      readAll(
+        client,
+        queryKey,
+        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list/standing', pageOf(projectId, cursor))),
+        (pages) => pages.flatMap(({ cues }) => cues),
+      ),
+    refetchInterval: ({ state: { data } }) =>
+      data?.some(({ status }) => status === 'checking') ? SOON_MS * Math.ceil(data.length / AT_ONCE) : false,
+  })
+
+/** How many cues stand where, in the whole list. */
+export const countsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.counts(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/counts', inProject(projectId))),
   })
 
 export const openQuestionsQuery = (projectId: string) =>
@@ -78,7 +110,7 @@ export const openQuestionsQuery = (projectId: string) =>
             params: { path: { project_id: projectId }, query: { only_open: true, cursor } },
           }),
         ),
-      ),
+      ).then((pages) => pages.flatMap(({ items }) => items)),
   })
 
 /** Files that no cue owns yet; each names the cues it may be for. */
@@ -183,7 +215,7 @@ export const versionsQuery = (projectId: string, cueId: string) =>
   queryOptions({
     queryKey: keys.takes(cueId),
     queryFn: async (): Promise<Version[]> => {
-      const takes = await everyPage((cursor) =>
+      const pages = await everyPage((cursor) =>
         answered(
           api.GET('/v1/projects/{project_id}/takes', {
             params: { path: { project_id: projectId }, query: { cue_id: cueId, cursor } },
@@ -191,20 +223,22 @@ export const versionsQuery = (projectId: string, cueId: string) =>
         ),
       )
       return Promise.all(
-        takes.map(async (take) => {
-          const ofTake = { params: { path: { take_id: take.id } } }
-          const [sounds, check] = await Promise.all([
-            orNothing(answered(api.GET('/v1/takes/{take_id}/sounds', ofTake))),
-            orNothing(answered(api.GET('/v1/takes/{take_id}/check', ofTake))),
-          ])
-          return {
-            take,
-            thumb: sounds?.master.thumb ?? null,
-            previewUrl: sounds?.master.preview_url ?? null,
-            durationS: sounds?.master.duration_s ?? null,
-            findings: check?.findings ?? [],
-          }
-        }),
+        pages
+          .flatMap(({ items }) => items)
+          .map(async (take) => {
+            const ofTake = { params: { path: { take_id: take.id } } }
+            const [sounds, check] = await Promise.all([
+              orNothing(answered(api.GET('/v1/takes/{take_id}/sounds', ofTake))),
+              orNothing(answered(api.GET('/v1/takes/{take_id}/check', ofTake))),
+            ])
+            return {
+              take,
+              thumb: sounds?.master.thumb ?? null,
+              previewUrl: sounds?.master.preview_url ?? null,
+              durationS: sounds?.master.duration_s ?? null,
+              findings: check?.findings ?? [],
+            }
+          }),
       )
     },
   })
@@ -243,7 +277,7 @@ export function useRights(projectId: string): Rights {
 async function refreshList(client: QueryClient, projectId: string): Promise<void> {
   const touched = [
     ['sound-list', projectId],
-    keys.standing(projectId),
+    keys.standings(projectId),
     ['cue'],
     ['cue-review'],
     ['review-queue', projectId],

@@ -1,0 +1,183 @@
+"""Where cues stand: a page of the list in every detail, the whole list in one word a cue."""
+
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from datetime import timedelta
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.conformance.models import CheckRun
+from app.dashboards import queries, schemas
+from app.dashboards.rules import CueStatus, VariationFact, cue_status, statuses_of, variation_status
+from app.deliveries.models import Take
+from app.deliveries.schemas import CueBrief
+from app.kit import clock
+from app.projects.queries import current_spec
+from app.projects.service import Standing, standing_in
+from app.renders.models import Picture
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
+from app.sound_lists.service import page_of
+
+LATELY = timedelta(days=7)
+JUDGED = 6
+Finding = dict[str, Any]
+
+
+class WholeList:
+    """Every cue of a project in list order and the one word for each, from takes that the database sums up."""
+
+    def __init__(self, session: Session, standing: Standing) -> None:
+        self.project = standing.project
+        self.rows = queries.list_rows(session, self.project.id, standing.only_designer_id)
+        asked = queries.asked_cues(session, self.project.id)
+        self.variations = {row.id: statuses_of(row.facts or "", row.variations) for row in self.rows}
+        self.status = {
+            row.id: cue_status(
+                row.state, self.variations[row.id], is_asked=row.id in asked, placeholder=row.placeholder
+            )
+            for row in self.rows
+        }
+
+    @property
+    def counts(self) -> dict[CueStatus, int]:
+        """How many cues each word stands for."""
+        return dict(Counter(self.status.values()))
+
+
+def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.ListCounts:
+    """Return how many cues of the list stand where."""
+    standing = standing_in(session, actor, project_id)
+    return schemas.ListCounts(
+        counts=WholeList(session, standing).counts,
+        files_to_review=queries.waiting_files(session, project_id, standing.only_designer_id),
+    )
+
+
+def list_standing(
+    session: Session, actor: Actor, project_id: UUID, *, cursor: str | None, limit: int
+) -> schemas.ListStanding:
+    """Return where the cues of one page of the list stand."""
+    standing = standing_in(session, actor, project_id)
+    cues, following = page_of(session, project_id, cursor=cursor, limit=limit)
+    page = _Page(session, standing, cues)
+    return schemas.ListStanding(cues=[page.standing_of(cue) for cue in cues], next=following)
+
+
+def judged_lately(session: Session, actor: Actor, project_id: UUID) -> list[schemas.Judged]:
+    """Return the cues that were decided upon within a week and stand as decided, the newest first."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_team()
+    decided = queries.decided_cues(session, project_id, since=clock.now() - LATELY)
+    status = _Statuses(session, standing, [cue for cue, _ in decided]).status
+    return [
+        schemas.Judged(
+            cue=CueBrief(id=cue.id, label=label(standing.project.cue_prefix, cue.number), name=cue.name),
+            status=status[cue.id],
+            since=since,
+        )
+        for cue, since in decided
+        if status[cue.id] in (CueStatus.ACCEPTED, CueStatus.CHANGE_REQUESTED)
+    ][:JUDGED]
+
+
+class _Statuses:
+    """The one word for each of a few cues, as the caller sees their takes."""
+
+    def __init__(self, session: Session, standing: Standing, cues: Sequence[Cue]) -> None:
+        self._ids = [cue.id for cue in cues]
+        self._designer_id = standing.only_designer_id
+        self._facts: dict[UUID, dict[int, queries.VariationRow]] = defaultdict(dict)
+        for row in queries.variation_rows(session, self._ids, self._designer_id):
+            self._facts[row.cue_id][row.variation] = row
+        self._questions = queries.first_open_questions(session, self._ids)
+        self.status = {cue.id: self._status_of(cue) for cue in cues}
+
+    def _variations(self, cue: Cue) -> list[CueStatus]:
+        facts = self._facts[cue.id]
+        return [
+            variation_status(VariationFact.unpacked(facts[variation].packed if variation in facts else 0))
+            for variation in range(1, cue.variations + 1)
+        ]
+
+    def _status_of(self, cue: Cue) -> CueStatus:
+        is_asked = cue.id in self._questions
+        return cue_status(cue.state, self._variations(cue), is_asked=is_asked, placeholder=cue.placeholder)
+
+
+class _Page(_Statuses):
+    """Everything that a row of the list shows of its cue's takes; each kind of fact is read once for the page."""
+
+    def __init__(self, session: Session, standing: Standing, cues: Sequence[Cue]) -> None:
+        super().__init__(session, standing, cues)
+        ids, designer_id, project = self._ids, self._designer_id, standing.project
+        accepted = {id_ for id_ in ids if self.status[id_] is CueStatus.ACCEPTED}
+        self._shown = queries.shown_takes(session, ids, designer_id, accepted=accepted)
+        sounds = {take.master_sha256 for take in self._shown.values()}
+        self._pictures = queries.pictures(session, project.studio_id, sounds)
+        undecided = [id_ for id_ in ids if id_ not in accepted]
+        self._findings = queries.standing_findings(session, undecided, designer_id)
+        self._waived = queries.waived_cues(session, ids, designer_id)
+        newest_spec_id = current_spec(session, project.id).id
+        self._elsewhere = queries.cues_of_other_specs(session, ids, designer_id, newest_spec_id)
+        self._rounds = queries.rounds_by_cue(session, ids)
+
+    def standing_of(self, cue: Cue) -> schemas.Standing:
+        """Return where one cue of the page stands."""
+        facts, variations = self._facts[cue.id].values(), self._variations(cue)
+        take = self._shown.get(cue.id)
+        picture = self._pictures.get(take.master_sha256) if take else None
+        return schemas.Standing(
+            cue_id=cue.id,
+            status=self.status[cue.id],
+            since=max((row.since for row in facts), default=cue.cut_at),
+            accepted=sum(status is CueStatus.ACCEPTED for status in variations),
+            wanted=cue.variations,
+            alternates=max((row.waiting for row in facts), default=0),
+            versions=max((row.newest for row in facts), default=0),
+            rounds=self._rounds.get(cue.id, 0),
+            variations=[
+                schemas.VariationStanding(
+                    variation=stem.variation, stem=stem.stem, status=variations[stem.variation - 1]
+                )
+                for stem in sorted(cue.stems, key=lambda each: each.variation)
+            ],
+            newest_take=newest_take(take, picture) if take else None,
+            worst_finding=worst_of(self._findings.get(cue.id, [])),
+            open_question=self._questions.get(cue.id),
+            waived=cue.id in self._waived,
+            not_to_spec=cue.id in self._elsewhere,
+        )
+
+
+def newest_take(take: Take, picture: Picture | None) -> schemas.NewestTake:
+    """Return the take that a list row shows."""
+    return schemas.NewestTake(
+        id=take.id,
+        number=take.number or 0,
+        variation=take.variation,
+        state=take.state,
+        file_name=take.file_name,
+        received_at=take.received_at,
+        duration_s=picture.duration_s if picture else None,
+        thumb=picture.thumb if picture else None,
+        preview_url=preview_url(picture),
+    )
+
+
+def preview_url(picture: Picture | None) -> str | None:
+    """Return where a sound's preview is."""
+    return f"/v1/sounds/{picture.id}/preview" if picture else None
+
+
+def worst_of(findings: Sequence[Finding]) -> Finding | None:
+    """Return the finding that a row shows: the first error, else the first."""
+    return min(findings, key=lambda finding: finding.get("severity") != "error", default=None)
+
+
+def worst_in(run: CheckRun | None) -> Finding | None:
+    """Return the finding of one check that a line shows."""
+    return worst_of(run.report.get("findings", []) if run else [])
