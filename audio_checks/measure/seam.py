@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from audio_checks.measure.decibels import decibels
 
 NEARBY_S = 0.01
-INAUDIBLE = 1e-4  # -80 dBFS: nearby changes count as no smaller
+INAUDIBLE = 1e-4  # -80 dBFS: nearby changes count as no smaller,
+SHARE = 2e-3  # nor as smaller than this share of the largest sample nearby
 
 
 class Seam:
@@ -48,17 +49,18 @@ class Seam:
         """
         before, after = self._sides
         across = np.concatenate((before, after))
+        least = np.maximum(INAUDIBLE, SHARE * np.abs(across).max(axis=0))
         return {
-            "seam_step_db": _excess(np.diff(across, axis=0), len(before) - 1, 1),
-            "seam_slope_db": _excess(np.diff(across, n=2, axis=0), len(before) - 2, 2),
+            "seam_step_db": _excess(np.diff(across, axis=0), len(before) - 1, 1, least),
+            "seam_slope_db": _excess(np.diff(across, n=2, axis=0), len(before) - 2, 2, least),
         }
 
 
-def _excess(changes: NDArray[np.float64], first: int, count: int) -> float:
+def _excess(changes: NDArray[np.float64], first: int, count: int, least: NDArray[np.float64]) -> float:
     """Return the largest change at the seam over the largest elsewhere, in dB."""
     sizes = np.abs(changes)
     at_seam = slice(max(first, 0), first + count)
-    elsewhere = np.delete(sizes, at_seam, axis=0).max(axis=0, initial=INAUDIBLE)
+    elsewhere = np.maximum(np.delete(sizes, at_seam, axis=0).max(axis=0, initial=0.0), least)
     if not len(sizes[at_seam]):
         return decibels(0.0)
     return decibels(float((sizes[at_seam].max(axis=0) / elsewhere).max()))

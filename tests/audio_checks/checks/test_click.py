@@ -1,0 +1,73 @@
+"""`click`: what is far sharper than all around it, in a sound that goes on."""
+
+import numpy as np
+import pytest
+
+from tests.support.waves import join, noise, silence, sine
+
+AT = 24_000  # half a second
+
+
+def tone(channels=1):
+    return sine(hz=300, dbfs=-6, channels=channels, phase=np.pi / 2)[:47_880]
+
+
+def clicked(samples, height, at=AT, channel=-1):
+    samples = samples.copy()
+    samples[at, channel] += height
+    return samples
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+def test_one_sample_is_found_where_it_is(found_by, channels):
+    (finding,) = found_by("click", clicked(tone(channels), 0.05))
+    assert (finding.code, finding.measured) == ("click:isolated", 1.0)
+    assert finding.start_s == pytest.approx(0.5, abs=0.001)
+    assert finding.end_s == pytest.approx(0.501, abs=0.001)
+    assert "-26.0 dBFS" in finding.message  # 0.05 of full scale
+
+
+# The tone's peak is -6 dBFS: 42 dB under it is -48 dBFS, a height of 0.004.
+@pytest.mark.parametrize(("height", "codes"), [(0.0045, ["click:isolated"]), (0.0035, [])])
+def test_what_lies_42_db_under_the_peak_is_too_small(codes_of, height, codes):
+    assert codes_of("click", clicked(tone(), height)) == codes
+
+
+# The sharpest moments of this noise are like single samples of 0.05, five times its RMS; 3.5 times that counts.
+@pytest.mark.parametrize(("height", "codes"), [(0.25, ["click:isolated"]), (0.12, [])])
+def test_it_must_stand_out_of_a_noisy_sound(codes_of, height, codes):
+    assert codes_of("click", clicked(noise(dbfs=-40), height)) == codes
+
+
+def test_small_clicks_in_bright_steady_tones(codes_of):
+    bright = sum(sine(hz=hz, dbfs=-20, seconds=0.5, phase=hz) for hz in (1_700, 5_100, 11_900, 18_700))
+    assert codes_of("click", bright) == []
+    assert codes_of("click", clicked(bright, 0.02, at=12_000)) == ["click:isolated"]
+
+
+def test_a_step_and_a_splice_are_clicks(found_by):
+    stepped = tone()
+    stepped[AT:] += 0.05
+    assert [finding.code for finding in found_by("click", stepped)] == ["click:isolated"]
+    spliced = np.delete(tone(), slice(AT, AT + 40), axis=0)
+    assert [finding.code for finding in found_by("click", spliced)] == ["click:isolated"]
+
+
+def test_strokes_are_no_clicks(codes_of):
+    times = np.arange(9_600) / 48_000
+    stroke = noise(seconds=0.2, dbfs=-10) * np.exp(-times / 0.02)[:, np.newaxis]
+    assert codes_of("click", join(noise(seconds=0.5, dbfs=-50), stroke, stroke)) == []
+
+
+def test_several_are_counted_and_the_sharpest_is_shown(found_by):
+    samples = tone(2)
+    for at, height in ((9_600, 0.02), (19_200, 0.08), (28_800, 0.03), (38_400, 0.02)):
+        samples[at, 0] += height
+    (finding,) = found_by("click", samples)
+    assert finding.message.startswith("4 clicks (0.200 s, 0.400 s, 0.600 s, ...)")
+    assert finding.start_s == pytest.approx(0.4, abs=0.001)
+
+
+@pytest.mark.parametrize("samples", [silence(), silence(seconds=1 / 48_000) + 0.5, tone(), noise(channels=2)])
+def test_sounds_without_clicks_pass(codes_of, samples):
+    assert codes_of("click", samples) == []

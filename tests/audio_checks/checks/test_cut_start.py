@@ -1,0 +1,59 @@
+"""`cut-start`: sounds that start in mid-wave."""
+
+import numpy as np
+import pytest
+
+from audio_checks.spec import CueFacts
+from tests.support.waves import join, noise, silence, sine, smpl
+
+MID_WAVE = ["cut-start:mid-wave"]
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+def test_the_crest_of_a_wave_is_no_start(found_by, channels):
+    (finding,) = found_by("cut-start", sine(hz=300, dbfs=-6, channels=channels, phase=np.pi / 2))
+    assert finding.code == "cut-start:mid-wave"
+    assert finding.measured == pytest.approx(-6.0, abs=0.01)
+    assert (finding.start_s, finding.end_s) == (0.0, 0.01)
+
+
+# The first sample is sin(phase) of the crest: a fifth of it is where the limit lies.
+@pytest.mark.parametrize(("share", "codes"), [(0.21, MID_WAVE), (0.19, [])])
+def test_a_fifth_of_what_comes(codes_of, share, codes):
+    assert codes_of("cut-start", sine(hz=50, phase=np.pi - np.arcsin(share))) == codes
+
+
+@pytest.mark.parametrize("hz", [100, 997, 3_000, 4_000])
+def test_a_zero_crossing_is_a_start(codes_of, hz):
+    assert codes_of("cut-start", sine(hz=hz)) == []
+    assert codes_of("cut-start", sine(hz=hz)[1:]) == []
+
+
+def test_noise_that_is_cut_and_noise_that_fades_in(codes_of):
+    cut = noise(seed=3)
+    assert codes_of("cut-start", cut) == MID_WAVE
+    cut[:48] *= np.linspace(0, 1, 48)[:, np.newaxis]
+    assert codes_of("cut-start", cut) == []
+
+
+def test_silence_before_it_does_not_hide_it(found_by):
+    (finding,) = found_by("cut-start", join(silence(seconds=0.25), sine(hz=300, phase=1.0)))
+    assert finding.start_s == pytest.approx(0.25)
+
+
+# 40 dB under the peak of -6 dBFS.
+@pytest.mark.parametrize(("dbfs", "codes"), [(-45.0, MID_WAVE), (-47.0, [])])
+def test_what_is_quiet_does_not_matter(codes_of, dbfs, codes):
+    quiet = sine(hz=300, dbfs=dbfs, phase=np.pi / 2, seconds=0.1)
+    assert codes_of("cut-start", join(quiet, sine(hz=300))) == codes
+
+
+def test_loops_start_in_mid_wave(codes_of):
+    cut = sine(hz=300, phase=1.0)
+    assert codes_of("cut-start", cut, cue=CueFacts("SW-001", loop=True)) == []
+    assert codes_of("cut-start", cut, after=[smpl([(0, 47_999)])]) == []
+
+
+@pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])
+def test_silence_and_one_frame(codes_of, samples, codes):
+    assert codes_of("cut-start", samples) == codes

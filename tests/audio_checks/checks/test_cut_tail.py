@@ -1,0 +1,55 @@
+"""`cut-tail`: sounds that end in mid-wave."""
+
+import numpy as np
+import pytest
+
+from audio_checks.spec import CueFacts
+from tests.support.waves import join, noise, silence, sine, smpl
+
+MID_WAVE = ["cut-tail:mid-wave"]
+
+
+def ending(share, hz=50, channels=1):
+    """A second whose last sample is a share of the crest, on its way down."""
+    return sine(hz=hz, phase=np.pi - np.arcsin(share), channels=channels)[::-1]
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+def test_the_crest_of_a_wave_is_no_end(found_by, channels):
+    (finding,) = found_by("cut-tail", ending(1.0, channels=channels))
+    assert finding.code == "cut-tail:mid-wave"
+    assert finding.measured == pytest.approx(-6.0, abs=0.01)
+    assert (finding.start_s, finding.end_s) == (pytest.approx(0.99), 1.0)
+
+
+@pytest.mark.parametrize(("share", "codes"), [(0.21, MID_WAVE), (0.19, [])])
+def test_a_fifth_of_what_came(codes_of, share, codes):
+    assert codes_of("cut-tail", ending(share)) == codes
+
+
+def test_a_tail_that_is_cut_and_one_that_fades_out(codes_of):
+    cut = noise(seed=3)
+    assert codes_of("cut-tail", cut) == MID_WAVE
+    cut[-48:] *= np.linspace(1, 0, 48)[:, np.newaxis]
+    assert codes_of("cut-tail", cut) == []
+
+
+def test_silence_after_it_does_not_hide_it(found_by):
+    (finding,) = found_by("cut-tail", join(ending(1.0), silence(seconds=0.25)))
+    assert finding.end_s == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("dbfs", "codes"), [(-45.0, MID_WAVE), (-47.0, [])])
+def test_what_is_quiet_does_not_matter(codes_of, dbfs, codes):
+    quiet = sine(hz=300, dbfs=dbfs, phase=np.pi / 2, seconds=0.1)
+    assert codes_of("cut-tail", join(sine(hz=300), quiet[::-1])) == codes
+
+
+def test_loops_end_in_mid_wave(codes_of):
+    assert codes_of("cut-tail", ending(1.0), cue=CueFacts("SW-001", loop=True)) == []
+    assert codes_of("cut-tail", ending(1.0), after=[smpl([(0, 47_999)])]) == []
+
+
+@pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])
+def test_silence_and_one_frame(codes_of, samples, codes):
+    assert codes_of("cut-tail", samples) == codes

@@ -1,0 +1,84 @@
+"""`dropout`: holes and repeated buffers in a sound that goes on."""
+
+import numpy as np
+import pytest
+
+from tests.support.waves import join, noise, silence, sine
+
+AT = 24_000
+
+
+def hole(samples, frames, *, held=False, channels=slice(None)):
+    samples = samples.copy()
+    samples[AT : AT + frames, channels] = samples[AT - 1, channels] if held else 0.0
+    return samples
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+@pytest.mark.parametrize("held", [False, True], ids=["zeros", "held"])
+def test_a_hole_is_found_where_it_is(found_by, channels, held):
+    (finding,) = found_by("dropout", hole(noise(channels=channels), 960, held=held))
+    assert (finding.code, finding.measured) == ("dropout:hole", channels)
+    assert finding.start_s == pytest.approx(0.5, abs=0.001)
+    assert finding.end_s == pytest.approx(0.52, abs=0.001)
+
+
+def test_one_channel_is_enough(codes_of):
+    assert codes_of("dropout", hole(noise(channels=2), 480, channels=1)) == ["dropout:hole"]
+
+
+# Two cells of 24 frames must stand still from end to end.
+@pytest.mark.parametrize(("frames", "codes"), [(72, ["dropout:hole"]), (47, [])])
+def test_shorter_than_a_millisecond_is_none(codes_of, frames, codes):
+    assert codes_of("dropout", hole(noise(), frames)) == codes
+
+
+# Up to 500 cells of half a millisecond.
+@pytest.mark.parametrize(("seconds", "codes"), [(0.2495, ["dropout:hole"]), (0.26, [])])
+def test_longer_than_a_quarter_of_a_second_is_a_pause(codes_of, seconds, codes):
+    assert codes_of("dropout", hole(noise(seconds=2), round(seconds * 48_000))) == codes
+
+
+def test_dither_in_the_hole_does_not_hide_it(codes_of):
+    samples = hole(noise(), 960)
+    samples[AT : AT + 960] = np.random.default_rng(1).integers(-2, 3, (960, 1)) / 32_768
+    assert codes_of("dropout", samples, bits=16) == ["dropout:hole"]
+
+
+def test_a_sound_that_fades_or_stops_has_no_hole(codes_of):
+    fade = np.linspace(1, 0, 240)[:, np.newaxis]
+    gate = np.concatenate((np.ones((4_800, 1)), fade, np.zeros((2_400, 1)), fade[::-1]))
+    assert codes_of("dropout", noise() * np.tile(gate, (7, 1))[:48_000]) == []
+    assert codes_of("dropout", join(noise(seconds=0.5), silence(seconds=0.5))) == []
+
+
+def test_a_rhythm_of_holes_is_meant(codes_of):
+    gate = np.tile(np.concatenate((np.ones((4_800, 1)), np.zeros((2_400, 1)))), (6, 1))
+    assert codes_of("dropout", join(noise(seconds=0.9) * gate, noise(seconds=0.1))) == []
+
+
+@pytest.mark.parametrize("hz", [30, 100, 400])
+def test_square_waves_and_clipped_crests_stand_still_by_nature(codes_of, hz):
+    assert codes_of("dropout", np.sign(sine(hz=hz, phase=0.1)) * 0.5) == []
+    assert codes_of("dropout", np.clip(sine(hz=hz, dbfs=12) + noise(dbfs=-30), -1, 1 - 2**-15)) == []
+
+
+@pytest.mark.parametrize("frames", [128, 512, 2_048])
+@pytest.mark.parametrize("channels", [1, 2])
+def test_a_buffer_that_plays_again(found_by, frames, channels):
+    samples = noise(channels=channels)
+    samples[AT : AT + frames] = samples[AT - frames : AT]
+    (finding,) = found_by("dropout", samples)
+    assert (finding.code, finding.measured) == ("dropout:repeat", 1.0)
+    assert finding.start_s == pytest.approx(0.5)
+    assert finding.end_s == pytest.approx(0.5 + frames / 48_000)
+
+
+def test_periods_and_stutters_that_are_meant_are_no_repeats(codes_of):
+    assert codes_of("dropout", sine(hz=100, dbfs=-6)) == []
+    assert codes_of("dropout", join(noise(seconds=0.2), *[noise(seconds=0.03, seed=2)] * 8, noise(seconds=0.2))) == []
+
+
+@pytest.mark.parametrize("samples", [silence(), silence(seconds=1 / 48_000) + 0.5, sine(hz=50), noise(channels=2)])
+def test_whole_sounds_pass(codes_of, samples):
+    assert codes_of("dropout", samples) == []

@@ -1,0 +1,50 @@
+"""`noise-floor`: the level of the pauses."""
+
+import numpy as np
+import pytest
+
+from tests.support.waves import join, noise, silence, sine
+
+LIMIT = "limits.noise_floor_dbfs = -60.0"
+OVER = ["noise-floor:over"]
+
+
+def spoken(floor_dbfs, channels=1):
+    """A word, a pause of half a second and another word, over noise."""
+    word = sine(hz=300, dbfs=-12, seconds=0.5, channels=channels)
+    whole = join(word, silence(seconds=0.5, channels=channels), word)
+    return whole + noise(dbfs=floor_dbfs, seconds=1.5, channels=channels)
+
+
+@pytest.mark.parametrize(("dbfs", "codes"), [(-58.5, OVER), (-61.5, [])])
+@pytest.mark.parametrize("channels", [1, 2])
+def test_the_limit_of_the_spec(codes_of, dbfs, codes, channels):
+    assert codes_of("noise-floor", spoken(dbfs, channels), LIMIT) == codes
+
+
+def test_it_is_measured(found_by):
+    (finding,) = found_by("noise-floor", spoken(-45.0), LIMIT)
+    assert finding.measured == pytest.approx(-45.0, abs=0.5)  # the quietest of the pause's 0.2 s
+    assert "15." in finding.fix or "14." in finding.fix
+
+
+def test_the_noisiest_channel_counts(codes_of):
+    samples = spoken(-70.0, channels=2)
+    samples[:, 1:] = spoken(-50.0)
+    assert codes_of("noise-floor", samples, LIMIT) == OVER
+
+
+def test_a_sound_that_dies_away_has_no_floor(codes_of):
+    times = np.arange(96_000) / 48_000
+    assert codes_of("noise-floor", noise(dbfs=-10, seconds=2) * 10 ** (-times * 20 / 20)[:, np.newaxis], LIMIT) == []
+
+
+@pytest.mark.parametrize(
+    "samples", [silence(), silence(seconds=1 / 48_000) + 0.5, noise(seconds=2), join(sine(hz=300), silence())]
+)
+def test_without_a_noisy_pause_nothing_is_found(codes_of, samples):
+    assert codes_of("noise-floor", samples, LIMIT) == []
+
+
+def test_only_where_the_spec_limits_it(codes_of):
+    assert codes_of("noise-floor", spoken(-30.0)) == []
