@@ -17,6 +17,18 @@ static inline double difference(const double *at) {
 
 static inline double larger_of(double one, double other) { return one > other ? one : other; }
 
+static inline double total(const together *registers) {
+    double lanes[LANES];
+    memcpy(lanes, registers, sizeof lanes);
+    return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+}
+
+static inline double top_of(const together *registers) {
+    together top = registers[0];
+    for (int which = 1; which < REGISTERS; which++) top = larger(registers[which], top);
+    return largest(top);
+}
+
 /* Sum, sum of squares, largest step, and of the sixth differences the largest and the sum of squares. */
 static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double *RESTRICT figures) {
     together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
@@ -34,20 +46,8 @@ static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double
             edged[which] += sixth * sixth;
         }
     }
-    double lanes[CELL_FIGURES][LANES];
-    memcpy(lanes[0], sums, sizeof lanes[0]);
-    memcpy(lanes[1], squares, sizeof lanes[1]);
-    memcpy(lanes[2], steps, sizeof lanes[2]);
-    memcpy(lanes[3], sharp, sizeof lanes[3]);
-    memcpy(lanes[4], edged, sizeof lanes[4]);
-    for (int figure = 0; figure < CELL_FIGURES; figure++) figures[figure] = 0;
-    for (int lane = 0; lane < LANES; lane++) {
-        figures[0] += lanes[0][lane];
-        figures[1] += lanes[1][lane];
-        figures[2] = larger_of(lanes[2][lane], figures[2]);
-        figures[3] = larger_of(lanes[3][lane], figures[3]);
-        figures[4] += lanes[4][lane];
-    }
+    figures[0] = total(sums), figures[1] = total(squares), figures[4] = total(edged);
+    figures[2] = top_of(steps), figures[3] = top_of(sharp);
     for (; at < size; at++) {
         figures[0] += samples[at];
         figures[1] += samples[at] * samples[at];
@@ -95,15 +95,13 @@ enum { MOST_COEFFICIENTS = 64 };
 
 static double lagged_product(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
     together sums[REGISTERS] = {BOTH(0, 0)};
-    double lanes[LANES], sum = 0;
     Py_ssize_t at = 0;
     for (; at + LANES <= count; at += LANES) {
         for (int which = 0; which < REGISTERS; which++) {
             sums[which] += neighbours(one + at + which * TOGETHER) * neighbours(other + at + which * TOGETHER);
         }
     }
-    memcpy(lanes, sums, sizeof lanes);
-    for (int lane = 0; lane < LANES; lane++) sum += lanes[lane];
+    double sum = total(sums);
     for (; at < count; at++) sum += one[at] * other[at];
     return sum;
 }
@@ -181,7 +179,7 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
 }
 
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
-enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8 };
+enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8, SKIPPED = 64 };
 
 typedef struct {
     double sign, floor, least, rail, grain, share, flat, wide;
@@ -247,10 +245,14 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     memcpy(&wanted, wanted_figures, sizeof wanted);
     Py_ssize_t found = 0;
     Py_BEGIN_ALLOW_THREADS
-    Py_ssize_t at = first;
+    Py_ssize_t at = first, known = 0; /* what lies before `known` was looked at */
     while (at > 0 && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that the last block left open */
     while (at < frames && found < most) {
-        while (at < frames && wanted.sign * samples[at] < wanted.floor) at++;
+        while (at + SKIPPED <= frames && highest_magnitude(samples + at, SKIPPED) < wanted.least) at += SKIPPED;
+        while (at > known && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that began in what was skipped */
+        const Py_ssize_t until = at + SKIPPED < frames ? at + SKIPPED : frames;
+        while (at < until && wanted.sign * samples[at] < wanted.floor) at++;
+        if (at == until) continue; /* perhaps more can be skipped */
         const Py_ssize_t start = at;
         double top = 0;
         while (at < frames && wanted.sign * samples[at] >= wanted.floor) {
@@ -261,6 +263,7 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
             measure_crest(samples, start, at, frames, top, &wanted, out + found * CREST_FIGURES);
             found++;
         }
+        known = at;
     }
     Py_END_ALLOW_THREADS
     let_go(&held);
@@ -269,7 +272,7 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 
 /* Stretches that come twice are looked for by words of six samples. Which words are looked up depends on what they
  * hold, so that a second coming chooses the same. */
-enum { WORD = 6, ONE_IN_BITS = 4, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
+enum { WORD = 6, CHOSEN_FROM = 512, ONE_IN_BITS = 4, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
 
 static inline uint64_t bits_of(double sample) {
     uint64_t bits;
@@ -326,8 +329,20 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
     const Py_ssize_t most = held.views[1].len / (Py_ssize_t)sizeof(int64_t) / 3;
     Py_ssize_t found = 0, known_until = 0;
     Py_BEGIN_ALLOW_THREADS
-    for (Py_ssize_t at = 0; at + WORD <= frames && found < most; at++) {
-        if (scattered(samples[at]) >> (64 - ONE_IN_BITS) || !spread_out(samples + at, spread)) continue;
+    Py_ssize_t chosen[CHOSEN_FROM], choices = 0, next = 0, searched = 0;
+    const Py_ssize_t words = frames - WORD + 1;
+    while (found < most) {
+        while (next == choices && searched < words) {
+            const Py_ssize_t until = words - searched < CHOSEN_FROM ? words : searched + CHOSEN_FROM;
+            next = choices = 0;
+            for (; searched < until; searched++) { /* without a branch, which no processor could foresee */
+                chosen[choices] = searched;
+                choices += !(scattered(samples[searched]) >> (64 - ONE_IN_BITS));
+            }
+        }
+        if (next == choices) break;
+        const Py_ssize_t at = chosen[next++];
+        if (!spread_out(samples + at, spread)) continue;
         const uint64_t key = key_of(samples + at);
         slot *here = slots + (key >> (64 - SLOT_BITS));
         const Py_ssize_t lag = at - here->place;

@@ -43,6 +43,7 @@ class Hum:
         self._per_s = cells_per_s
         self._scale = 1 / cell_frames
         length = min(round(LONGEST_S * cells_per_s), cells // 2)
+        length -= length % 16  # transforms of 2,005 would take five times as long
         self._length = length if length >= SHORTEST_S * cells_per_s else 0
         self._hop = max(1, self._length // 2)
         self._window = np.hanning(self._length + 1)[:-1]
