@@ -22,7 +22,11 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
   const project = `/projects/${projectId}`
   const { cues } = await ask<{ cues: { id: string; name: string }[] }>(context, `${url}/v1${project}/sound-list`)
   const cue = (name: string) => cues.find((one) => one.name === name)?.id ?? ''
+  const returned = `${url}/v1${project}/takes?state=returned`
+  const { items: takes } = await ask<{ items: { id: string; cue: object | null }[] }>(context, returned)
+  const take = takes.find((one) => one.cue !== null)?.id ?? ''
   const list: Place[] = [
+    { name: 'take', path: `/takes/${take}`, shows: 'Spectrum of the whole sound' },
     { name: 'sound-list', path: `${project}/sound-list`, shows: 'drone_swarm_loop' },
     {
       name: 'cue',

@@ -66,11 +66,12 @@ export function useAskForMend(takeId: string) {
   })
 }
 
-/** Make the mended copy a version. */
-export function useUseMend(takeId: string) {
+/** Make the mended copy a version; what it became is told even where the desk no longer shows what it came from. */
+export function useUseMend(takeId: string, onUsed: (made: Schemas['TakeRead']) => void) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.POST('/v1/takes/{take_id}/mend/use', ofTake(takeId))),
+    onSuccess: onUsed,
     onSettled: () => refresh(client, takeId),
   })
 }

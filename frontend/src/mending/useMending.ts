@@ -44,7 +44,14 @@ export function useMending(
   const { data: mend } = useMend(take.id)
   const { data: sounds } = useSounds(take.id, mend)
   const asking = useAskForMend(take.id)
-  const using = useUseMend(take.id)
+  const using = useUseMend(take.id, ({ number, already_here }) =>
+    showToast(
+      already_here
+        ? `${take.name} version ${number} has this sound already.`
+        : `${take.name} version ${number} is the mend; it is being checked.`,
+    ),
+  )
+  const use = () => using.mutate()
   const mendedId = `${take.id} mended`
   const sound = mend?.state === 'made' || mend?.state === 'used' ? (sounds?.mend ?? null) : null
   const side = playing.sourceId === mendedId ? 'mended' : 'before'
@@ -75,15 +82,6 @@ export function useMending(
     if (player.isPlaying()) void player.select(source, laterS)
     else hear(other, Math.max(0, player.positionS() + laterS))
   }
-  const use = () =>
-    using.mutate(undefined, {
-      onSuccess: ({ number, already_here }) =>
-        showToast(
-          already_here
-            ? `${take.name} version ${number} has this sound already.`
-            : `${take.name} version ${number} is the mend; it is being checked.`,
-        ),
-    })
   const made = mend?.state === 'made'
   const canAsk = mayUse && (mend?.state === 'offered' || mend?.is_our_fault === true)
   useHotkeys([
