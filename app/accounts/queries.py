@@ -109,7 +109,7 @@ def drop_resets(session: Session, person_id: UUID) -> None:
 
 def studio_locked(session: Session, studio_id: UUID) -> Studio | None:
     """Return a studio that nobody else changes until this transaction ends."""
-    return session.scalar(select(Studio).where(Studio.id == studio_id).with_for_update())
+    return session.scalar(select(Studio).where(Studio.id == studio_id).with_for_update(key_share=True))
 
 
 def members(session: Session, studio_id: UUID) -> Sequence[Membership]:

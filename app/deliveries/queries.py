@@ -40,7 +40,7 @@ def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID,
 
 def next_delivery_number(session: Session, project_id: UUID) -> int:
     """Return the number of the next delivery; nobody else gets one until the transaction ends."""
-    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
     last = session.scalar(select(func.max(Delivery.number)).where(Delivery.project_id == project_id))
     return (last or 0) + 1
 
@@ -58,7 +58,7 @@ def in_house_designers(session: Session, project_id: UUID) -> Sequence[UUID]:
 
 def next_number(session: Session, cue_id: UUID, variation: int) -> int:
     """Return the number of a cue's next take; nobody else gets one until the transaction ends."""
-    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update())
+    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
     return last_number(session, cue_id, variation) + 1
 
 
@@ -90,7 +90,7 @@ def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take
     """Return a take with its cue and designer, without asking who looks; locked where it is going to change."""
     query = select(Take).where(Take.id == take_id).options(joinedload(Take.cue), joinedload(Take.designer))
     if locked:
-        query = query.with_for_update(of=Take).execution_options(populate_existing=True)
+        query = query.with_for_update(of=Take, key_share=True).execution_options(populate_existing=True)
     return session.scalar(query)
 
 

@@ -30,6 +30,8 @@ BUSY_TIMEOUT_MS = 15_000
 REQUEST_ROLE = "soundlist_request"  # on PostgreSQL: what a request's transaction runs as; it owns nothing
 PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row policies ask for
 AWAY_STATES = frozenset({"57P01", "57P02", "57P03", "53300"})  # shut down, crashed, not up yet, too many connections
+UNIQUE_VIOLATION = "23505"
+CROSSED_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
 CONNECTION = {  # a host that is gone is noticed within half a minute
     "connect_timeout": "10",
     "keepalives_idle": "10",
@@ -57,6 +59,16 @@ def is_away(error: BaseException) -> bool:
         return True
     state = getattr(error.orig, "sqlstate", None)
     return isinstance(error, sa.exc.OperationalError) and (state is None or state[:2] == "08" or state in AWAY_STATES)
+
+
+def is_crossed(error: BaseException) -> bool:
+    """Whether two transactions stood in each other's way, and this one was undone for it."""
+    if isinstance(error, sa.exc.IntegrityError):
+        return getattr(error.orig, "sqlstate", None) == UNIQUE_VIOLATION or (
+            isinstance(error.orig, sqlite3.IntegrityError)
+            and error.orig.sqlite_errorcode in (sqlite3.SQLITE_CONSTRAINT_UNIQUE, sqlite3.SQLITE_CONSTRAINT_PRIMARYKEY)
+        )
+    return isinstance(error, sa.exc.DBAPIError) and getattr(error.orig, "sqlstate", None) in CROSSED_STATES
 
 
 class UtcDateTime(sa.types.TypeDecorator[datetime]):
@@ -108,12 +120,14 @@ class Database:
         if self.is_sqlite:
             if parsed.database:
                 Path(parsed.database).parent.mkdir(parents=True, exist_ok=True)
-            self.engine = sa.create_engine(parsed, pool_size=20, max_overflow=20)
+            self.engine = sa.create_engine(parsed, pool_size=20, max_overflow=20, hide_parameters=True)
             event.listen(self.engine, "connect", _prepare_sqlite)
             event.listen(self.engine, "begin", _begin_sqlite)
         else:
             parsed = parsed.set(query={**CONNECTION, **parsed.query})
-            self.engine = sa.create_engine(parsed, pool_size=10, max_overflow=20, pool_timeout=10, pool_pre_ping=True)
+            self.engine = sa.create_engine(
+                parsed, pool_size=10, max_overflow=20, pool_timeout=10, pool_pre_ping=True, hide_parameters=True
+            )
         self._writer = self.engine.execution_options(**{WRITES: True})
         self._reader = (
             self.engine

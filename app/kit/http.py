@@ -24,7 +24,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import clock, metrics
-from app.kit.db import Base, Database, is_away, new_id, reach_further
+from app.kit.db import Base, Database, is_away, is_crossed, new_id, reach_further
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
@@ -169,6 +169,7 @@ def _once(route: ASGIApp) -> ASGIApp:
             await route(scope, say_again, hear)
         except IntegrityError:
             if (saved := await run_in_threadpool(_saved, database, key)) is None:
+                request.state.saved_answer = None
                 raise
             await _replay(saved, request_sha256)(scope, receive, send)  # a twin of this request was faster
             return
@@ -275,6 +276,12 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
     @app.exception_handler(DBAPIError)
     @app.exception_handler(PoolTimeout)
     def _away(request: Request, error: SQLAlchemyError) -> JSONResponse:
+        if is_crossed(error):
+            if isinstance(error, IntegrityError) and getattr(request.state, "saved_answer", None) is not None:
+                raise error  # perhaps a twin of this request: whoever keeps its answer looks
+            log.warning("two requests crossed", error=str(error))
+            detail = "somebody changed the same thing at the same moment; nothing of what you sent was kept"
+            return _problem(request, 409, "crossed", detail, fix="read it again, then send what you still want")
         if not is_away(error):
             raise error
         log.warning("the database does not answer", error=str(error))

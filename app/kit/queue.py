@@ -43,6 +43,7 @@ URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones 
 LAST_PLACE = 2**31 - 1
 AWAY_PAUSE_S = 1.0
 BEATS_WHILE_SILENT = 3
+HEARTBEAT = "heartbeat"  # name of the thread
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
 FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
 STATE_WORDS = {
@@ -386,7 +387,7 @@ class Worker:
         self._poll_every_s = poll_every_s
         self._stopped = threading.Event()
         self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
-        self._beating = threading.Thread(target=self._live, name="heartbeat", daemon=True)
+        self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
 
     def start(self) -> None:
         """Say that this worker lives, then take up whatever waits."""

@@ -19,7 +19,7 @@ def project_by_id(session: Session, project_id: UUID) -> Project | None:
 
 def lock_project(session: Session, project_id: UUID) -> None:
     """Let nobody else number a version in this project until the transaction ends."""
-    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
 
 
 def projects_seen(

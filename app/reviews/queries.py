@@ -226,7 +226,7 @@ def accepted_takes(session: Session, project_id: UUID) -> list[tuple[Cue, int, T
 
 def lock_cue(session: Session, cue_id: UUID) -> None:
     """Let verdicts on one cue come one after the other."""
-    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update())
+    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
 
 
 def open_takes(session: Session, cue_id: UUID, *, variation: int | None = None) -> Sequence[Take]:
@@ -303,6 +303,7 @@ def drafts_of_project(session: Session, project_id: UUID) -> Sequence[ChangeRequ
         .join(Cue, Cue.id == ChangeRequest.cue_id)
         .where(ChangeRequest.project_id == project_id, ChangeRequest.sending_id.is_(None))
         .order_by(Cue.number, ChangeRequest.id)
+        .execution_options(populate_existing=True)
     ).all()
 
 

@@ -44,6 +44,7 @@ from app.reviews.schemas import (
 )
 from app.sound_lists.errors import CueIsCut
 from app.sound_lists.models import Cue
+from app.sound_lists.queries import lock_list
 from app.sound_lists.rules import CueState
 from app.sound_lists.service import cue_in_sight
 from app.sound_lists.service import cut_cue as cut_from_list
@@ -93,7 +94,8 @@ def _cue_to_judge(session: Session, take: Take) -> Cue:
         raise NotReviewable("this file is matched to no cue yet; match it first")
     cue = take.cue
     queries.lock_cue(session, cue.id)
-    session.refresh(take, ["state", "state_since"])
+    session.refresh(take, ["state", "state_since"], with_for_update={"key_share": True})
+    session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
         raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
     return cue
@@ -289,6 +291,7 @@ def accept_set(
     standing, cue = cue_in_sight(session, actor, cue_id)
     standing.ensure_decider()
     queries.lock_cue(session, cue.id)
+    session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
         raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
     picks = _picks(session, cue, take_ids)
@@ -340,7 +343,9 @@ def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue
     standing, cue = cue_in_sight(session, actor, cue_id)
     if not (standing.is_decider or standing.is_producer):
         raise ProducerNeeded("only a producer or the project's approver can cut a cue")
+    lock_list(session, cue.project_id)  # before the cue, as everybody does who changes the list
     queries.lock_cue(session, cue.id)
+    session.refresh(cue, ["state", "edition"])
     for draft in queries.change_requests_of(
         session, ChangeRequest.cue_id == cue.id, ChangeRequest.sending_id.is_(None)
     ):

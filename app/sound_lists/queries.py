@@ -88,7 +88,7 @@ def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> 
 
 def lock_list(session: Session, project_id: UUID) -> None:
     """Let no other transaction number cues or revisions of this list until ours ends."""
-    session.execute(select(Project.id).where(Project.id == project_id).with_for_update())
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
 
 
 def last_numbers(session: Session, project_id: UUID) -> tuple[int, int]:

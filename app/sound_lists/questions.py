@@ -41,6 +41,8 @@ def answer_question(
     except ProjectNotFound:
         raise QuestionNotFound(f"no question {question_id}") from None
     standing.ensure_speaks()
+    queries.lock_list(session, question.project_id)
+    session.refresh(question, ["answered_at"])
     if question.answered_at is not None:
         raise QuestionAnswered("this question was answered already", fix="change the cue's description instead")
     question.answer, question.answered_by, question.answered_at = tidy_text(text), actor.person, clock.now()

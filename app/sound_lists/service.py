@@ -226,8 +226,10 @@ def add_cues(session: Session, actor: Actor, project_id: UUID, rows: Sequence[Ma
 
 def change_cue(session: Session, actor: Actor, cue_id: UUID, edition: int | None, changes: Mapping[str, Any]) -> Cue:
     """Change facts of a cue; raise CueEditedMeanwhile when `edition` is no longer the newest."""
-    standing, cue = cue_in_sight(session, actor, cue_id)
+    standing, _ = cue_in_sight(session, actor, cue_id)
     standing.ensure_speaks()
+    queries.lock_list(session, standing.project.id)
+    cue = cue_for(session, standing, cue_id)  # as it stands now, whoever else changes it at the same moment
     if edition is not None and edition != cue.edition:
         raise CueEditedMeanwhile("somebody else changed this cue meanwhile", fix="read it again, then change it")
     if cue.state is CueState.CUT:

@@ -1,5 +1,6 @@
 """A real server inside the test process, and the people who use it."""
 
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -21,6 +22,7 @@ from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.kit import clock
 from app.kit.db import new_id
+from app.kit.queue import HEARTBEAT
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -58,6 +60,22 @@ class RunningServer:
                     return
             time.sleep(0.03)
         raise AssertionError(f"jobs still run after {seconds} s")
+
+    @contextmanager
+    def counted_selects(self) -> Iterator[list[str]]:
+        """Gather what is read from the database, but for what the worker reads to say that it lives."""
+        selects: list[str] = []
+
+        def note(_connection: Any, _cursor: Any, statement: str, *_more: Any) -> None:
+            if statement.lstrip().upper().startswith("SELECT") and threading.current_thread().name != HEARTBEAT:
+                selects.append(statement)
+
+        engine = self.runtime.database.engine
+        sa.event.listen(engine, "before_cursor_execute", note)
+        try:
+            yield selects
+        finally:
+            sa.event.remove(engine, "before_cursor_execute", note)
 
     def in_database(self, work: Callable[[Session], Any]) -> Any:
         """Run work in a transaction of its own."""

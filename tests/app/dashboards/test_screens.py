@@ -1,7 +1,6 @@
 """The joining screens over HTTP: who sees what, and that a longer list costs no more queries."""
 
 import pytest
-import sqlalchemy as sa
 
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -109,20 +108,9 @@ def test_what_i_can_open(begun: World):
 
 @pytest.mark.parametrize("name", ["sound-list/standing", "today", "overview"])
 def test_a_longer_list_costs_no_more_queries(begun: World, name: str):
-    engine = begun.server.runtime.database.engine
-    counted: list[str] = []
-
-    def count(_connection, _cursor, statement: str, *_rest: object) -> None:
-        if statement.startswith("SELECT"):
-            counted.append(statement)
-
     def selects() -> int:
-        counted.clear()
-        sa.event.listen(engine, "before_cursor_execute", count)
-        try:
+        with begun.server.counted_selects() as counted:
             screen(begun, name)
-        finally:
-            sa.event.remove(engine, "before_cursor_execute", count)
         return len(counted)
 
     before = selects()

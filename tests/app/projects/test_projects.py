@@ -1,5 +1,3 @@
-from collections.abc import Iterator
-from contextlib import contextmanager
 from uuid import uuid4
 
 import pytest
@@ -18,21 +16,6 @@ def project_path(world: World, rest: str = "") -> str:
 def add_project(world: World, **changes: object) -> Response:
     body = {"studio_id": str(world.studio_id), "name": "Deep Station", "cue_prefix": "DS"} | changes
     return world.producer.post("/v1/projects", json=body)
-
-
-@contextmanager
-def counted_selects(server: RunningServer) -> Iterator[list[str]]:
-    statements: list[str] = []
-
-    def count(_connection: object, _cursor: object, statement: str, *_more: object) -> None:
-        if statement.lstrip().upper().startswith("SELECT"):
-            statements.append(statement)
-
-    sa.event.listen(server.runtime.database.engine, "before_cursor_execute", count)
-    try:
-        yield statements
-    finally:
-        sa.event.remove(server.runtime.database.engine, "before_cursor_execute", count)
 
 
 def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> None:
@@ -132,13 +115,13 @@ def test_the_list_is_paged_and_put_away_projects_are_apart(server: RunningServer
 
 
 def test_the_list_takes_as_many_selects_for_many_projects_as_for_one(server: RunningServer, world: World) -> None:
-    with counted_selects(server) as for_one:
+    with server.counted_selects() as for_one:
         world.producer.get("/v1/projects")
     with server.runtime.database.writing() as session:
         actor = actor_for_person(session, world.producer_id)
         for number in range(5):
             open_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
-    with counted_selects(server) as for_six:
+    with server.counted_selects() as for_six:
         assert len(world.producer.get("/v1/projects").json()["items"]) == 6
     assert len(for_six) == len(for_one)
 

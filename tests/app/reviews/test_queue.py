@@ -1,7 +1,5 @@
 """The queue: who sees what waits, in which order, and at what price."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -16,7 +14,7 @@ from app.renders.queries import wanted_recipes
 from app.sound_lists.rules import CueState
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.app.reviews.making import Stage, add_take, refused, told
-from tests.support.server import RunningServer, World
+from tests.support.server import World
 from tests.support.waves import sine
 
 
@@ -139,28 +137,13 @@ def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch
         assert refused(answer) == (422, "bad-cursor")
 
 
-@contextmanager
-def counted_selects(server: RunningServer) -> Iterator[list[str]]:
-    selects: list[str] = []
-
-    def note(_connection: Any, _cursor: Any, statement: str, *_rest: Any) -> None:
-        if statement.lstrip().upper().startswith("SELECT") and "kit_heartbeats" not in statement:
-            selects.append(statement)
-
-    sa.event.listen(server.runtime.database.engine, "before_cursor_execute", note)
-    try:
-        yield selects
-    finally:
-        sa.event.remove(server.runtime.database.engine, "before_cursor_execute", note)
-
-
 def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
     server = stage.world.server
     server.wait_for_jobs()
 
     def fetch(expected: int) -> int:
         stage.waiting()
-        with counted_selects(server) as selects:
+        with server.counted_selects() as selects:
             assert len(stage.waiting()) == expected
         return len(selects)
 
