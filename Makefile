@@ -47,7 +47,7 @@ kill: setup .make/postgresql  ## Kill real processes at every named point, 20 ti
 fuzz: setup  ## Feed the reader a million mutants
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
 
-bench: setup  ## Measure speed and quality against peers
+bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
 fix: setup  ## Format and mend what can be mended by itself
@@ -72,6 +72,11 @@ clean:  ## Remove what set-up made; data stays
 	@$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[server,dev]'
 	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
+	@touch $@
+
+.make/peers:
+	@$(BIN)/uv pip install --quiet --python $(BIN)/python --editable '.[bench]' || echo "some peers cannot be installed; the tables say which"
+	@for peer in sox loudgain; do command -v $$peer >/dev/null || sh .ci/install $$peer || true; done
 	@touch $@
 
 .make/kernel: .make/python setup.py $(wildcard audio_checks/kernel/*.c audio_checks/kernel/*.h)
