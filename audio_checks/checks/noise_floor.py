@@ -5,7 +5,7 @@ played beside others that are clean.
 How to fix: record closer and quieter; reduce the noise with a light hand, or let an expander close
 the pauses softly.
 Source: the delivery spec, `[limits] noise_floor_dbfs`: the RMS of the quietest 0.2 s, in the noisiest
-channel, where it is steady and 20 dB or more under the loudest. A sound without such a pause has
+channel, where it is steady and 12 dB or more under the loudest. A sound without such a pause has
 no floor that could be told from the sound.
 """
 

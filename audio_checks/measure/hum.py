@@ -14,14 +14,18 @@ from audio_checks.measure.decibels import power_decibels
 MAINS_HZ = (50.0, 60.0)
 MULTIPLES = 8  # that are looked for
 OFF = 0.004  # share by which mains may be off
-IN_TUNE = 0.0012  # share by which the lines of one hum may be out of tune with each other
-LONGEST_S, SHORTEST_S = 1.0, 0.5  # windows; a sound shorter than two of them cannot tell hum from a note
+IN_TUNE = 0.0012  # share by which the lines of one hum may be out of tune with each other,
+OF_A_BIN = 0.06  # and what a window cannot tell more exactly
+WINDOWS_S = (1.0, 0.2)  # long ones find what is faint, short ones what is heard between strokes
+SHORTEST_S = 1.0  # a sound that is shorter cannot tell hum from a note
 STEADY = 0.25  # the quietest quarter of the windows counts: what comes and goes with the sound is lower there
 PROMINENT = 16.0  # in power, 12 dB over what lies beside the line
-NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it
+NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it,
+NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
 LINES = 3  # of these multiples must be there, one of the first three among them
+FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
-WINDOWS_KEPT = 512  # of a long file every second, fourth, ... window is kept
+KEPT = 512  # windows; of a long file, or of many channels, every second, fourth, ... window is kept
 
 
 class Hum:
@@ -40,78 +44,105 @@ class Hum:
     FIGURES = ("hum_dbfs", "hum_hz")
 
     def __init__(self, channels: int, cells_per_s: float, cells: int, cell_frames: int) -> None:
-        self._per_s = cells_per_s
-        self._scale = 1 / cell_frames
-        length = min(round(LONGEST_S * cells_per_s), cells // 2)
-        length -= length % 16  # transforms of 2,005 would take five times as long
-        self._length = length if length >= SHORTEST_S * cells_per_s else 0
-        self._hop = max(1, self._length // 2)
-        self._window = np.hanning(self._length + 1)[:-1]
-        self._bins = math.ceil((MULTIPLES * MAINS_HZ[-1] + FAR_HZ) * self._length / cells_per_s) + 2
-        self._kept = np.empty((channels, 0))
-        self._spectra: list[NDArray[np.float32]] = []
-        self._every, self._number = 1, 0
+        self._windows: list[_Windows] = []
+        if cells >= SHORTEST_S * cells_per_s:
+            # Whole sixteens: transforms of 2,005 would take five times as long as those of 2,000.
+            lengths = (min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S)
+            self._windows = [_Windows(channels, cells_per_s, length, cell_frames) for length in lengths]
 
     def add(self, cells: Cells) -> None:
         """Take the next cells."""
-        if not self._length:
-            return
-        kept = np.concatenate((self._kept, cells.sums), axis=1)
-        start = 0
-        while start + self._length <= kept.shape[1]:
-            if self._number % self._every == 0:
-                bins = np.fft.rfft(kept[:, start : start + self._length] * self._window, axis=1)[:, : self._bins]
-                self._spectra.append(np.square(np.abs(bins)).astype(np.float32))
-            if len(self._spectra) > WINDOWS_KEPT:
-                self._spectra, self._every = self._spectra[::2], self._every * 2
-            self._number += 1
-            start += self._hop
-        self._kept = kept[:, start:]
+        for windows in self._windows:
+            windows.add(cells.sums)
 
     def result(self) -> dict[str, Any]:
         """Return `hum_dbfs`, the RMS of the lines in the channel with most of them, and `hum_hz`, 50 or 60.
 
         -inf and None where there is none; both None for a sound too short to tell.
         """
-        if not self._spectra:
+        if not self._windows:
             return {"hum_dbfs": None, "hum_hz": None}
-        spectra = np.asarray(self._spectra, dtype=np.float64)
-        steady = np.sort(spectra, axis=0)[int(STEADY * (len(spectra) - 1))]
-        # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
-        steady *= self._scale**2 * 8 / self._length**2 / 1.5
-        found = [(self._lines(channel, mains), mains) for channel in steady for mains in MAINS_HZ]
-        power, mains = max(found)
-        return {"hum_dbfs": power_decibels(power), "hum_hz": mains if power else None}
+        for windows in self._windows:
+            power, mains_hz = windows.loudest()
+            if power:
+                return {"hum_dbfs": power_decibels(power), "hum_hz": mains_hz}
+        return {"hum_dbfs": -math.inf, "hum_hz": None}
 
-    def _lines(self, spectrum: NDArray[np.float64], mains: float) -> float:
+
+class _Windows:
+    """The spectra of Hann windows of one length that overlap by half, and the lines in them."""
+
+    def __init__(self, channels: int, cells_per_s: float, length: int, cell_frames: int) -> None:
+        self._length = length
+        self._hop = max(1, length // 2)
+        self._window = np.hanning(length + 1)[:-1]
+        self._bin_hz = cells_per_s / length
+        self._bins = min(length // 2, math.ceil((MULTIPLES * MAINS_HZ[-1] + 2 * FAR_HZ) / self._bin_hz) + 2)
+        # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
+        self._scale = 8 / (cell_frames * length) ** 2 / 1.5
+        self._most = max(8, KEPT // channels)
+        self._kept = np.empty((channels, 0))
+        self._spectra: list[NDArray[np.float64]] = []
+        self._every, self._number = 1, 0
+
+    def add(self, sums: NDArray[np.float64]) -> None:
+        """Take the sums of the next cells."""
+        kept = np.concatenate((self._kept, sums), axis=1)
+        start = 0
+        while start + self._length <= kept.shape[1]:
+            if self._number % self._every == 0:
+                bins = np.fft.rfft(kept[:, start : start + self._length] * self._window, axis=1)[:, : self._bins]
+                self._spectra.append(np.square(bins.real) + np.square(bins.imag))
+            if len(self._spectra) > self._most:
+                self._spectra, self._every = self._spectra[::2], self._every * 2
+            self._number += 1
+            start += self._hop
+        self._kept = kept[:, start:]
+
+    def loudest(self) -> tuple[float, float]:
+        """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
+        spectra = np.asarray(self._spectra)
+        steady = np.sort(spectra, axis=0)[int(STEADY * (len(spectra) - 1))] * self._scale
+        return max((self._hum(channel, mains), mains) for channel in steady for mains in MAINS_HZ)
+
+    def _hum(self, spectrum: NDArray[np.float64], mains: float) -> float:
         """Return the power of a hum's lines; 0 where they make no hum."""
-        width = self._per_s / self._length  # of a bin
-        near, far = round(NEAR_HZ / width), round(FAR_HZ / width)
-        found: list[tuple[int, float, float]] = []
-        for multiple in range(1, MULTIPLES + 1):
-            wanted = multiple * mains / width
-            reach = max(1.0, OFF * wanted)
-            first, last = math.floor(wanted - reach), math.ceil(wanted + reach)
-            peak = first + int(spectrum[first : last + 1].argmax())
-            left, power, right = spectrum[peak - 1 : peak + 2].tolist()
-            if power < left or power < right:
-                continue
-            hz = (peak + _offset(left, power, right)) * width
-            if abs(hz - multiple * mains) > OFF * multiple * mains:
-                continue
-            beside = (
-                spectrum[max(peak - far, 1) : peak - near].tolist() + spectrum[peak + near + 1 : peak + far].tolist()
-            )
-            if power >= PROMINENT * sorted(beside)[len(beside) // 2]:
-                found.append((multiple, hz / multiple, left + power + right))
+        found = [
+            (multiple, *line)
+            for multiple in range(1, MULTIPLES + 1)
+            if (line := self._line(spectrum, multiple * mains))
+        ]
         if not found:
             return 0.0
-        base = sum(multiple * hz for multiple, hz, _ in found) / sum(multiple for multiple, _, _ in found)
-        tuned = [line for line in found if abs(line[1] - base) <= IN_TUNE * base]
+        strongest = max(line[2] for line in found)
+        found = [line for line in found if line[2] >= FAINTEST * strongest]
+        base = sum(hz for _, hz, _ in found) / sum(multiple for multiple, _, _ in found)
+        blur = OF_A_BIN * self._bin_hz
+        tuned = [line for line in found if abs(line[1] - line[0] * base) <= max(IN_TUNE * line[0] * base, blur)]
         power = sum(line[2] for line in tuned)
-        if len(tuned) < LINES or tuned[0][0] > 3 or power < LEAST:
-            return 0.0
-        return power
+        return power if len(tuned) >= LINES and tuned[0][0] <= 3 and power >= LEAST else 0.0
+
+    def _line(self, spectrum: NDArray[np.float64], wanted_hz: float) -> tuple[float, float] | None:
+        """Return where a line near a frequency lies, and its power; None where nothing stands out."""
+        wanted = wanted_hz / self._bin_hz
+        reach = max(1.0, OFF * wanted)
+        last = math.ceil(wanted + reach)
+        if last + 2 > len(spectrum):
+            return None
+        first = math.floor(wanted - reach)
+        peak = first + int(spectrum[first : last + 1].argmax())
+        left, power, right = spectrum[peak - 1 : peak + 2].tolist()
+        if power < left or power < right:
+            return None
+        hz = (peak + _offset(left, power, right)) * self._bin_hz
+        if abs(hz - wanted_hz) > OFF * wanted_hz + OF_A_BIN * self._bin_hz:
+            return None
+        near = round(max(NEAR_HZ / self._bin_hz, NEAR_BINS))
+        far = round(max(FAR_HZ / self._bin_hz, FAR_BINS))
+        beside = spectrum[max(peak - far, 1) : peak - near].tolist() + spectrum[peak + near + 1 : peak + far].tolist()
+        if power < PROMINENT * sorted(beside)[len(beside) // 2]:
+            return None
+        return hz, left + power + right
 
 
 def _offset(left: float, here: float, right: float) -> float:

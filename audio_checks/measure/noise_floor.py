@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,13 @@ from audio_checks.measure.decibels import power_decibels
 
 CELLS = 20  # of one step: 10 ms
 PAUSE = 20  # steps: a pause lasts 0.2 s
-DEEP = 100.0  # in power: a pause lies 20 dB under the loudest 0.2 s
+DEEP = 16.0  # in power: a pause lies 12 dB under the loudest 0.2 s
 STEADY_DB = 6.0  # by which the steps of a pause may differ between their lower and upper quarter
-NEAR = 4.0  # in power, 6 dB: what lies around the quietest 0.2 s and is no louder belongs to the pause
-LEVEL = 1.6  # in power, 2 dB: by which the halves of a pause may differ; a sound that dies away is none
+LEVEL_DB = 1.2  # by which the halves of a pause may differ
+FALL_DB, FALLS_ALIKE = (
+    0.4,
+    4.0,
+)  # what falls by more, and by as much up to so many times, from pause to pause, dies away
 
 
 class NoiseFloor:
@@ -67,11 +71,16 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
     if not floor:
         return 0.0
     lower, upper = np.sort(pause)[[PAUSE // 4, -1 - PAUSE // 4]].tolist()
-    louder = np.flatnonzero(means > floor * NEAR)
-    first = int(louder[louder < quietest].max(initial=-1)) + 1
-    last = int(louder[louder > quietest].min(initial=len(means))) - 1 + PAUSE
-    middle = (first + last) // 2
-    halves = sorted((float(steps[first:middle].mean()), float(steps[middle:last].mean())))
-    if upper > lower * 10 ** (STEADY_DB / 10) or halves[1] > halves[0] * LEVEL:
+    quieter, louder = sorted((float(pause[: PAUSE // 2].mean()), float(pause[PAUSE // 2 :].mean())))
+    if upper > lower * 10 ** (STEADY_DB / 10) or louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
-    return floor
+    return None if _dies_away(means, quietest) else floor
+
+
+def _dies_away(means: NDArray[np.float64], quietest: int) -> bool:
+    """Tell whether the level falls evenly up to the quietest pause, over the two pauses before it."""
+    if quietest < 2 * PAUSE:
+        return False
+    before, middle, last = (means[[quietest - 2 * PAUSE, quietest - PAUSE, quietest]]).tolist()
+    falls = sorted((10 * math.log10(before / middle), 10 * math.log10(middle / last)))
+    return falls[0] > FALL_DB and falls[1] < FALLS_ALIKE * falls[0]
