@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, String, and_, case, cast, exists, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, String, Subquery, and_, case, cast, exists, func, or_, select
 from sqlalchemy.orm import Session, aliased, joinedload
 from sqlalchemy.sql.functions import aggregate_strings
 from typing_extensions import TypeVarTuple
@@ -82,17 +82,46 @@ class ListRow(NamedTuple):
     facts: str | None
 
 
-def list_rows(session: Session, project_id: UUID, designer_id: UUID | None) -> list[ListRow]:
-    """Return every cue in list order with what its takes add up to; only a designer's own where one is given."""
+def _facts(project_id: UUID, designer_id: UUID | None) -> Subquery:
+    """Gather the packed facts of each cue's variations in one row a cue."""
     summed = _seen_by(select(Take.cue_id, Take.variation, _packed().label("packed")), designer_id)
     sums = summed.where(Take.project_id == project_id).group_by(Take.cue_id, Take.variation).subquery()
-    # One row a cue before the join: joining first would sort every row of every cue by its words.
-    facts = (
+    return (
         select(sums.c.cue_id, aggregate_strings(cast(sums.c.packed, String), ",").label("facts"))
         .join(Cue, and_(Cue.id == sums.c.cue_id, sums.c.variation <= Cue.variations))
         .group_by(sums.c.cue_id)
         .subquery()
     )
+
+
+class LikeCues(NamedTuple):
+    """How many cues of a list are alike in all that their standing depends on."""
+
+    state: CueState
+    variations: int
+    placeholder: bool
+    is_asked: bool
+    facts: str | None
+    cues: int
+
+
+def like_cues(session: Session, project_id: UUID, designer_id: UUID | None) -> list[LikeCues]:
+    """Return how many cues are alike; only a designer's own takes count where one is given."""
+    facts = _facts(project_id, designer_id)
+    is_asked = exists().where(Question.cue_id == Cue.id, Question.answered_at.is_(None))
+    alike = (Cue.state, Cue.variations, Cue.placeholder, is_asked, facts.c.facts)
+    rows = session.execute(
+        select(*alike, func.count())
+        .join(facts, facts.c.cue_id == Cue.id, isouter=True)
+        .where(Cue.project_id == project_id)
+        .group_by(*alike)
+    )
+    return [LikeCues._make(row) for row in rows]
+
+
+def list_rows(session: Session, project_id: UUID, designer_id: UUID | None) -> list[ListRow]:
+    """Return every cue in list order with what its takes add up to; only a designer's own where one is given."""
+    facts = _facts(project_id, designer_id)
     rows = session.execute(
         select(Cue.id, Cue.number, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.palette, facts.c.facts)
         .join(facts, facts.c.cue_id == Cue.id, isouter=True)
@@ -218,15 +247,27 @@ def waiting_files(session: Session, project_id: UUID, designer_id: UUID | None) 
     return session.scalar(_seen_by(waiting, designer_id)) or 0
 
 
-def takes_with_others(session: Session, project_id: UUID) -> Sequence[Row[Take, Cue | None, str]]:
-    """Return the takes that wait for somebody but the decider, with cue and designer's name; oldest first.
+def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, str]]:
+    """Return the takes without a cue that wait longest, with their designers' names."""
+    return session.execute(
+        select(Take, Person.name)
+        .join(Person, Person.id == Take.designer_id)
+        .where(Take.project_id == project_id, Take.cue_id.is_(None))
+        .order_by(Take.state_since, Take.id)
+        .limit(WITH_OTHERS)
+    ).all()
 
-    They are those without a cue, and those that came back and are the newest of a cue that still needs them.
-    """
+
+def takes_with_designers(session: Session, project_id: UUID) -> Sequence[Row[Take, Cue, str]]:
+    """Return the takes that came back, are the newest of a cue, and still needed, with cue and designer's name."""
     later, picked = aliased(Take), aliased(Take)
-    is_newest = ~exists().where(
-        later.cue_id == Take.cue_id,
-        or_(later.received_at > Take.received_at, and_(later.received_at == Take.received_at, later.id > Take.id)),
+    newest = (
+        select(later.id)
+        .where(later.cue_id == Cue.id)
+        .order_by(later.received_at.desc(), later.id.desc())
+        .limit(1)
+        .correlate(Cue)
+        .scalar_subquery()
     )
     approved = (
         select(func.count())
@@ -234,12 +275,13 @@ def takes_with_others(session: Session, project_id: UUID) -> Sequence[Row[Take, 
         .correlate(Cue)
         .scalar_subquery()
     )
-    came_back = and_(Take.state.in_(WITH_DESIGNER), Cue.state != CueState.CUT, approved < Cue.variations, is_newest)
     return session.execute(
         select(Take, Cue, Person.name)
+        .select_from(Cue)
+        .join(Take, Take.id == newest)
         .join(Person, Person.id == Take.designer_id)
-        .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(Take.project_id == project_id, or_(Take.cue_id.is_(None), came_back))
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
+        .where(Take.state.in_(WITH_DESIGNER), approved < Cue.variations)
         .order_by(Take.state_since, Take.id)
         .limit(WITH_OTHERS)
     ).all()

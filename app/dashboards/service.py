@@ -17,7 +17,7 @@ from app.conformance.models import CheckRun
 from app.dashboards import queries, schemas
 from app.dashboards.queries import ListRow
 from app.dashboards.rules import CueStatus
-from app.dashboards.standing import WholeList, preview_url, worst_in
+from app.dashboards.standing import WholeList, counted, preview_url, worst_in
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief
@@ -82,25 +82,27 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
     project = standing.project
     return schemas.Today(
         questions=_questions(session, project, only_open=True),
-        with_others=[
-            _with_others(project, take, cue, who) for take, cue, who in queries.takes_with_others(session, project_id)
-        ],
+        with_others=_with_others(session, project),
         builds=[_build(build) for build in queries.builds(session, project_id)],
-        counts=WholeList(session, standing).counts,
+        counts=counted(session, standing),
         draft_changes=queries.draft_changes(session, project_id),
         placeholders=queries.placeholders(session, project_id),
         unsent_mails=queries.unsent_mails(session, project.studio_id) if standing.is_producer else 0,
     )
 
 
-def _with_others(project: Project, take: Take, cue: Cue | None, who: str) -> schemas.WithOthers:
-    return schemas.WithOthers(
-        cue=_brief(project, cue) if cue else None,
-        file_name=take.file_name,
-        status=take.state.value if cue else "unmatched",
-        who=who,
-        since=take.state_since,
-    )
+def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]:
+    """Return what waits for somebody but the decider, the oldest first."""
+
+    def waits(take: Take, cue: CueBrief | None, status: Any, who: str) -> schemas.WithOthers:
+        return schemas.WithOthers(cue=cue, file_name=take.file_name, status=status, who=who, since=take.state_since)
+
+    unmatched = [waits(take, None, "unmatched", who) for take, who in queries.unmatched_takes(session, project.id)]
+    back = [
+        waits(take, _brief(project, cue), take.state.value, who)
+        for take, cue, who in queries.takes_with_designers(session, project.id)
+    ]
+    return sorted([*unmatched, *back], key=lambda each: each.since)[: queries.WITH_OTHERS]
 
 
 def _questions(

@@ -48,11 +48,21 @@ class WholeList:
         return dict(Counter(self.status.values()))
 
 
+def counted(session: Session, standing: Standing) -> dict[CueStatus, int]:
+    """Return how many cues of the whole list each word stands for."""
+    counts: Counter[CueStatus] = Counter()
+    for like in queries.like_cues(session, standing.project.id, standing.only_designer_id):
+        variations = statuses_of(like.facts or "", like.variations)
+        status = cue_status(like.state, variations, is_asked=like.is_asked, placeholder=like.placeholder)
+        counts[status] += like.cues
+    return dict(counts)
+
+
 def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.ListCounts:
     """Return how many cues of the list stand where."""
     standing = standing_in(session, actor, project_id)
     return schemas.ListCounts(
-        counts=WholeList(session, standing).counts,
+        counts=counted(session, standing),
         files_to_review=queries.waiting_files(session, project_id, standing.only_designer_id),
     )
 

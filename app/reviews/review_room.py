@@ -43,7 +43,7 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_in_sight
 
-PAGE_CUES = 50
+PAGE_CUES = 25
 
 
 def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
