@@ -23,19 +23,29 @@ class UploadRead(Schema):
     sha256: str | None = Field(description="Null until the last byte is here.")
 
 
+class PartAsk(Schema):
+    """A part that is to be sent next."""
+
+    number: int = Field(description="Parts count from 1.")
+    sha256: str = Field(
+        pattern="^[0-9a-f]{64}$", description="Of the part's bytes, in hex; the store holds it to them."
+    )
+
+
 class PartsAsk(Schema):
     """Which parts of a file are to be sent next."""
 
-    numbers: list[int] = Field([], max_length=100, description="Parts to sign links for; they count from 1.")
+    parts: list[PartAsk] = Field([], max_length=100)
 
 
 class PartLinkRead(Schema):
-    """Where one part of a file goes: a PUT of exactly these bytes, with no header of ours."""
+    """Where one part of a file goes: a PUT of exactly these bytes with exactly these headers."""
 
     number: int
     start: int = Field(description="The part's first byte in the file.")
     length: int
     url: str
+    headers: dict[str, str]
 
 
 class PartsRead(Schema):

@@ -216,7 +216,8 @@ def give_up_upload(
 )
 def ask_for_parts(upload_id: UUID, body: PartsAsk, runtime: CurrentRuntime, actor: UploadsActor) -> PartsRead:
     """Say which parts of a file are in the store, and sign links by which others go there."""
-    standing = _uploads(runtime).parts(_own(runtime, actor, upload_id), body.numbers)
+    sha256s = {part.number: bytes.fromhex(part.sha256) for part in body.parts}
+    standing = _uploads(runtime).parts(_own(runtime, actor, upload_id), sha256s)
     return PartsRead.model_validate(standing)
 
 

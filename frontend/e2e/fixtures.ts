@@ -1,9 +1,16 @@
 import { test as base } from '@playwright/test'
 
+import { Bucket } from './bucket'
 import { Line } from './line'
-import { type Demo, demoReady, Server } from './server'
+import { type Demo, demoReady, freePort, Server } from './server'
 
-export const test = base.extend<{ server: Server; behindLine: { line: Line; server: Server } }, { demo: Demo }>({
+interface Fixtures {
+  server: Server
+  behindLine: { line: Line; server: Server }
+  withBucket: { bucket: Bucket; server: Server }
+}
+
+export const test = base.extend<Fixtures, { demo: Demo }>({
   /** A server of the test's own, with nobody on it yet. */
   // eslint-disable-next-line no-empty-pattern -- Playwright reads the names that a fixture needs from here
   server: async ({}, use) => {
@@ -15,11 +22,21 @@ export const test = base.extend<{ server: Server; behindLine: { line: Line; serv
   // eslint-disable-next-line no-empty-pattern
   behindLine: async ({}, use) => {
     const line = await Line.open()
-    const server = await Server.start(line.url)
+    const server = await Server.start({ url: line.url })
     line.leadTo(server.port)
     await use({ line, server })
     line.close()
     await server.stop()
+  },
+  /** Such a server whose sounds are in a bucket that browsers reach by themselves. */
+  // eslint-disable-next-line no-empty-pattern
+  withBucket: async ({}, use) => {
+    const port = await freePort()
+    const bucket = await Bucket.start(`http://127.0.0.1:${port}`)
+    const server = await Server.start({ port, more: bucket.environment })
+    await use({ bucket, server })
+    await server.stop()
+    await bucket.stop()
   },
   demo: [
     // eslint-disable-next-line no-empty-pattern

@@ -7,9 +7,12 @@ import { test } from './fixtures'
 import { wav } from './sounds'
 
 const PASSWORD = 'quiet reactor hum'
-const AMBIENCE = wav({ seconds: 12, channels: 2, pitchHz: 70 })
-const SHA256 = createHash('sha256').update(AMBIENCE).digest('hex')
 const LINE_BYTES_PER_S = 1_200_000
+const BUCKET_BYTES_PER_S = 8_000_000
+const PART_BYTES = 16 * 2 ** 20
+
+const ambience = (seconds: number) => wav({ seconds, channels: 2, pitchHz: 70 })
+const sha256Of = (bytes: Buffer) => createHash('sha256').update(bytes).digest('hex')
 
 interface Take {
   id: string
@@ -19,7 +22,7 @@ interface Take {
 }
 
 /** A designer at the desk of a new project, whose list asks for one long sound. */
-async function atDesk(page: Page, url: string): Promise<string> {
+async function atDesk(page: Page, url: string, seconds: number): Promise<string> {
   const context = page.context()
   const email = 'designer@tones.example'
   await page.goto(`${url}/sign-up`)
@@ -36,7 +39,7 @@ async function atDesk(page: Page, url: string): Promise<string> {
   const { id: projectId } = await ask<{ id: string }>(context, `${url}/v1/projects`, 'POST', opened)
   const project = `${url}/v1/projects/${projectId}`
   await ask(context, `${project}/cues`, 'POST', {
-    cues: [{ name: 'amb_bridge_loop', category: 'ambience', duration_s: 12, loop: true }],
+    cues: [{ name: 'amb_bridge_loop', category: 'ambience', duration_s: seconds, loop: true }],
   })
   await ask(context, `${project}/invitations`, 'POST', { email })
   let link = ''
@@ -59,8 +62,8 @@ async function atDesk(page: Page, url: string): Promise<string> {
   return projectId
 }
 
-async function send(page: Page): Promise<void> {
-  const file = { name: 'amb_bridge_loop.wav', mimeType: 'audio/wav', buffer: AMBIENCE }
+async function send(page: Page, buffer: Buffer): Promise<void> {
+  const file = { name: 'amb_bridge_loop.wav', mimeType: 'audio/wav', buffer }
   await page.getByLabel('Files to deliver').setInputFiles(file)
 }
 
@@ -71,13 +74,13 @@ const row = (page: Page) =>
     .filter({ hasText: 'amb_bridge_loop' })
 
 /** Expect that the stored master is the file, to the byte. */
-async function expectWhole(page: Page, url: string, projectId: string): Promise<void> {
+async function expectWhole(page: Page, url: string, projectId: string, sent: Buffer): Promise<void> {
   await expect(page.getByText('1 file through the check')).toBeVisible({ timeout: 30_000 })
   const { items } = await ask<{ items: Take[] }>(page.context(), `${url}/v1/projects/${projectId}/takes`)
   expect(items).toHaveLength(1)
-  expect(items[0]).toMatchObject({ state: 'conforming', master_bytes: AMBIENCE.length })
+  expect(items[0]).toMatchObject({ state: 'conforming', master_bytes: sent.length })
   const stored = await bytesAt(page.request, `${url}/v1/takes/${items[0]?.id}/master`)
-  expect(createHash('sha256').update(stored).digest('hex')).toBe(SHA256)
+  expect(sha256Of(stored)).toBe(sha256Of(sent))
 }
 
 test('an upload goes on where it was after the line dropped and the web process was killed', async ({
@@ -85,13 +88,14 @@ test('an upload goes on where it was after the line dropped and the web process 
   page,
 }) => {
   test.setTimeout(120_000)
-  const projectId = await atDesk(page, server.url)
+  const file = ambience(12)
+  const projectId = await atDesk(page, server.url, 12)
   line.bytesPerS = LINE_BYTES_PER_S
   const beforeBytes = line.carriedBytes
   const sent = (bytes: number) => expect.poll(() => line.carriedBytes - beforeBytes).toBeGreaterThan(bytes)
-  await send(page)
+  await send(page, file)
 
-  await sent(0.2 * AMBIENCE.length)
+  await sent(0.2 * file.length)
   await expect(row(page)).toContainText('Sending')
   line.cut()
   await expect(row(page)).toContainText('Line lost, waits')
@@ -99,13 +103,34 @@ test('an upload goes on where it was after the line dropped and the web process 
   line.mend()
   await expect(row(page)).toContainText(/resumed at \d/)
 
-  await sent(0.6 * AMBIENCE.length)
+  await sent(0.6 * file.length)
   await server.killWeb()
   await expect(row(page)).toContainText('Line lost, waits')
   await server.startWeb()
   await expect(row(page)).toContainText(/resumed at \d/)
 
   line.bytesPerS = Infinity
-  await expectWhole(page, server.url, projectId)
-  expect(line.carriedBytes - beforeBytes, 'nearly nothing was sent twice').toBeLessThan(1.5 * AMBIENCE.length)
+  await expectWhole(page, server.url, projectId, file)
+  expect(line.carriedBytes - beforeBytes, 'nearly nothing was sent twice').toBeLessThan(1.5 * file.length)
+})
+
+test('a large file goes to the bucket in parts, and goes on with the part that was lost', async ({
+  withBucket: { bucket, server },
+  page,
+}) => {
+  test.setTimeout(120_000)
+  const file = ambience(100)
+  expect(file.length).toBeGreaterThan(1.5 * PART_BYTES)
+  const projectId = await atDesk(page, server.url, 100)
+  bucket.line.bytesPerS = BUCKET_BYTES_PER_S
+  await send(page, file)
+
+  await expect.poll(() => bucket.line.carriedBytes, { intervals: [50] }).toBeGreaterThan(PART_BYTES + 1_000_000)
+  bucket.line.cut()
+  await expect(row(page)).toContainText('Line lost, waits')
+  bucket.line.bytesPerS = Infinity
+  bucket.line.mend()
+  await expect(row(page)).toContainText('resumed at 16.8 MB')
+  await expectWhole(page, server.url, projectId, file)
+  expect(bucket.line.carriedBytes, 'the part that was there was not sent again').toBeLessThan(1.5 * file.length)
 })

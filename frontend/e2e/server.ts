@@ -90,7 +90,7 @@ export class Server {
   #web: Running | undefined
   #worker: Running | undefined
 
-  private constructor(port: number, folder: string, url: string) {
+  private constructor(port: number, folder: string, url: string, more: Record<string, string>) {
     this.port = port
     this.#folder = folder
     this.url = url
@@ -99,13 +99,14 @@ export class Server {
       SOUNDLIST_DATA_DIR: folder,
       SOUNDLIST_BASE_URL: this.url,
       SOUNDLIST_SECRET_KEY: randomBytes(32).toString('hex'),
+      ...more,
     }
   }
 
-  static async start(url?: string): Promise<Server> {
-    const port = await freePort()
+  static async start({ port, url, more = {} }: { port?: number; url?: string; more?: Record<string, string> } = {}) {
+    const listensOn = port ?? (await freePort())
     const folder = await mkdtemp(join(tmpdir(), 'soundlist-e2e-'))
-    const server = new Server(port, folder, url ?? `http://127.0.0.1:${port}`)
+    const server = new Server(listensOn, folder, url ?? `http://127.0.0.1:${listensOn}`, more)
     await new Running(['migrate'], server.#environment).done()
     server.#worker = new Running(['worker'], server.#environment)
     await server.startWeb()

@@ -122,7 +122,7 @@ def free_port() -> int:
 class Fault:
     """What goes wrong with the next requests of a kind."""
 
-    kind: str  # "503", "refused", "silent", "truncated", "lost answer", "slow"
+    kind: str  # "503", "refused", "silent", "cut off", "truncated", "lost answer", "slow"
     times: int = 1
     method: str = "[A-Z]+"
     path: str = ".*"  # with its query
@@ -165,14 +165,16 @@ class FaultyLine:
         if kind == "refused":
             return
         body = rest + _exactly(near, _length(head) - len(rest))
+        if kind == "cut off":
+            self._far_end(_closing(head) + body[: len(body) // 2])
+            return
         if kind == "silent":
             self.released.wait(30)
             return
         if kind == "503":
             near.sendall(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
             return
-        host, _, port = self.server.endpoint.removeprefix("http://").partition(":")
-        with socket.create_connection((host, int(port))) as far:
+        with self._connected() as far:
             far.sendall(_closing(head) + body)
             answered, rest = _head(far)
             if kind == "lost answer":
@@ -186,6 +188,17 @@ class FaultyLine:
                 if kind == "slow":
                     time.sleep(0.03)
                 near.sendall(piece)
+
+    def _connected(self) -> socket.socket:
+        host, _, port = self.server.endpoint.removeprefix("http://").partition(":")
+        return socket.create_connection((host, int(port)))
+
+    def _far_end(self, half: bytes) -> None:
+        """Let the server have half of a request, and nothing more."""
+        with self._connected() as far:
+            far.sendall(half)
+            far.shutdown(socket.SHUT_WR)
+            _exactly(far, READ_BYTES)
 
 
 @contextmanager

@@ -3,13 +3,13 @@
 The sender is never trusted: what the parts became is read again, and only what was read is kept.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import datetime
 from uuid import UUID
 
-from app.kit.storage.multipart import Multipart, Part, part_length, part_start
+from app.kit.storage.multipart import Multipart, Part, checksum_header, part_length, part_start
 from app.kit.storage.objects import Objects
 from app.kit.storage.signing import Signer
 from app.kit.storage.store import Pieces, StoredBlob, altered
@@ -29,12 +29,13 @@ class Incoming:
 
 @dataclass(frozen=True)
 class PartLink:
-    """Where one part of an upload goes, and which bytes of the file it is."""
+    """Where one part of an upload goes with which headers, and which bytes of the file it is."""
 
     number: int
     start: int
     length: int
     url: str
+    headers: dict[str, str]
 
 
 class DirectUploads:
@@ -58,9 +59,9 @@ class DirectUploads:
         """Begin an upload in parts."""
         return Incoming(upload_id, length, self._multipart.begin(self.key(upload_id)))
 
-    def links(self, incoming: Incoming, numbers: Iterable[int]) -> list[PartLink]:
-        """Sign links for parts; each takes exactly as many bytes as its part has."""
-        return [self._link(incoming, number) for number in numbers]
+    def links(self, incoming: Incoming, sha256s: Mapping[int, bytes]) -> list[PartLink]:
+        """Sign links for parts; each takes exactly the bytes that its part has, by their number and SHA-256."""
+        return [self._link(incoming, number, sha256) for number, sha256 in sha256s.items()]
 
     def parts(self, incoming: Incoming) -> list[Part]:
         """Return the parts that are in the bucket and as long as they must be; raise MultipartGone."""
@@ -108,13 +109,13 @@ class DirectUploads:
                 if changed_at < before:
                     yield UUID(key.removeprefix(self._prefix)), None
 
-    def _link(self, incoming: Incoming, number: int) -> PartLink:
-        length = part_length(incoming.length, number)
+    def _link(self, incoming: Incoming, number: int, sha256: bytes) -> PartLink:
+        length, headers = part_length(incoming.length, number), checksum_header(sha256)
         url = self._public.url(
             "PUT",
             f"/{self._bucket}/{self.key(incoming.upload_id)}",
             {"partNumber": str(number), "uploadId": incoming.multipart_id},
-            headers={"content-length": str(length)},
+            headers={"content-length": str(length), **headers},
             expires_in_s=LINK_WORKS_FOR_S,
         )
-        return PartLink(number, part_start(number), length, url)
+        return PartLink(number, part_start(number), length, url, headers)

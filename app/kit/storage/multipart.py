@@ -1,6 +1,7 @@
 """Files that come to a bucket in parts: begin, part, list, complete, abort, each one signed request.
 
-obstore has no words for the steps, and a step of it is what a browser does by itself.
+obstore has no words for the steps, and one of them is what a browser does by itself. Every part carries its
+SHA-256, which the server holds it against: some servers take a part that broke off for a whole one.
 Source: Amazon S3 API, "Uploading and copying objects using multipart upload".
 """
 
@@ -18,6 +19,7 @@ from xml.etree import ElementTree as ET
 
 import httpx
 
+from app.kit import metrics
 from app.kit.storage.patience import Patience
 from app.kit.storage.signing import Signer
 from app.kit.storage.store import StoreUnavailable, key_refused
@@ -25,6 +27,7 @@ from app.kit.storage.store import StoreUnavailable, key_refused
 PART_BYTES = 16 << 20  # 4 GiB are 256 parts; S3 takes 10,000 of 5 MiB or more
 PARTS_AT_ONCE = 4
 SIGNED_FOR_S = 900
+CHECKSUM = "x-amz-checksum-sha256"
 BUSY = frozenset({408, 409, 429, 500, 502, 503, 504})
 
 
@@ -43,6 +46,7 @@ class Part:
     number: int
     size_bytes: int
     etag: str
+    sha256: str  # Base64, as S3 writes it
 
 
 @dataclass(frozen=True)
@@ -68,15 +72,15 @@ class Multipart:
 
     def begin(self, key: str) -> str:
         """Begin an upload; return its id."""
-        answer = self._ask("POST", key, {"uploads": ""})
+        answer = self._ask("POST", key, {"uploads": ""}, signed={"x-amz-checksum-algorithm": "SHA256"})
         return _text(_tree(answer), "UploadId")
 
     def send(self, key: str, multipart_id: str, number: int, content: bytes) -> Part:
-        """Send one part; the bucket keeps it only if its MD5 is right."""
+        """Send one part; the bucket keeps it only if its SHA-256 is right."""
         query = {"partNumber": str(number), "uploadId": multipart_id}
-        md5 = base64.b64encode(hashlib.md5(content, usedforsecurity=False).digest()).decode()
-        answer = self._ask("PUT", key, query, content=content, headers={"Content-MD5": md5})
-        return Part(number, len(content), answer.headers["etag"])
+        headers = checksum_header(hashlib.sha256(content).digest())
+        answer = self._ask("PUT", key, query, content=content, signed=headers)
+        return Part(number, len(content), answer.headers["etag"], headers[CHECKSUM])
 
     def parts(self, key: str, multipart_id: str) -> list[Part]:
         """Return the parts that are in the bucket, by number; raise MultipartGone."""
@@ -86,7 +90,12 @@ class Multipart:
             answer = self._ask("GET", key, {"uploadId": multipart_id, "part-number-marker": after})
             tree = _tree(answer)
             found += [
-                Part(int(_text(part, "PartNumber")), int(_text(part, "Size")), _text(part, "ETag"))
+                Part(
+                    int(_text(part, "PartNumber")),
+                    int(_text(part, "Size")),
+                    _text(part, "ETag"),
+                    _text(part, "ChecksumSHA256"),
+                )
                 for part in tree.iter("Part")
             ]
             after = _text(tree, "NextPartNumberMarker") if _text(tree, "IsTruncated") == "true" else ""
@@ -99,8 +108,9 @@ class Multipart:
             child = ET.SubElement(body, "Part")
             ET.SubElement(child, "PartNumber").text = str(part.number)
             ET.SubElement(child, "ETag").text = part.etag
-        headers = {"If-None-Match": "*"} if if_absent else {}
-        self._ask("POST", key, {"uploadId": multipart_id}, content=ET.tostring(body), headers=headers)
+            ET.SubElement(child, "ChecksumSHA256").text = part.sha256
+        only_if = {"If-None-Match": "*"} if if_absent else {}
+        self._ask("POST", key, {"uploadId": multipart_id}, content=ET.tostring(body), unsigned=only_if)
 
     def abort(self, key: str, multipart_id: str) -> None:
         """Drop an upload with its parts; one that is gone is dropped."""
@@ -149,43 +159,33 @@ class Multipart:
         query: Mapping[str, str],
         *,
         content: bytes = b"",
-        headers: Mapping[str, str] | None = None,
+        signed: Mapping[str, str] | None = None,
+        unsigned: Mapping[str, str] | None = None,
     ) -> httpx.Response:
+        """Ask until there is an answer; headers that begin with x-amz- must be signed."""
+        path = f"/{self._bucket}/{key}" if key else f"/{self._bucket}"
+        headers = {**(signed or {}), **(unsigned or {})}
         failures = 0
         while True:
+            url = self._signer.url(method, path, query, headers=signed, expires_in_s=SIGNED_FOR_S)
             try:
-                return self._asked_once(method, key, query, content, headers or {})
+                return _understood(self._client.request(method, url, content=content, headers=headers))
             except (httpx.TransportError, _Busy) as error:
                 failures += 1
                 if not self._patience.pause(failures, error):
+                    metrics.STORE_ERRORS.labels("parts").inc()
                     raise StoreUnavailable(
                         f"the store did not answer {failures} times ({type(error).__name__})", fix="try again later"
                     ) from error
 
-    def _asked_once(
-        self, method: str, key: str, query: Mapping[str, str], content: bytes, headers: Mapping[str, str]
-    ) -> httpx.Response:
-        path = f"/{self._bucket}/{key}" if key else f"/{self._bucket}"
-        url = self._signer.url(method, path, query, expires_in_s=SIGNED_FOR_S)
-        answer = self._client.request(method, url, content=content, headers=dict(headers))
-        code = _error_code(answer)
-        if answer.status_code in BUSY or (code and answer.is_success):  # a completion fails by 200, too
-            raise _Busy(f"{answer.status_code} {code}")
-        if code == "NoSuchUpload":
-            raise MultipartGone
-        if answer.status_code == httpx.codes.PRECONDITION_FAILED:
-            raise AlreadyStored
-        if answer.status_code in (401, 403):
-            raise key_refused()
-        if not answer.is_success:
-            raise StoreUnavailable(
-                f"the store refuses ({answer.status_code} {code})", fix="see `soundlist serve`'s log"
-            )
-        return answer
-
 
 class _Busy(Exception):
     """The server could not now."""
+
+
+def checksum_header(sha256: bytes) -> dict[str, str]:
+    """Return the header against which the server holds what it is sent."""
+    return {CHECKSUM: base64.b64encode(sha256).decode()}
 
 
 def parts_of(size_bytes: int) -> int:
@@ -201,6 +201,22 @@ def part_start(number: int) -> int:
 def part_length(size_bytes: int, number: int) -> int:
     """Return how long a part of a file of this size must be."""
     return min(PART_BYTES, size_bytes - part_start(number))
+
+
+def _understood(answer: httpx.Response) -> httpx.Response:
+    """Return an answer that says yes; raise what it says otherwise."""
+    code = _error_code(answer)
+    if answer.status_code in BUSY or (code and answer.is_success):  # a completion fails by 200, too
+        raise _Busy(f"{answer.status_code} {code}")
+    if code == "NoSuchUpload":
+        raise MultipartGone
+    if answer.status_code == httpx.codes.PRECONDITION_FAILED:
+        raise AlreadyStored
+    if answer.status_code in (httpx.codes.UNAUTHORIZED, httpx.codes.FORBIDDEN):
+        raise key_refused()
+    if not answer.is_success:
+        raise StoreUnavailable(f"the store refuses ({answer.status_code} {code})", fix="tell whoever runs this server")
+    return answer
 
 
 def _tree(answer: httpx.Response) -> ET.Element:

@@ -32,6 +32,7 @@ class Objects:
             "access_key_id": key.id,
             "secret_access_key": key.secret,
             "virtual_hosted_style_request": False,
+            "checksum_algorithm": "SHA256",  # some servers take a body that broke off for a whole one
         }
         if key.token:
             config["session_token"] = key.token

@@ -5,7 +5,7 @@ and hashed before the upload counts as finished.
 """
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 
@@ -39,10 +39,10 @@ class UploadParts:
         self._database = database
         self._store = store
 
-    def standing(self, upload: Upload, numbers: Sequence[int]) -> PartsStanding:
-        """Begin an upload in parts where that was not done, and sign links for some of them."""
+    def standing(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsStanding:
+        """Begin an upload in parts where that was not done, and sign links for those whose SHA-256 is given."""
         count = multipart.parts_of(upload.length)
-        if beyond := [number for number in numbers if not 1 <= number <= count]:
+        if beyond := [number for number in sha256s if not 1 <= number <= count]:
             raise PartUnknown(f"there is no part {beyond[0]}: a file of {upload.length} bytes comes in {count}, from 1")
         direct = self._direct()
         if self._store.public_origin is None or upload.sha256 is not None:
@@ -52,7 +52,7 @@ class UploadParts:
             part_bytes=multipart.PART_BYTES,
             parts=count,
             here=self._numbers_here(direct, incoming),
-            links=direct.links(incoming, numbers),
+            links=direct.links(incoming, sha256s),
             links_expire_at=clock.now() + timedelta(seconds=LINK_WORKS_FOR_S),
         )
 

@@ -10,7 +10,7 @@ import hashlib
 import itertools
 import os
 import shutil
-from collections.abc import AsyncIterator, Callable, Iterator, Sequence
+from collections.abc import AsyncIterator, Callable, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -164,11 +164,11 @@ class Uploads:
         finally:
             os.close(file)  # which gives the lock back
 
-    def parts(self, upload: Upload, numbers: Sequence[int]) -> PartsStanding:
-        """Return which parts of an upload are in the store, and links for those asked for."""
+    def parts(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsStanding:
+        """Return which parts of an upload are in the store, and links for those whose SHA-256 is given."""
         if upload.sha256 is None and upload.multipart_id is None and self.offset(upload) > 0:
             raise PartsNotTaken("some of this file came through the server", fix="ask for its offset and send the rest")
-        return self._parts.standing(upload, numbers)
+        return self._parts.standing(upload, sha256s)
 
     def finish_parts(self, upload: Upload) -> Upload:
         """Finish an upload whose parts are all in the store: read what they became, and keep that under its hash."""

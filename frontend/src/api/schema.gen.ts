@@ -4211,8 +4211,24 @@ export interface components {
             loudness_lufs: number | null;
         };
         /**
+         * PartAsk
+         * @description A part that is to be sent next.
+         */
+        PartAsk: {
+            /**
+             * Number
+             * @description Parts count from 1.
+             */
+            number: number;
+            /**
+             * Sha256
+             * @description Of the part's bytes, in hex; the store holds it to them.
+             */
+            sha256: string;
+        };
+        /**
          * PartLinkRead
-         * @description Where one part of a file goes: a PUT of exactly these bytes, with no header of ours.
+         * @description Where one part of a file goes: a PUT of exactly these bytes with exactly these headers.
          */
         PartLinkRead: {
             /** Number */
@@ -4226,6 +4242,10 @@ export interface components {
             length: number;
             /** Url */
             url: string;
+            /** Headers */
+            headers: {
+                [key: string]: string;
+            };
         };
         /**
          * PartsAsk
@@ -4233,11 +4253,10 @@ export interface components {
          */
         PartsAsk: {
             /**
-             * Numbers
-             * @description Parts to sign links for; they count from 1.
+             * Parts
              * @default []
              */
-            numbers: number[];
+            parts: components["schemas"]["PartAsk"][];
         };
         /**
          * PartsRead

@@ -1,4 +1,5 @@
 import { File as NodeFile } from 'node:buffer'
+import { createHash } from 'node:crypto'
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
@@ -26,7 +27,7 @@ class Store {
     })
     const path = new URL(request.url).pathname
     const text = request.body === null ? '' : await request.text()
-    const body = (text ? JSON.parse(text) : null) as { numbers: number[] } | null
+    const body = (text ? JSON.parse(text) : null) as { parts?: { number: number; sha256: string }[] } | null
     this.asked.push({ method: request.method, path, headers: request.headers, body })
     if (this.refuse !== null && this.refuse.times > 0 && this.refuse.path.test(`${request.method} ${path}`)) {
       this.refuse.times -= 1
@@ -45,18 +46,21 @@ class Store {
       part_bytes: PART,
       parts: Math.ceil(this.length / PART),
       here: [...this.here.keys()],
-      links: (body?.numbers ?? []).map((number) => ({
+      links: (body?.parts ?? []).map(({ number, sha256 }) => ({
         number,
         start: (number - 1) * PART,
         length: Math.min(PART, this.length - (number - 1) * PART),
         url: `https://store.example/${number}`,
+        headers: { 'x-amz-checksum-sha256': sha256 },
       })),
     })
   }
 
-  put: Put = (url, bytes, onProgress) => {
-    onProgress(bytes.size / 2)
-    this.here.set(Number(url.split('/').at(-1)), bytes.size)
+  put: Put = ({ url, headers }, bytes, onProgress) => {
+    onProgress(bytes.byteLength / 2)
+    const right = createHash('sha256').update(new Uint8Array(bytes)).digest('hex')
+    if (headers['x-amz-checksum-sha256'] !== right) return Promise.resolve(400)
+    this.here.set(Number(url.split('/').at(-1)), bytes.byteLength)
     return Promise.resolve(200)
   }
 
@@ -111,8 +115,7 @@ test('a large file goes to the store part by part, and is finished by the server
   expect(store.paths()).toEqual([
     'OPTIONS /v1/uploads',
     'POST /v1/uploads',
-    'POST /v1/uploads/u-1/parts',
-    'POST /v1/uploads/u-1/parts',
+    ...Array.from({ length: 4 }, () => 'POST /v1/uploads/u-1/parts'),
     'POST /v1/uploads/u-1/finish',
   ])
   const created = store.asked[1]?.headers
@@ -135,6 +138,18 @@ test('small files, and all where the store takes no parts, go as they went', asy
   expect(stopOther).toHaveBeenCalledWith(true)
 })
 
+test('a page that cannot hash sends as it did', async () => {
+  vi.stubGlobal('crypto', {})
+  sent(transportOf(), fileOf(2 * PART))
+  await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
+})
+
+test('a file that was moved away is told in words', async () => {
+  const file = fileOf(2 * PART)
+  vi.spyOn(file, 'slice').mockReturnValue({ arrayBuffer: () => Promise.reject(new Error('gone')) } as unknown as Blob)
+  await expect(sent(transportOf(), file).end).resolves.toMatch(/^refused: It cannot be read any more/)
+})
+
 test('whether parts are taken is asked once', async () => {
   const transport = transportOf()
   await sent(transport, fileOf(PARTS_FROM_BYTES)).end
@@ -145,8 +160,8 @@ test('whether parts are taken is asked once', async () => {
 
 test('a lost line goes on with the parts that are missing, also after the page was opened again', async () => {
   let failing = true
-  const put: Put = (url, bytes, onProgress, stop) =>
-    failing && url.endsWith('/2') ? Promise.resolve(0) : store.put(url, bytes, onProgress, stop)
+  const put: Put = (link, ...rest) =>
+    failing && link.url.endsWith('/2') ? Promise.resolve(0) : store.put(link, ...rest)
   await expect(sent(transportOf(put), fileOf(3 * PART)).end).resolves.toBe('lost')
   failing = false
   const { end, told } = sent(transportOf(put), fileOf(3 * PART))
@@ -203,9 +218,9 @@ test.each([
 
 test('stopped for good, what was sent is taken away', async () => {
   let stopNow: () => void = () => undefined
-  const put: Put = (url, bytes, onProgress, stop) => {
-    if (url.endsWith('/2')) stopNow()
-    return store.put(url, bytes, onProgress, stop)
+  const put: Put = (link, ...rest) => {
+    if (link.url.endsWith('/2')) stopNow()
+    return store.put(link, ...rest)
   }
   const { stop, told } = sent(transportOf(put), fileOf(3 * PART))
   stopNow = () => stop(true)
@@ -217,9 +232,9 @@ test('stopped for good, what was sent is taken away', async () => {
 
 test('paused, it keeps what is there', async () => {
   let pause: () => void = () => undefined
-  const put: Put = (url, bytes, onProgress, stop) => {
-    if (url.endsWith('/2')) pause()
-    return store.put(url, bytes, onProgress, stop)
+  const put: Put = (link, ...rest) => {
+    if (link.url.endsWith('/2')) pause()
+    return store.put(link, ...rest)
   }
   const transport = transportOf(put)
   const { stop } = sent(transport, fileOf(3 * PART))

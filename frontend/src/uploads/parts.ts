@@ -6,14 +6,18 @@ import { bodyOf, type TusOptions, uploadIdOf } from './tus'
 /** Below this a file is one request anyway, and the server takes it as it comes. */
 export const PARTS_FROM_BYTES = 16 * 2 ** 20
 const EXTENSION = 'soundlist-parts'
-const LINKS_AT_ONCE = 8
 /** So often a store that was never reached is tried before bytes go through the server instead. */
 const STRIKES = 3
 
+export interface PartLink {
+  url: string
+  headers: Record<string, string>
+}
+
 /** Puts bytes at an address of the store; resolves with the status, 0 where the line dropped. */
 export type Put = (
-  url: string,
-  bytes: Blob,
+  link: PartLink,
+  bytes: ArrayBuffer,
   onProgress: (sentBytes: number) => void,
   stop: AbortSignal,
 ) => Promise<number>
@@ -45,25 +49,23 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
     const here = new Set(standing.here)
     let sent = [...here].reduce((sum, number) => sum + lengthOf(number), 0)
     if (sent > 0) events.onResumed(sent)
-    const missing = Array.from({ length: standing.parts }, (_, index) => index + 1).filter(
-      (number) => !here.has(number),
-    )
-    for (let first = 0; first < missing.length; first += LINKS_AT_ONCE) {
-      const { links } = await ask(id, missing.slice(first, first + LINKS_AT_ONCE))
-      for (const { url, start, length } of links) {
-        stop.throwIfAborted()
-        const before = sent
-        const tell = (some: number) => events.onProgress(before + some)
-        const status = await put(url, upload.file.slice(start, start + length), tell, stop)
-        stop.throwIfAborted()
-        if (status < 200 || status >= 300) {
-          strikes += 1
-          throw lineLost() // also a link that expired: the next try asks for new ones
-        }
-        strikes = Number.NEGATIVE_INFINITY
-        sent += length
-        events.onProgress(sent)
+    for (let number = 1; number <= standing.parts; number += 1) {
+      if (here.has(number)) continue
+      stop.throwIfAborted()
+      const start = (number - 1) * standing.part_bytes
+      const bytes = await read(upload.file.slice(start, start + lengthOf(number)))
+      const { links } = await ask(id, [{ number, sha256: await sha256Of(bytes) }])
+      const before = sent
+      const tell = (some: number) => events.onProgress(before + some)
+      const status = links[0] === undefined ? 0 : await put(links[0], bytes, tell, stop)
+      stop.throwIfAborted()
+      if (status < 200 || status >= 300) {
+        strikes += 1
+        throw lineLost() // also a link that expired: the next try asks for new ones
       }
+      strikes = Number.NEGATIVE_INFINITY
+      sent += bytes.byteLength
+      events.onProgress(sent)
     }
     const finished = await answered(api.POST('/v1/uploads/{upload_id}/finish', { params: { path: { upload_id: id } } }))
     place.forget()
@@ -81,7 +83,7 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
         giveUp(id)
       }
       const run = async () => {
-        if (upload.file.size < PARTS_FROM_BYTES || !(await isOffered()) || strikes >= STRIKES) {
+        if (upload.file.size < PARTS_FROM_BYTES || !canHash() || !(await isOffered()) || strikes >= STRIKES) {
           if (stopping.signal.aborted) return
           halt(true)
           halt = otherwise.start(upload, events)
@@ -135,8 +137,23 @@ function giveUp(id: string): void {
   asked(`/v1/uploads/${id}`, request).catch(() => undefined) // what stays expires by itself
 }
 
-const ask = (id: string, numbers: number[]) =>
-  answered(api.POST('/v1/uploads/{upload_id}/parts', { params: { path: { upload_id: id } }, body: { numbers } }))
+const ask = (id: string, parts: { number: number; sha256: string }[]) =>
+  answered(api.POST('/v1/uploads/{upload_id}/parts', { params: { path: { upload_id: id } }, body: { parts } }))
+
+/** Browsers hash on secure pages only. */
+const canHash = () => (globalThis.crypto as Partial<Crypto> | undefined)?.subtle !== undefined
+
+async function sha256Of(bytes: ArrayBuffer): Promise<string> {
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))
+  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('')
+}
+
+function read(bytes: Blob): Promise<ArrayBuffer> {
+  return bytes.arrayBuffer().catch(() => {
+    const detail = 'It cannot be read any more: it was changed or moved. Choose it again.'
+    throw new ApiProblem(400, { code: 'file-unreadable', detail })
+  })
+}
 
 async function asked(url: string, request: RequestInit & { headers?: Record<string, string> }): Promise<Response> {
   const token = csrfToken()
@@ -172,18 +189,13 @@ function placeOf(endpoint: string, given: Record<string, string>, { file, path }
 }
 
 /** By XMLHttpRequest: fetch does not tell how much of a body has gone. */
-function putByXhr(
-  url: string,
-  bytes: Blob,
-  onProgress: (sentBytes: number) => void,
-  stop: AbortSignal,
-): Promise<number> {
-  return new Promise((resolve) => {
+const putByXhr: Put = ({ url, headers }, bytes, onProgress, stop) =>
+  new Promise((resolve) => {
     const request = new XMLHttpRequest()
     request.open('PUT', url)
+    for (const [name, value] of Object.entries(headers)) request.setRequestHeader(name, value)
     request.upload.onprogress = (event) => onProgress(event.loaded)
     request.onloadend = () => resolve(request.status)
     stop.addEventListener('abort', () => request.abort())
     request.send(bytes)
   })
-}

@@ -1,5 +1,6 @@
 """Parts of uploads, and signed links to what is stored, over HTTP: the bucket is reached without the server."""
 
+import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from tests.support.s3 import S3Server
 from tests.support.server import RunningServer, World
 
 CONTENT = bytes(range(256)) * 30_000  # 7.7 MB: two parts
+PART_BYTES = 5 << 20  # the least that S3 takes
 SECRET_KEY = "only for tests, and only here"
 
 
@@ -35,7 +37,7 @@ def direct(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Iterator[R
 
 @pytest.fixture
 def world(direct: RunningServer, monkeypatch: pytest.MonkeyPatch) -> World:
-    monkeypatch.setattr(multipart, "PART_BYTES", 5 << 20)
+    monkeypatch.setattr(multipart, "PART_BYTES", PART_BYTES)
     return World(direct)
 
 
@@ -45,13 +47,18 @@ def begun(world: World, length: int = len(CONTENT), by: TestClient | None = None
     return str((by or world.designer).post("/v1/uploads", headers=headers).headers["location"])
 
 
+def named(number: int) -> dict[str, Any]:
+    part = CONTENT[(number - 1) * PART_BYTES : number * PART_BYTES]
+    return {"number": number, "sha256": hashlib.sha256(part).hexdigest()}
+
+
 def sent(world: World, s3: S3Server, location: str, numbers: list[int]) -> list[int]:
     """Send parts as a browser does; return those that are there then."""
-    asked = world.designer.post(f"{location}/parts", json={"numbers": numbers})
+    asked = world.designer.post(f"{location}/parts", json={"parts": [named(number) for number in numbers]})
     assert asked.status_code == 200, asked.text
     for link in asked.json()["links"]:
         part = CONTENT[link["start"] : link["start"] + link["length"]]
-        assert s3.client.put(link["url"], content=part).status_code == 200
+        assert s3.client.put(link["url"], content=part, headers=link["headers"]).status_code == 200
     here: list[int] = world.designer.post(f"{location}/parts", json={}).json()["here"]
     return here
 
@@ -66,7 +73,7 @@ def test_a_store_that_takes_parts_says_so(direct: RunningServer, server: Running
 def test_where_no_parts_are_taken_that_is_said(server: RunningServer):
     world = World(server)
     location = begun(world)
-    answer = world.designer.post(f"{location}/parts", json={"numbers": [1]})
+    answer = world.designer.post(f"{location}/parts", json={"parts": [named(1)]})
     assert (answer.status_code, answer.json()["code"]) == (409, "parts-not-taken")
     assert answer.json()["fix"] == "send its bytes to the server"
     assert world.designer.post(f"{location}/finish").json()["code"] in ("upload-unfinished", "parts-not-taken")
@@ -101,21 +108,23 @@ def test_through_the_server_it_goes_on_working(world: World):
 @pytest.mark.parametrize(("who", "status"), [("nobody", 401), ("stranger", 404), ("other_designer", 404)])
 def test_nobody_else_gets_a_link(world: World, who: str, status: int):
     location, client = begun(world), getattr(world, who)
-    assert client.post(f"{location}/parts", json={"numbers": [1]}).status_code == status
+    assert client.post(f"{location}/parts", json={"parts": [named(1)]}).status_code == status
     assert client.post(f"{location}/finish").status_code == status
 
 
-@pytest.mark.parametrize("numbers", [[0], [3], list(range(1, 102)), ["one"]])
-def test_parts_that_are_none_are_refused(world: World, numbers: list[Any]):
-    answer = world.designer.post(f"{begun(world)}/parts", json={"numbers": numbers})
+@pytest.mark.parametrize(
+    "parts", [[named(0)], [named(3)], [named(1)] * 101, [{"number": 1}], [{"number": 1, "sha256": "abc"}]]
+)
+def test_parts_that_are_none_are_refused(world: World, parts: list[Any]):
+    answer = world.designer.post(f"{begun(world)}/parts", json={"parts": parts})
     assert answer.status_code == 422
 
 
 def test_bytes_for_the_server_are_refused_once_parts_are_sent(world: World, s3: S3Server):
     location = begun(world)
     sent(world, s3, location, [1])
-    headers = TUS | {"Upload-Offset": "5242880", "Content-Type": "application/offset+octet-stream"}
-    answer = world.designer.patch(location, headers=headers, content=CONTENT[5 << 20 :])
+    headers = TUS | {"Upload-Offset": str(PART_BYTES), "Content-Type": "application/offset+octet-stream"}
+    answer = world.designer.patch(location, headers=headers, content=CONTENT[PART_BYTES:])
     assert (answer.status_code, answer.json()["code"]) == (409, "sent-in-parts")
 
 

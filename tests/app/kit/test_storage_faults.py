@@ -49,7 +49,7 @@ def kept(s3: S3Server, bucket: str) -> list[bytes]:
     return [path.read_bytes() for path in (s3.folder / bucket / "sounds").rglob("*") if path.is_file()]
 
 
-@pytest.mark.parametrize("kind", [*FLEETING, "lost answer"])
+@pytest.mark.parametrize("kind", [*FLEETING, "cut off", "lost answer"])
 @pytest.mark.parametrize("content", [CONTENT, LARGE], ids=["3 MB", "6 MB"])
 def test_a_put_that_fails_twice_is_done_the_third_time(
     s3: S3Server, bucket: str, store: BucketStore, line: FaultyLine, kind: str, content: bytes

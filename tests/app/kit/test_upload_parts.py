@@ -2,10 +2,12 @@
 
 import asyncio
 import hashlib
+import socket
 from collections.abc import AsyncIterator, Callable, Iterator
 from datetime import timedelta
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -70,8 +72,9 @@ def send(s3: S3Server, incoming: Uploads) -> Callable[..., Upload]:
     """Send parts of a file as a browser does, and return the upload as it stands then."""
 
     def send_parts(upload: Upload, numbers: list[int] = ALL, content: bytes = CONTENT) -> Upload:
-        for link in incoming.parts(found(incoming, upload), numbers).links:
-            answer = s3.client.put(link.url, content=content[link.start : link.start + link.length])
+        for link in incoming.parts(found(incoming, upload), sha256s(numbers, content)).links:
+            part = content[link.start : link.start + link.length]
+            answer = s3.client.put(link.url, content=part, headers=link.headers)
             assert answer.status_code == 200, answer.text
         return found(incoming, upload)
 
@@ -90,6 +93,12 @@ def begun(incoming: Uploads, length: int = len(CONTENT), **more: Any) -> Upload:
     )
 
 
+def sha256s(numbers: list[int], content: bytes = CONTENT) -> dict[int, bytes]:
+    return {
+        number: hashlib.sha256(content[(number - 1) * PART_BYTES : number * PART_BYTES]).digest() for number in numbers
+    }
+
+
 def found(incoming: Uploads, upload: Upload) -> Upload:
     return incoming.find(upload.id, owner_id=OWNER)
 
@@ -100,12 +109,12 @@ def in_bucket(s3: S3Server, bucket: str) -> list[str]:
 
 def test_parts_become_the_file_that_was_sent(s3, bucket, store, incoming, send):
     upload = begun(incoming)
-    standing = incoming.parts(upload, [])
+    standing = incoming.parts(upload, {})
     assert (standing.part_bytes, standing.parts, standing.here, standing.links) == (PART_BYTES, 3, [], [])
     upload = send(upload, [2])
-    assert (incoming.parts(upload, []).here, incoming.offset(upload)) == ([2], 0)
+    assert (incoming.parts(upload, {}).here, incoming.offset(upload)) == ([2], 0)
     upload = send(upload, [1])
-    assert (incoming.parts(upload, []).here, incoming.offset(upload)) == ([1, 2], 2 * PART_BYTES)
+    assert (incoming.parts(upload, {}).here, incoming.offset(upload)) == ([1, 2], 2 * PART_BYTES)
     upload = send(upload, [3])
     assert incoming.offset(upload) == len(CONTENT)
     assert upload.sha256 is None  # until somebody read it
@@ -119,9 +128,9 @@ def test_parts_become_the_file_that_was_sent(s3, bucket, store, incoming, send):
 @pytest.mark.parametrize("length", [1, PART_BYTES, PART_BYTES + 1])
 def test_a_file_has_as_many_parts_as_it_needs(incoming, send, store, length):
     upload = begun(incoming, length)
-    count = incoming.parts(upload, []).parts
+    count = incoming.parts(upload, {}).parts
     assert count == (1 if length <= PART_BYTES else 2)
-    upload = incoming.finish_parts(send(upload, list(range(1, count + 1))))
+    upload = incoming.finish_parts(send(upload, list(range(1, count + 1)), CONTENT[:length]))
     assert store.read(STUDIO, upload.sha256) == CONTENT[:length]
 
 
@@ -144,15 +153,31 @@ def test_what_is_missing_is_named(incoming, send):
 def test_there_is_no_other_part(incoming):
     for number in (0, 4, -1):
         with pytest.raises(PartUnknown, match="comes in 3"):
-            incoming.parts(begun(incoming), [number])
+            incoming.parts(begun(incoming), {number: bytes(32)})
 
 
-def test_a_part_of_another_length_is_refused_by_its_link(s3, incoming):
+def test_other_bytes_than_a_part_has_are_refused_by_its_link(s3, incoming):
     upload = begun(incoming)
-    (link,) = incoming.parts(upload, [3]).links
-    for content in (CONTENT[link.start :] + b"x", CONTENT[link.start : -1], b""):
-        assert s3.client.put(link.url, content=content).status_code in (400, 403)
-    assert incoming.parts(found(incoming, upload), []).here == []
+    (link,) = incoming.parts(upload, sha256s([3])).links
+    right = CONTENT[link.start :]
+    for content in (right + b"x", right[:-1], b"", right[::-1]):
+        assert s3.client.put(link.url, content=content, headers=link.headers).status_code in (400, 403)
+    assert s3.client.put(link.url, content=right).status_code in (400, 403)  # without its SHA-256
+    assert incoming.parts(found(incoming, upload), {}).here == []
+
+
+def test_a_part_that_broke_off_is_not_there(s3, incoming, send, store):
+    upload = begun(incoming)
+    (link,) = incoming.parts(upload, sha256s([1])).links
+    to = urlsplit(link.url)
+    headers = {"Host": to.netloc, "Content-Length": str(link.length), **link.headers}
+    head = "".join(f"{name}: {value}\r\n" for name, value in headers.items())
+    with socket.create_connection((to.hostname, to.port)) as line:
+        line.sendall(f"PUT {to.path}?{to.query} HTTP/1.1\r\n{head}\r\n".encode() + CONTENT[: 3 << 20])
+        line.shutdown(socket.SHUT_WR)
+        assert line.recv(100).startswith(b"HTTP/1.1 400 ")
+    assert incoming.parts(found(incoming, upload), {}).here == []
+    assert incoming.finish_parts(send(upload)).sha256 == SHA256
 
 
 def test_a_part_that_came_twice_counts_as_it_came_last(incoming, send, store):
@@ -163,9 +188,10 @@ def test_a_part_that_came_twice_counts_as_it_came_last(incoming, send, store):
 
 def test_once_it_is_whole_no_link_changes_it(s3, incoming, send, store):
     upload = begun(incoming)
-    links = incoming.parts(upload, ALL).links
+    links = incoming.parts(upload, sha256s(ALL)).links
     incoming.finish_parts(send(upload))
-    assert s3.client.put(links[0].url, content=bytes(links[0].length)).status_code == 404
+    again = s3.client.put(links[0].url, content=CONTENT[:PART_BYTES], headers=links[0].headers)
+    assert again.status_code == 404
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
@@ -198,7 +224,7 @@ def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
     assert hits == [point]
     again = Uploads(database, store)
     if found(again, upload).sha256 is None:
-        assert again.parts(found(again, upload), []).here == ALL
+        assert again.parts(found(again, upload), {}).here == ALL
         assert again.offset(found(again, upload)) == len(CONTENT)
     assert again.finish_parts(found(again, upload)).sha256 == SHA256
     assert store.read(STUDIO, SHA256) == CONTENT
@@ -224,8 +250,8 @@ def test_a_second_who_finishes_waits_its_turn(incoming, send, store, monkeypatch
 
 def test_asked_for_twice_at_once_it_is_begun_once(incoming, send, store):
     upload = begun(incoming)
-    incoming.parts(upload, [])
-    incoming.parts(upload, [])  # the same row, read before the first was done
+    incoming.parts(upload, {})
+    incoming.parts(upload, {})  # the same row, read before the first was done
     assert len(list(store.multipart.unfinished(""))) == 1
     assert incoming.finish_parts(send(upload)).sha256 == SHA256
 
@@ -241,7 +267,7 @@ def test_one_file_comes_one_way(incoming, send):
     through_us = begun(incoming)
     asyncio.run(incoming.receive(through_us, 0, stream(CONTENT[:10])))
     with pytest.raises(PartsNotTaken, match="came through the server"):
-        incoming.parts(through_us, [1])
+        incoming.parts(through_us, sha256s([1]))
 
 
 def test_a_store_that_browsers_do_not_reach_takes_no_parts(s3, bucket, database, tmp_path):
@@ -251,7 +277,7 @@ def test_a_store_that_browsers_do_not_reach_takes_no_parts(s3, bucket, database,
     ):
         uploads = Uploads(database, store)
         with pytest.raises(PartsNotTaken, match="no part of"):
-            uploads.parts(begun(uploads), [1])
+            uploads.parts(begun(uploads), sha256s([1]))
 
 
 def test_what_was_begun_is_finished_where_parts_are_taken_no_more(s3, bucket, incoming, send, database, tmp_path):
@@ -292,6 +318,6 @@ def test_the_sweep_takes_what_expired_and_nothing_else(s3, bucket, incoming, sen
 def test_what_vanished_from_the_bucket_was_given_up(incoming, send, store):
     upload = send(begun(incoming), [1])
     store.direct.forget(upload.id, upload.multipart_id)
-    for ask in (lambda: incoming.parts(upload, [2]), lambda: incoming.finish_parts(upload)):
+    for ask in (lambda: incoming.parts(upload, {}), lambda: incoming.finish_parts(upload)):
         with pytest.raises(UploadNotFound, match="given up or has expired"):
             ask()
