@@ -1,12 +1,11 @@
 """The sounds that are measured: made from numbers, so that every run has the same."""
 
-import struct
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.support.waves import fmt, wav_bytes
+from tests.support.waves import wav_bytes
 
 Samples = NDArray[np.float64]
 SHORTEST_S, LONGEST_S = 0.2, 3.0
@@ -59,15 +58,3 @@ def effects(folder: Path, count: int) -> list[Path]:
         write(folder / f"effect_{number:04}.wav", effect(rng, 48_000, 1 + number % 2), 48_000, 24)
         for number in range(count)
     ]
-
-
-def large(path: Path, data_bytes: int) -> Path:
-    """Write an RF64 file of 48 kHz/24 bit stereo that takes no room on the disk: silence, but for its first second."""
-    data_bytes -= data_bytes % 6
-    sound = wav_bytes(np.random.default_rng(5).standard_normal((48_000, 2)) * 0.1, bits=24)[44:]
-    head = b"WAVE" + b"ds64" + struct.pack("<IQQQI", 28, data_bytes + 72, data_bytes, 0, 0)
-    head += b"fmt " + struct.pack("<I", 16) + fmt(channels=2, bits=24) + b"data" + b"\xff" * 4
-    with open(path, "wb") as file:
-        file.write(b"RF64" + b"\xff" * 4 + head + sound)
-        file.truncate(8 + len(head) + data_bytes)
-    return path

@@ -161,3 +161,15 @@ def placeholder_mark(number: str) -> bytes:
     """A LIST/INFO chunk that marks a placeholder for the cue `number`."""
     text = f"SOUNDLIST:PLACEHOLDER {number}".encode() + b"\0"
     return chunk(b"LIST", b"INFO" + chunk(b"ICMT", text))
+
+
+def write_large(path: Path, data_bytes: int) -> Path:
+    """Write an RF64 file of 48 kHz/24 bit stereo that takes no room on the disk: silence, but for its first second."""
+    data_bytes -= data_bytes % 6
+    sound = pcm_bytes(noise(channels=2))
+    ds64 = struct.pack("<QQQI", data_bytes + 72, data_bytes, 0, 0)
+    chunks = chunk(b"ds64", ds64) + chunk(b"fmt ", fmt(channels=2, bits=24)) + b"data" + b"\xff" * 4
+    with open(path, "wb") as file:
+        file.write(b"RF64" + b"\xff" * 4 + b"WAVE" + chunks + sound)
+        file.truncate(12 + len(chunks) + data_bytes)
+    return path
