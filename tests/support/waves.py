@@ -51,6 +51,12 @@ def click(
     return samples
 
 
+def swelling(samples: Samples, frames: int = 480) -> Samples:
+    """The sound with a straight rise and fall, so that nothing of it stands out where it begins and ends."""
+    rise = np.minimum(1.0, (np.arange(len(samples)) + 1) / frames)
+    return samples * (rise * rise[::-1])[:, np.newaxis]
+
+
 def join(*parts: Samples) -> Samples:
     """The parts one after the other."""
     return np.concatenate(parts)

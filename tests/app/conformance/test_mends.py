@@ -15,14 +15,13 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from tests.support.deliver import add_cues, checked, deliver, open_delivery
 from tests.support.server import World
-from tests.support.waves import join, silence, sine, wav_bytes
+from tests.support.waves import join, silence, sine, swelling, wav_bytes
 
 
 def loud(hz: float = 440.0, *, rate: int = 48_000) -> bytes:
-    """A sound that starts late, peaks at full scale, and 0.1 dB over it where it begins: a mend is enough."""
-    return wav_bytes(
-        join(silence(seconds=0.05, rate=rate), sine(hz=hz, dbfs=0.0, seconds=0.2, rate=rate, phase=0.15)), rate=rate
-    )
+    """A sound that starts late and peaks at full scale: a mend is enough."""
+    tone = swelling(sine(hz=hz, dbfs=0.0, seconds=0.2, rate=rate, phase=1.0))
+    return wav_bytes(join(silence(seconds=0.05, rate=rate), tone), rate=rate)
 
 
 def returned(world: World, content: bytes | None = None, name: str = "airlock_cycle.wav") -> dict[str, Any]:
@@ -47,7 +46,7 @@ def take(world: World) -> dict[str, Any]:
 def test_what_came_back_finds_its_mend_made(world: World, take: dict[str, Any]) -> None:
     mend = mend_of(world, take)
     assert (mend["state"], mend["left"], mend["becomes"]) == ("made", [], 2)
-    assert mend["says"] == "45.0 ms trimmed from the start, level lowered by 1.01 dB."
+    assert mend["says"] == "45.0 ms trimmed from the start, level lowered by 1.00 dB."
     assert [repair["kind"] for repair in mend["repairs"]] == ["head", "gain"]
     assert mend["before"]["sample_peak_dbfs"] == pytest.approx(0.0, abs=0.01)
     assert mend["after"]["true_peak_dbtp"] == pytest.approx(-1.0, abs=0.06)
@@ -104,7 +103,7 @@ def test_who_agreed_and_to_what_stays_on_record(world: World, take: dict[str, An
     assert (origin["take_id"], origin["number"], origin["used_by"]["name"]) == (take["id"], 1, "Sound designer")
     assert [repair["words"] for repair in origin["repairs"]] == [
         "45.0 ms trimmed from the start",
-        "level lowered by 1.01 dB",
+        "level lowered by 1.00 dB",
     ]
     history = world.decider.get(f"/v1/takes/{new['id']}/history").json()
     assert "mend of version 1" in history[0]["text"]
@@ -213,7 +212,7 @@ def test_a_new_spec_makes_a_new_mend(world: World, take: dict[str, Any]) -> None
     body = {"toml": stricter, "note": "", "based_on_version": now["version"]}
     assert world.producer.put(path, json=body).status_code == 200
     world.server.wait_for_jobs()
-    assert "level lowered by 3.01 dB" in mend_of(world, take)["says"]
+    assert "level lowered by 3.00 dB" in mend_of(world, take)["says"]
 
 
 def test_when_its_mender_dies_three_times_that_is_our_fault(world: World, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,10 +8,10 @@ import pytest
 
 from audio_checks.cli import main
 from audio_checks.spec import new_spec
-from tests.support.waves import join, silence, sine, write_wav
+from tests.support.waves import join, silence, sine, swelling, write_wav
 
-FINE = sine(hz=440, seconds=0.1)
-LOUD = sine(hz=440, dbfs=0.0, seconds=0.1)
+FINE = swelling(sine(hz=443.7, seconds=0.1))  # a period that no buffer repeats
+LOUD = swelling(sine(hz=443.7, dbfs=0.0, seconds=0.1, phase=1.0))
 
 
 @pytest.fixture
