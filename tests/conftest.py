@@ -24,8 +24,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     there = items[:]
     if config.getoption("--database") == POSTGRES:
         there = [item for item in there if "database_url" in getattr(item, "fixturenames", ())]
-    if config.getoption("--store") == S3:
-        there = [item for item in there if item.get_closest_marker("on_folder") is None]
+    other = "on_folder" if config.getoption("--store") == S3 else "on_s3"
+    there = [item for item in there if item.get_closest_marker(other) is None]
     config.hook.pytest_deselected(items=[item for item in items if item not in there])
     items[:] = there
 

@@ -17,7 +17,7 @@ from app.conformance.service import CheckOrder
 from app.kit import kill
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.kit.storage import BlobMissing
+from app.kit.storage import BlobAltered, BlobMissing
 
 log = structlog.get_logger(__name__)
 BASE_TIME_S = 60
@@ -90,7 +90,7 @@ def _checked(runtime: Runtime, order: CheckOrder) -> Report:
                 report = sandbox.call(
                     audio_checks.check_file, path, order.spec, cue=order.cue, name=order.name, all_figures=True
                 )
-        except (audio_checks.SandboxFailed, BlobMissing) as error:
+        except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
             why = str(error)
             continue
         return report.to_dict() | {"path": order.name}
@@ -106,7 +106,7 @@ def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, 
                 return sandbox.call(mending.mend, str(path), folder, order.spec, cue=order.cue, name=order.name)
         except audio_checks.MendRefused as refusal:
             return _refused(order, refusal)
-        except (audio_checks.SandboxFailed, BlobMissing) as error:
+        except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
             log.warning("a mend failed", mend_id=str(order.mend_id), error=str(error))
     return None
 

@@ -257,7 +257,10 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
 
     @app.exception_handler(Refused)
     def _refused(request: Request, error: Refused) -> JSONResponse:
-        return _problem(request, error.status, error.code(), error.message, errors=error.errors, fix=error.fix)
+        answer = _problem(request, error.status, error.code(), error.message, errors=error.errors, fix=error.fix)
+        if error.status == 503:
+            answer.headers["Retry-After"] = str(AWAY_RETRY_S)
+        return answer
 
     @app.exception_handler(RequestValidationError)
     def _invalid(request: Request, error: RequestValidationError) -> JSONResponse:

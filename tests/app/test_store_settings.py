@@ -2,7 +2,11 @@
 
 import pytest
 from pydantic import ValidationError
+from typer.testing import CliRunner
 
+from app.cli import cli
+from app.kit.db import Database
+from app.migrate import migrate
 from app.settings import BucketAddress, Settings, bucket_address
 
 KEYS = {"aws_access_key_id": "id", "aws_secret_access_key": "hush"}
@@ -70,3 +74,37 @@ def test_a_bucket_without_keys_is_refused_in_words():
 def test_a_folder_has_no_bucket(tmp_path):
     assert Settings(store_url=f"file://{tmp_path}").bucket is None
     assert Settings(store_url=f"file://{tmp_path}").blob_dir == tmp_path
+
+
+@pytest.mark.parametrize("command", ["serve", "worker"])
+@pytest.mark.parametrize(
+    ("changed", "told"),
+    [
+        ({}, None),
+        ({"SOUNDLIST_STORE_URL": "s3://nobody-made-it?endpoint={endpoint}"}, "the store's bucket is not there"),
+        ({"SOUNDLIST_STORE_URL": "s3://sounds?endpoint=http://127.0.0.1:1"}, "does not answer as an S3 server does"),
+        ({"AWS_SECRET_ACCESS_KEY": "another"}, "the store refuses our key; see that AWS_ACCESS_KEY_ID"),
+        ({"AWS_SECRET_ACCESS_KEY": ""}, "AWS_ACCESS_KEY_ID or AWS_SECRET_ACCESS_KEY is not set"),
+    ],
+    ids=["all is well", "no bucket", "no server", "wrong key", "no key"],
+)
+def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch, changed, told, command):
+    settings = s3.settings()
+    environment = {
+        "SOUNDLIST_DATA_DIR": str(tmp_path),
+        "SOUNDLIST_SECRET_KEY": "k" * 32,
+        "SOUNDLIST_STORE_URL": settings["store_url"],
+        "AWS_ACCESS_KEY_ID": settings["aws_access_key_id"],
+        "AWS_SECRET_ACCESS_KEY": settings["aws_secret_access_key"],
+    } | {name: value.format(endpoint=s3.endpoint) for name, value in changed.items()}
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    migrate(Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}"))
+    monkeypatch.setattr("uvicorn.run", lambda *_, **__: print("it serves"))  # noqa: T201
+    monkeypatch.setattr("app.worker.run", lambda _: print("it serves"))  # noqa: T201
+    started = CliRunner().invoke(cli, [command])
+    if told is None:
+        assert (started.exit_code, started.output.strip()) == (0, "it serves")
+    else:
+        assert (started.exit_code, told in started.output) == (2, True), started.output
+        assert s3.endpoint not in started.output

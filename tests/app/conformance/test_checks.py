@@ -1,6 +1,7 @@
 """Every take is judged once against what the spec asks, whatever the file does to its checker."""
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 from uuid import UUID
 
@@ -138,10 +139,15 @@ def test_a_check_that_works_at_the_third_try_counts(
     assert tried(take) == 3
 
 
-def test_a_missing_master_is_our_fault(world: World) -> None:
+def altered(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[::-1])
+
+
+@pytest.mark.parametrize("spoil", [Path.unlink, pytest.param(altered, marks=pytest.mark.on_s3)])
+def test_a_master_that_the_store_lost_is_our_fault(world: World, spoil: Callable[[Path], None]) -> None:
     take = deliver(world, "laser.wav", tone(hz=310))
     world.server.wait_for_jobs()
-    blob_file(world.server.runtime.store, world.studio_id, take["master_sha256"]).unlink()
+    spoil(blob_file(world.server.runtime.store, world.studio_id, take["master_sha256"]))
 
     def again(session: Any) -> None:
         row = session.get(Take, UUID(take["id"]))

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -11,12 +12,13 @@ from anyio.from_thread import start_blocking_portal
 from fastapi.testclient import TestClient
 
 from app.kit.runtime import Runtime
-from app.kit.storage import multipart
+from app.kit.storage import BucketStore, multipart
+from app.kit.storage.patience import Patience
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings
 from tests.support.deliver import TUS, metadata, open_delivery
-from tests.support.s3 import S3Server
+from tests.support.s3 import KEY, FaultyLine, S3Server, faulty_line
 from tests.support.server import RunningServer, World
 
 CONTENT = bytes(range(256)) * 30_000  # 7.7 MB: two parts
@@ -159,3 +161,63 @@ def test_the_page_may_reach_the_bucket_and_nothing_else(direct: RunningServer, s
     policy = direct.browser().get("/healthz").headers["content-security-policy"]
     assert f"connect-src 'self' {s3.endpoint};" in policy
     assert urlsplit(s3.endpoint).netloc not in server.browser().get("/healthz").headers["content-security-policy"]
+
+
+@pytest.fixture(scope="module")
+def on_a_bad_line(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[RunningServer, FaultyLine]]:
+    """A web process at the end of a line to its store that can be made to fail."""
+    settings = s3.settings(data_dir=tmp_path_factory.mktemp("faulty"), secret_key=SECRET_KEY)
+    with faulty_line(s3) as line, start_blocking_portal() as portal:
+        settings["store_url"] = settings["store_url"].replace(s3.endpoint, line.endpoint)
+        runtime = Runtime.of(Settings(**settings))
+        hasty = Patience(tries=2, first_pause_s=0.01, connect_s=1.0, silence_s=1.0)
+        assert runtime.settings.bucket is not None
+        store = BucketStore(runtime.settings.bucket, KEY, runtime.store.staging_root, patience=hasty)
+        runtime = replace(runtime, store=store)
+        migrate(runtime.database)
+        yield RunningServer(runtime, create_app(runtime), portal), line
+        runtime.close()
+
+
+def test_a_store_that_does_not_answer_is_told_and_nothing_is_half_kept(
+    on_a_bad_line: tuple[RunningServer, FaultyLine],
+):
+    server, line = on_a_bad_line
+    world = World(server)
+    location = begun(world, 5)
+    bytes_of = TUS | {"Upload-Offset": "0", "Content-Type": "application/offset+octet-stream"}
+    line.fail("503", times=2, method="PUT")
+    told = world.designer.patch(location, headers=bytes_of, content=b"sound")
+    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
+    assert int(told.headers["retry-after"]) > 0
+    assert list(server.runtime.store.blobs()) == []
+    standing = world.designer.head(location, headers=TUS)  # all bytes are here: whoever asks next finishes it
+    assert (standing.status_code, standing.headers["upload-offset"]) == (200, "5")
+    assert [blob.size_bytes for _, blob in server.runtime.store.blobs()] == [5]
+
+
+def test_a_put_that_the_store_does_not_take_leaves_nothing_behind(on_a_bad_line: tuple[RunningServer, FaultyLine]):
+    server, line = on_a_bad_line
+    world = World(server)
+    line.fail("refused", times=2, method="PUT")
+    params = {"delivery_id": open_delivery(world), "file_name": "laser.wav"}
+    told = world.designer.put("/v1/uploads", params=params, content=b"another sound")
+    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
+    assert list(server.runtime.store.staging_root.glob(f"{world.studio_id}/.uploads/*")) == []
+    assert world.designer.put("/v1/uploads", params=params, content=b"another sound").status_code == 201
+
+
+def test_a_master_that_cannot_be_read_now_is_told_before_a_byte_is_sent(
+    on_a_bad_line: tuple[RunningServer, FaultyLine],
+):
+    server, line = on_a_bad_line
+    world = World(server)
+    delivery_id = open_delivery(world)
+    params = {"delivery_id": delivery_id, "file_name": "laser.wav"}
+    upload = world.designer.put("/v1/uploads", params=params, content=b"a third sound").json()
+    body = {"upload_id": upload["upload_id"], "file_name": "laser.wav"}
+    take = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).json()
+    line.fail("503", times=2, method="HEAD")
+    told = world.designer.get(f"/v1/takes/{take['id']}/master")
+    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
+    assert world.designer.get(f"/v1/takes/{take['id']}/master").content == b"a third sound"
