@@ -172,7 +172,7 @@ def mend_master(
     ------
     MendRefused
         `mend:over-master` and `mend:same-name`, when the copy would replace the master or a copy made
-        before; `mend:large-chunks`.
+        before; `mend:large-chunks`; `mend:valid-bits`, when header and samples disagree about the depth.
     SpecError
         The spec has no such target.
     """
@@ -288,6 +288,7 @@ class _Work:
             source = whole
             report = _judged(source, self._view, self._cue, name)
             first = first.extended(report, self._view)
+        _ensure_depth_is_true(report)
         copy = self._scratch()
         seed = bytes.fromhex(report.sha256 or "")
         with wav.open_regular(source) as file:
@@ -427,6 +428,18 @@ class _Work:
         scratch = self._out / f".mend-{secrets.token_hex(8)}.part"
         self._scratches.callback(lambda: scratch.unlink(missing_ok=True))
         return scratch
+
+
+def _ensure_depth_is_true(report: FileReport) -> None:
+    """Raise MendRefused for samples that make use of more bits than the header says: a copy would cut them off."""
+    facts = report.facts or {}
+    used, said = facts.get("effective_bits"), facts.get("bit_depth")
+    if used is not None and said is not None and used > said:
+        raise MendRefused(
+            f"the samples make use of {used} bits, and the header says that {said} count",
+            code="mend:valid-bits",
+            fix="export it again from the session, so that header and samples agree",
+        )
 
 
 def _why(offer: Offer) -> str:

@@ -72,7 +72,7 @@ def mendable(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     offer = _OFFERS.get(finding.code)
     if offer is not None:
         return offer(finding, report, spec)
-    if finding.check == "naming" and finding.code != "naming:unlisted":
+    if finding.check == "naming" and finding.code not in _WHY_NOT:
         return _renaming(finding, report, spec)
     return Offer(None, _WHY_NOT.get(finding.code) or _WHY_NOT.get(finding.check) or ONLY_THE_SESSION)
 
@@ -177,8 +177,9 @@ def _in_ms(finding: Finding, report: FileReport) -> float:
 
 
 def _renaming(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
-    name = lawful_name(base_name(report.path), spec)
-    if name is None:
+    now = base_name(report.path)
+    name = lawful_name(now, spec)
+    if name is None or name == now:
         return Offer(None, "No lawful name can be made of this one: name the file after its cue.")
     return Offer("name", f"names it {name}")
 
@@ -256,6 +257,9 @@ _WHY_NOT = {
     "in the session.",
     "placeholder": "A stand-in is replaced by the sound itself.",
     "metadata": "Only its designer knows what the field should say: fill it in the editor.",
+    "duplicate": "Which sound belongs here, only its designer knows: deliver the one that is meant.",
+    "variation-set": "A set is balanced by ear, all of it together: in the session.",
+    "naming:twins": "Which of the two gets another name, a person says.",
     "naming:unlisted": "Which cue it is for, a person says: match it to its cue, or rename it to the cue's file name.",
     "structure:truncated": "The end of the sound is missing from the file: export or copy it again.",
     "structure:partial-frame": "The last frame is not whole, so the file was cut short: export or copy it again.",

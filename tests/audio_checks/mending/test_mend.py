@@ -9,7 +9,20 @@ import numpy as np
 import pytest
 
 from audio_checks import CueFacts, DeliverySpec, MendRefused, mend_master, new_spec, parse_spec, wav
-from tests.support.waves import chunk, fmt, join, noise, pcm_bytes, riff, silence, sine, smpl, wav_bytes, write_wav
+from tests.support.waves import (
+    chunk,
+    extensible,
+    fmt,
+    join,
+    noise,
+    pcm_bytes,
+    riff,
+    silence,
+    sine,
+    smpl,
+    wav_bytes,
+    write_wav,
+)
 
 SPEC = """
 format = 1
@@ -217,6 +230,24 @@ class TestDepthAndHeader:
         mended = mend_master(write_wav(tmp_path / "laser.wav", sine(hz=997), bits=16), wanted, out)
         assert (mended.path, codes_left(mended)) == (None, ["bit-depth:not-accepted"])
         assert "never raises the depth" in mended.left[0].why
+
+    def test_bits_that_the_header_denies_are_not_cut_off(self, tmp_path, out):
+        sound = pcm_bytes(sine(hz=997, dbfs=0.0, seconds=0.1), 32)
+        master = tmp_path / "laser.wav"
+        master.write_bytes(riff(chunk(b"fmt ", extensible(container_bits=32, valid_bits=24)), chunk(b"data", sound)))
+        with pytest.raises(MendRefused) as refused:
+            mend_master(master, spec(), out)
+        assert refused.value.code == "mend:valid-bits"
+        assert list(out.iterdir()) == []
+
+    def test_24_bits_in_32_stay_what_they_are(self, tmp_path, out):
+        loud = sine(hz=997, dbfs=0.0, seconds=0.1)
+        whole = np.round(loud * (2**23 - 1)) / 2**23
+        master = tmp_path / "laser.wav"
+        header = extensible(container_bits=32, valid_bits=24)
+        master.write_bytes(riff(chunk(b"fmt ", header), chunk(b"data", pcm_bytes(whole, 32))))
+        mended = mend_master(master, spec(), out)
+        assert (mended.conforms, layout_of(mended.path).bit_depth) == (True, 24)
 
     def test_sizes_and_padding(self, tmp_path, out):
         content = wav_bytes(sine(hz=1_000, seconds=0.1)) + bytes(512)

@@ -94,6 +94,12 @@ def test_a_whole_mend_in_words():
     assert mend_in_words([]) == ""
 
 
+def test_a_name_that_is_lawful_by_itself_is_not_offered_again():
+    named = replace(REPORT, path="deliveries/laser_fire.wav")
+    assert not mendable(finding("naming:twins"), named, SPEC)
+    assert not mendable(finding("naming:ucs"), named, SPEC)
+
+
 def test_another_kind_of_file_is_not_mended():
     flac = replace(REPORT, facts={**REPORT.facts, "container": "flac"})
     assert "WAV" in mendable(finding("sample-peak:over", 0.0, -0.1), flac, SPEC).words
