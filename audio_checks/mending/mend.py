@@ -287,6 +287,8 @@ class _Work:
                 return self._nothing(before, name)
             source = whole
             report = _judged(source, self._view, self._cue, name)
+            if report.facts is None:  # something else is wrong with it, which no header puts right
+                return self._nothing(report, name)
             first = first.extended(report, self._view)
         _ensure_depth_is_true(report)
         copy = self._scratch()
