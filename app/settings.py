@@ -14,7 +14,7 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 PREFIX = "SOUNDLIST_"
 # Names that are read elsewhere: by the lines for a game's CI, and by the tests that kill processes.
-NOT_SETTINGS = frozenset({"SOUNDLIST_TOKEN", "SOUNDLIST_KILL_AT", "SOUNDLIST_KILL_MARKER"})
+NOT_SETTINGS = frozenset({"SOUNDLIST_TOKEN", "SOUNDLIST_KILL_AT", "SOUNDLIST_KILL_MARKER", "SOUNDLIST_KILL_PID"})
 SECRET_KEY_LENGTH = 16
 
 

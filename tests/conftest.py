@@ -16,6 +16,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--database", choices=(SQLITE, POSTGRES), default=SQLITE, help="what the rooms and journeys run on"
     )
+    parser.addoption(
+        "--kill-runs", type=int, default=1, help="how often each kill is tried; more than once, on both databases"
+    )
     parser.addoption("--store", choices=(FOLDER, S3), default=FOLDER, help="where the rooms and journeys keep sounds")
 
 

@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
+from app.kit import kill
+
 READ_BYTES = 1 << 20
 UTF8_NAMES = 0x800
 TIME, DATE = 0, (1 << 5) | 1  # 1980-01-01 00:00, the earliest that ZIP knows: the same pack is the same bytes
@@ -72,6 +74,7 @@ def zip_bytes(entries: Sequence[Entry]) -> Iterator[bytes]:
         )
         yield header + entry.name + extra
         yield from _content(entry, crc)
+        kill.point("builds.entry_packed")
         offset += len(header) + len(entry.name) + len(extra) + entry.size_bytes
     central = sum(map(len, directory))
     yield from directory

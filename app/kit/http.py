@@ -23,7 +23,7 @@ from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
-from app.kit import clock, metrics
+from app.kit import clock, kill, metrics
 from app.kit.db import Base, Database, is_away, is_crossed, new_id, reach_further
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
@@ -125,6 +125,7 @@ def _session(request: Request) -> Iterator[Session]:
             session.add(pending)
             session.flush()
         yield session
+    kill.point("http.after_commit")
 
 
 # scope="function": the commit happens before the answer leaves, so a failed commit cannot have answered 201.

@@ -1,4 +1,4 @@
-"""Named points at which a test may SIGKILL its own process; without its two variables nothing happens."""
+"""Named points at which a test may SIGKILL this process or another; without its variables nothing happens."""
 
 import os
 import signal
@@ -6,10 +6,11 @@ from pathlib import Path
 
 POINT = "SOUNDLIST_KILL_AT"
 MARKER = "SOUNDLIST_KILL_MARKER"
+VICTIM = "SOUNDLIST_KILL_PID"  # of another process, such as the database; without it this one dies
 
 
 def point(name: str) -> None:
-    """Die here if the environment names this point, once: the marker file says that it was hit."""
+    """Kill here if the environment names this point, once: the marker file says that it was hit."""
     if os.environ.get(POINT) != name:
         return
     try:
@@ -17,4 +18,4 @@ def point(name: str) -> None:
             marker.write(name)
     except FileExistsError:
         return
-    os.kill(os.getpid(), signal.SIGKILL)
+    os.kill(int(os.environ.get(VICTIM) or os.getpid()), signal.SIGKILL)

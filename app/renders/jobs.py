@@ -12,6 +12,7 @@ from prometheus_client import Counter
 
 from app.conformance.queries import mend_by_id
 from app.deliveries.queries import take_by_id
+from app.kit import kill
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.renders import drawing, queries, service
@@ -113,9 +114,13 @@ def make_renders(runtime: Runtime, payload: Payload) -> None:
     if order is None:
         return
     for target, recipe in order.missing.items():
+        kill.point("renders.before_render")
         render, picture = _rendered(runtime, order, target, recipe)
+        kill.point("renders.after_render")
         with runtime.database.writing() as session:
             service.keep_render(session, render, picture)
+            kill.point("renders.before_commit")
+        kill.point("renders.after_commit")
         RENDERS.labels(render.state.value).inc()
     with runtime.database.writing() as session:
         service.complete(session, order)

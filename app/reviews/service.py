@@ -9,7 +9,7 @@ from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state, take_for
-from app.kit import clock
+from app.kit import clock, kill
 from app.kit.db import new_id
 from app.kit.events import publish
 from app.projects.errors import ProducerNeeded
@@ -77,6 +77,7 @@ def give_verdict(
     else:
         decision.set_aside(take)
     accepted = decision.finish(cue)
+    kill.point("reviews.before_commit")
     return VerdictGiven(
         take_id=take.id,
         state=take.state,

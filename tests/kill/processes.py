@@ -1,5 +1,6 @@
-"""Real server processes over one data folder, to be killed and started again."""
+"""Real server processes over one data folder and database, to be killed and started again."""
 
+import json
 import os
 import signal
 import socket
@@ -21,20 +22,77 @@ from app.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]
 SECRET_KEY = "only for tests, nowhere else"
-PATIENCE_S = 60.0
+PATIENCE_S = 60.0  # nothing may be stuck for longer
+
+
+class Process:
+    """One process of the server."""
+
+    def __init__(self, zygote: "Zygote", pid: int) -> None:
+        self.pid = pid
+        self._zygote = zygote
+        self._ended: int | None = None
+
+    def poll(self) -> int | None:
+        """Return how it ended, None while it lives."""
+        if self._ended is None:
+            self._ended = self._zygote.ask({"poll": self.pid})
+        return self._ended
+
+    def wait(self) -> int:
+        """Return how it ended, once it has."""
+        wait_until(lambda: self.poll() is not None)
+        assert self._ended is not None
+        return self._ended
+
+    def send(self, number: int) -> None:
+        """Send a signal."""
+        os.kill(self.pid, number)
+
+
+class Zygote:
+    """What the processes are forked from."""
+
+    def __init__(self) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "tests.kill.zygote"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            text=True,
+        )  # fmt: skip
+        assert self._line() == "ready"
+
+    def ask(self, request: dict[str, Any]) -> Any:
+        """Send one request, and return its answer."""
+        assert self._process.stdin is not None
+        self._process.stdin.write(json.dumps(request) + "\n")
+        self._process.stdin.flush()
+        return json.loads(self._line())
+
+    def start(self, arguments: list[str], environment: dict[str, str], log: Path) -> Process:
+        """Start `soundlist` with these arguments."""
+        return Process(self, self.ask({"start": arguments, "environment": environment, "log": str(log)}))
+
+    def close(self) -> None:
+        """End it; its children are theirs who started them."""
+        assert self._process.stdin is not None
+        self._process.stdin.close()
+        self._process.wait(PATIENCE_S)
+
+    def _line(self) -> str:
+        assert self._process.stdout is not None
+        return self._process.stdout.readline().strip()
 
 
 class ProcessServer:
-    """One data folder; its processes are `python -m app serve` and `python -m app worker`."""
+    """One data folder and database; its processes are `soundlist serve` and `soundlist worker`."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, zygote: Zygote, folder: Path, **settings: Any) -> None:
         self.folder = folder
-        self.runtime = Runtime.of(Settings(data_dir=folder / "data", secret_key=SECRET_KEY))
+        self._zygote = zygote
+        self._settings = {"secret_key": SECRET_KEY, "data_dir": folder / "data", "worker_silent_s": 1.0, **settings}
+        self.runtime = Runtime.of(Settings(**self._settings))
         migrate(self.runtime.database)
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.port: int = free.getsockname()[1]
-        self._running: list[subprocess.Popen[bytes]] = []
+        self.port = free_port()
+        self._running: list[Process] = []
         self._serves = False
 
     def browser(self) -> Any:
@@ -46,31 +104,35 @@ class ProcessServer:
     def _client(self) -> httpx.Client:
         return httpx.Client(base_url=f"http://127.0.0.1:{self.port}", timeout=PATIENCE_S)
 
-    def serve(self, kill_at: str = "") -> subprocess.Popen[bytes]:
-        """Start the web process, and return once it answers."""
-        process = self._start(["serve", "--port", str(self.port)], kill_at)
+    def serve(self, kill_at: str = "", *, victim: int = 0, port: int = 0) -> Process:
+        """Start a web process, and return once it answers."""
+        port = port or self.port
+        process = self._start(["serve", "--port", str(port)], kill_at, victim)
         self._serves = True
-        with self._client() as client:
-            wait_until(lambda: process.poll() is not None or _answers(client))
+        wait_until(lambda: process.poll() is not None or answers(port))
         assert process.poll() is None, self.log()
         return process
 
-    def work(self, kill_at: str = "") -> subprocess.Popen[bytes]:
-        """Start the worker."""
-        return self._start(["worker"], kill_at)
+    def work(self, kill_at: str = "", *, victim: int = 0) -> Process:
+        """Start a worker."""
+        return self._start(["worker"], kill_at, victim)
 
-    def wait_for_death(self, process: subprocess.Popen[bytes], kill_at: str) -> None:
+    def wait_for_death(self, process: Process, kill_at: str) -> None:
         """Return once a process has died by its own hand at the point."""
-        assert process.wait(PATIENCE_S) == -signal.SIGKILL, self.log()
+        assert process.wait() == -signal.SIGKILL, self.log()
         assert self._marker(kill_at).read_text() == kill_at
+
+    def wait_for_kill(self, kill_at: str) -> None:
+        """Return once a process has killed its victim at the point."""
+        wait_until(lambda: self._marker(kill_at).exists() and self._marker(kill_at).read_text() == kill_at)
 
     def stop(self) -> None:
         """End what still runs."""
         for process in self._running:
             if process.poll() is None:
-                process.terminate()
+                process.send(signal.SIGTERM)
         for process in self._running:
-            process.wait(PATIENCE_S)
+            process.wait()
         self._running.clear()
 
     def close(self) -> None:
@@ -85,20 +147,33 @@ class ProcessServer:
     def _marker(self, kill_at: str) -> Path:
         return self.folder / f"killed-at-{kill_at}"
 
-    def _start(self, command: list[str], kill_at: str) -> subprocess.Popen[bytes]:
-        environment = {
-            **os.environ,
-            "SOUNDLIST_DATA_DIR": str(self.folder / "data"),
-            "SOUNDLIST_SECRET_KEY": SECRET_KEY,
+    def _start(self, arguments: list[str], kill_at: str, victim: int) -> Process:
+        environment = {**os.environ} | {
+            f"SOUNDLIST_{name.upper()}": str(value) for name, value in self._settings.items()
         }
         if kill_at:
             environment |= {kill.POINT: kill_at, kill.MARKER: str(self._marker(kill_at))}
-        with (self.folder / "log").open("ab") as log:
-            process = subprocess.Popen(
-                [sys.executable, "-m", "app", *command], cwd=ROOT, env=environment, stdout=log, stderr=log
-            )
+        if victim:
+            environment |= {kill.VICTIM: str(victim)}
+        process = self._zygote.start(arguments, environment, self.folder / "log")
         self._running.append(process)
         return process
+
+
+def free_port() -> int:
+    """Return a port that nobody listens on."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port: int = free.getsockname()[1]
+        return port
+
+
+def answers(port: int) -> bool:
+    """Whether a web process answers at a port."""
+    try:
+        return httpx.get(f"http://127.0.0.1:{port}/healthz").status_code == 200
+    except httpx.TransportError:
+        return False
 
 
 def wait_until(done: Callable[[], Any]) -> Any:
@@ -108,10 +183,3 @@ def wait_until(done: Callable[[], Any]) -> Any:
         assert time.monotonic() < deadline, "waited in vain"
         time.sleep(0.05)
     return answer
-
-
-def _answers(client: httpx.Client) -> bool:
-    try:
-        return client.get("/healthz").status_code == 200
-    except httpx.TransportError:
-        return False

@@ -43,6 +43,12 @@ class Postgres:
     def _data(self) -> Path:
         return self.folder / "data"
 
+    @property
+    def pid(self) -> int:
+        """The id of the postmaster."""
+        assert self._running is not None
+        return self._running.pid
+
     def start(self) -> None:
         """Start the server, or start it again after a kill, and return once it answers."""
         safe = "on" if self._durable else "off"

@@ -14,6 +14,7 @@ from app import worker
 from app.kit import queue
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
+from app.settings import Settings
 from tests.support.server import RunningServer
 
 calls: list[str] = []
@@ -224,3 +225,9 @@ def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypat
     enqueue(runtime, "tests.note", "after")
     until(lambda: "after" in calls)
     assert done == [1]
+
+
+def test_the_longest_silence_allowed_is_over_within_half_a_minute():
+    longest_s = next(limit.le for limit in Settings.model_fields["worker_silent_s"].metadata if hasattr(limit, "le"))
+    beat_s = longest_s / queue.BEATS_WHILE_SILENT
+    assert beat_s + longest_s + beat_s <= 30, "since the last beat: until it is noticed, and until others look"

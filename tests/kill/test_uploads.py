@@ -1,48 +1,25 @@
-"""SIGKILL at named points of real processes: nothing acknowledged is lost, and everything happens once."""
+"""Kills while files come in: not a byte that was acknowledged is lost."""
 
 import hashlib
-import io
 import os
 import random
 import signal
 import socket
-import zipfile
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any, cast
-from uuid import UUID
+from typing import cast
 
 import httpx
 import pytest
-import sqlalchemy as sa
-from sqlalchemy import func, select
 
 from app.accounts.endpoints import SESSION_COOKIE
-from app.conformance.models import CheckRun
-from app.deliveries.models import Take
-from app.deliveries.rules import TakeState
 from app.kit.uploads import Uploads
 from tests.kill.processes import ProcessServer, wait_until
-from tests.support.deliver import BYTES, TUS, deliver, metadata, open_delivery, upload
-from tests.support.server import RunningServer, World
-from tests.support.waves import sine, wav_bytes
+from tests.support.deliver import BYTES, TUS, metadata, open_delivery
+from tests.support.server import World
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow]
+pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
 CONTENT = random.Random(1).randbytes(3_000_000)
 SHA256 = hashlib.sha256(CONTENT).hexdigest()
 HALF = 1_234_567
-
-
-@pytest.fixture
-def server(tmp_path: Path) -> Iterator[ProcessServer]:
-    server = ProcessServer(tmp_path)
-    yield server
-    server.close()
-
-
-@pytest.fixture
-def world(server: ProcessServer) -> World:
-    return World(cast(RunningServer, server))
 
 
 def begin(world: World) -> tuple[str, str]:
@@ -62,6 +39,7 @@ def offset_of(world: World, location: str) -> int:
     return int(world.designer.head(location, headers=TUS).headers["upload-offset"])
 
 
+@pytest.mark.killed_on("sqlite")
 def test_killed_web_process_loses_no_byte(server: ProcessServer, world: World) -> None:
     """One upload survives a kill in its middle and one at every step of its end."""
     web = server.serve("uploads.received")
@@ -93,6 +71,7 @@ def test_killed_web_process_loses_no_byte(server: ProcessServer, world: World) -
     assert list(server.runtime.store.root.glob("*/.uploads/*")) == []
 
 
+@pytest.mark.killed_on("sqlite")
 def test_killed_while_bytes_stream_in(server: ProcessServer, world: World) -> None:
     """The kill comes from outside, with the request half read."""
     web = server.serve()
@@ -123,54 +102,3 @@ def test_killed_while_bytes_stream_in(server: ProcessServer, world: World) -> No
     assert 1_000_000 < here <= sent
     assert send(world, location, here, CONTENT[here:]).status_code == 204
     assert server.runtime.store.read(world.studio_id, SHA256) == CONTENT
-
-
-def test_killed_worker_judges_once(server: ProcessServer, world: World) -> None:
-    """One take survives a kill at every step of its check; its verdict is given and told once."""
-    take = deliver(world, "laser.wav", wav_bytes(sine(hz=440, dbfs=-6, seconds=0.2)))
-    points = ["before_check", "after_check", "before_commit", "after_commit"]
-    for point in points:
-        assert told(server, "notifications.tell_check") == 0
-        server.wait_for_death(server.work(f"conformance.{point}"), f"conformance.{point}")
-    server.work()
-    wait_until(lambda: no_jobs_left(server))
-    assert state_of(server, take["id"]) is TakeState.CONFORMING
-    assert told(server, "notifications.tell_check") == 1
-    with server.runtime.database.reading() as session:
-        assert session.scalar(select(func.count()).where(CheckRun.take_id == UUID(take["id"]))) == 1
-
-
-def test_killed_worker_unpacks_each_file_once(server: ProcessServer, world: World) -> None:
-    whole = io.BytesIO()
-    with zipfile.ZipFile(whole, "w") as archive:
-        for place in range(4):
-            archive.writestr(f"{place}.wav", f"no sound, number {place}")
-    delivery_id = open_delivery(world)
-    body = {"upload_id": upload(world, delivery_id, "all.zip", whole.getvalue()), "file_name": "all.zip"}
-    assert world.designer.post(f"/v1/deliveries/{delivery_id}/archives", json=body).status_code == 201
-    server.wait_for_death(server.work("deliveries.entry_unpacked"), "deliveries.entry_unpacked")
-    server.work()
-    wait_until(lambda: no_jobs_left(server))
-    shown: dict[str, Any] = world.designer.get(f"/v1/deliveries/{delivery_id}").json()
-    assert sorted(take["file_name"] for take in shown["takes"]) == [f"{place}.wav" for place in range(4)]
-    assert shown["archives"][0]["state"] == "unpacked"
-    assert all(entry["taken"] for entry in shown["archives"][0]["entries"])
-
-
-def no_jobs_left(server: ProcessServer) -> bool:
-    """Whether nothing runs or waits for its turn; what waits for a later hour may."""
-    query = sa.text("select count(*) from workflow_status where status in ('ENQUEUED', 'PENDING')")
-    with server.runtime.database.reading() as session:
-        return bool(session.scalar(query) == 0)
-
-
-def told(server: ProcessServer, job: str) -> int:
-    """Return how many jobs of a name were ever written."""
-    with server.runtime.database.reading() as session:
-        query = sa.text("select count(*) from workflow_status where workflow_uuid like :ending")
-        return int(session.scalar(query, {"ending": f"%:{job}"}) or 0)
-
-
-def state_of(server: ProcessServer, take_id: str) -> TakeState:
-    with server.runtime.database.reading() as session:
-        return session.get_one(Take, UUID(take_id)).state

@@ -1,0 +1,69 @@
+"""What was done to one take, counted: everything once, whoever was killed in between."""
+
+from typing import Any
+from uuid import UUID
+
+import sqlalchemy as sa
+from sqlalchemy import func, select
+
+from app.conformance.models import CheckRun
+from app.deliveries.models import Take
+from app.kit import queue
+from app.kit.db import Base
+from app.notifications.models import Mail
+from app.projects.queries import current_spec
+from app.renders.models import Picture, Render, RenderSet
+from app.renders.rules import RenderState
+from app.reviews.models import Verdict
+from tests.kill.processes import ProcessServer
+
+
+def is_idle(server: ProcessServer) -> bool:
+    """Whether nothing runs or waits for its turn; what waits for a later hour may."""
+    return not {"waiting", "running"} & {count.state for count in server.runtime.queue.counts()}
+
+
+def nothing_failed(server: ProcessServer) -> bool:
+    """Whether no job gave up."""
+    return not server.runtime.queue.unfinished(only_failed=True)
+
+
+def told(server: ProcessServer, job: str) -> int:
+    """Return how many jobs of a name were ever written."""
+    jobs = queue._workflows(server.runtime.database)
+    written = select(func.count()).select_from(jobs).where(jobs.c.workflow_uuid.like(f"%:{job}"))
+    with server.runtime.database.reading() as session:
+        return session.scalar(written) or 0
+
+
+def rows(server: ProcessServer, table: type[Base], **facts: Any) -> int:
+    """Return how many rows of a table have these facts."""
+    counted = (
+        select(func.count()).select_from(table).where(*(getattr(table, name) == is_ for name, is_ in facts.items()))
+    )
+    with server.runtime.database.reading() as session:
+        return session.scalar(counted) or 0
+
+
+def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
+    """Assert that a take was checked, drawn and rendered, and its people told, once."""
+    with server.runtime.database.reading() as session:
+        take = session.get_one(Take, take_id)
+        spec = current_spec(session, take.project_id)
+        targets = sorted(session.scalars(select(Render.target).where(Render.take_id == take_id)))
+        sounds = {take.master_sha256, *session.scalars(select(Render.sha256).where(Render.take_id == take_id))}
+        lines = [line for lines in session.scalars(select(Mail.lines)) for line in lines]
+        sets = session.execute(sa.select(RenderSet.spec_id).where(RenderSet.take_id == take_id)).all()
+    assert targets == ["game", "handheld"]
+    assert rows(server, Render, take_id=take_id, state=RenderState.MADE) == 2
+    assert rows(server, CheckRun, take_id=take_id) == 1
+    assert rows(server, Picture) == len(sounds)
+    assert sets == [(spec.id,)]
+    assert told(server, "notifications.tell_check") == 1
+    assert sum("conforms and waits" in line for line in lines) == 1
+    assert nothing_failed(server)
+
+
+def verdicts(server: ProcessServer, take_id: UUID) -> int:
+    """Return how many verdicts stand on record."""
+    return rows(server, Verdict, take_id=take_id)

@@ -1,0 +1,56 @@
+"""Starts `soundlist …` processes by forking one that has imported everything: an import costs two seconds.
+
+Speaks JSON lines: {"start": arguments, "environment": …, "log": path} answers a process id, {"poll": id} its
+return code, or null while it lives. The kills are real: each process is one of its own.
+"""
+
+import json
+import os
+import signal
+import sys
+from typing import Any
+
+import uvicorn.lifespan.on
+import uvicorn.loops.auto
+import uvicorn.protocols.http.auto  # noqa: F401  what uvicorn imports when it starts
+
+from app import cli, main, migrate, rooms, row_security, worker  # noqa: F401
+
+
+def start(arguments: list[str], environment: dict[str, str], log: str) -> None:
+    """Become `soundlist` with these arguments; called in the forked child."""
+    os.environ.clear()
+    os.environ.update(environment)
+    output = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+    for stream in (1, 2):
+        os.dup2(output, stream)
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    signal.set_wakeup_fd(-1)
+    cli.cli(arguments)
+
+
+def poll(pid: int) -> int | None:
+    """Return how a child ended, None while it lives."""
+    ended, status = os.waitpid(pid, os.WNOHANG)
+    return os.waitstatus_to_exitcode(status) if ended else None
+
+
+def serve() -> None:
+    """Answer requests until the input ends."""
+    for line in sys.stdin:
+        request: dict[str, Any] = json.loads(line)
+        if "poll" in request:
+            answer = poll(request["poll"])
+        else:
+            pid = os.fork()
+            if pid == 0:
+                start(request["start"], request["environment"], request["log"])
+            answer = pid
+        print(json.dumps(answer), flush=True)  # noqa: T201
+
+
+if __name__ == "__main__":
+    for module in rooms.JOB_MODULES:
+        __import__(module)
+    print("ready", flush=True)  # noqa: T201
+    serve()
