@@ -20,7 +20,7 @@ from audio_checks.measure.clicks import Click
 from audio_checks.measure.cuts import Cuts, Edge
 from audio_checks.measure.dropouts import Dropout
 from audio_checks.measure.edges import Edges
-from audio_checks.measure.faults import Faults
+from audio_checks.measure.faults import DETECTORS, Faults
 from audio_checks.measure.flat_tops import FlatTop
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.likeness import Likeness
@@ -71,14 +71,14 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "loudness": Loudness.FIGURES,
     "edges": Edges.FIGURES,
     "cuts": Cuts.FIGURES,
-    "faults": Faults.FIGURES,
+    **DETECTORS,
     "phase": Phase.FIGURES,
     "steps": Steps.FIGURES,
     "likeness": Likeness.FIGURES,
     "spectrum": Spectrum.FIGURES,
     "seam": Seam.FIGURES,
 }
-"""Families of figures; each family has one accumulator."""
+"""Families of figures; each family has one accumulator, but all that look for faults share one."""
 
 MAKERS: dict[str, Callable[[wav.WavLayout, Maxima], Accumulator]] = {
     "levels": lambda layout, maxima: Levels(*_size(layout), maxima=maxima),
@@ -86,7 +86,6 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Maxima], Accumulator]] = {
     "loudness": _loudness,
     "edges": lambda layout, maxima: Edges(*_size(layout), maxima=maxima),
     "cuts": lambda layout, maxima: Cuts(*_size(layout), step=_step(layout), maxima=maxima),
-    "faults": lambda layout, _: Faults(*_size(layout), step=_step(layout)),
     "phase": lambda layout, _: Phase(*_size(layout)),
     "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
     "likeness": lambda layout, _: Likeness(*_size(layout)),
@@ -96,6 +95,17 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Maxima], Accumulator]] = {
 """How each family's accumulator is made for a file; the maxima of its blocks are found once for all of them."""
 
 FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
+
+
+def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accumulator]:
+    """Return new accumulators for what a file has, one for each family but one for all faults."""
+    maxima = Maxima()
+    wanted = sorted(families)
+    accumulators = [MAKERS[family](layout, maxima) for family in wanted if family in MAKERS]
+    if detectors := [family for family in wanted if family in DETECTORS]:
+        accumulators.append(Faults(*_size(layout), step=_step(layout), detectors=detectors))
+    return accumulators
+
 
 PLACES = frozenset(
     {
@@ -295,8 +305,7 @@ class AudioFile:
     def _stream(self, families: set[str]) -> None:
         """Read every byte once, for the hashes and the accumulators."""
         layout = self.layout
-        maxima = Maxima()
-        accumulators = [MAKERS[family](layout, maxima) for family in sorted(families)]
+        accumulators = accumulators_of(layout, families)
         hashes = Hashes()
         gathering = Gathering(layout.chunks)
         self._file.seek(0)

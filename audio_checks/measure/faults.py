@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,19 @@ STRETCH_FRAMES = 1 << 17  # samples that are looked at together
 MOST_SAMPLES = 1 << 21  # of all channels, so that a header of many channels cannot ask for much memory
 
 
+DETECTORS: dict[str, tuple[str, ...]] = {
+    "clicks": Clicks.FIGURES,
+    "dropouts": Dropouts.FIGURES,
+    "repeats": Repeats.FIGURES,
+    "flat_tops": FlatTops.FIGURES,
+    "hum": Hum.FIGURES,
+    "noise_floor": NoiseFloor.FIGURES,
+}
+"""What can be looked for, and the figures that each detector gives."""
+
+CELLS_SUFFICE = frozenset({"dropouts", "hum", "noise_floor"})  # the others look back at samples
+
+
 class Faults:
     """Hands stretches of samples, with what came before them, to every detector of faults.
 
@@ -32,22 +46,25 @@ class Faults:
         Of the whole signal.
     step : float
         The smallest step of the file's bit depth; 0 for float.
+    detectors : iterable of str
+        Which of DETECTORS to ask; all without.
     """
 
-    FIGURES = (
-        *Clicks.FIGURES,
-        *Dropouts.FIGURES,
-        *Repeats.FIGURES,
-        *FlatTops.FIGURES,
-        *Hum.FIGURES,
-        *NoiseFloor.FIGURES,
-    )
-
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:
+    def __init__(
+        self,
+        sample_rate_hz: int,
+        channels: int,
+        frames: int,
+        *,
+        step: float = 0.0,
+        detectors: Iterable[str] = tuple(DETECTORS),
+    ) -> None:
+        wanted = frozenset(detectors)
         self._cell = cell_frames(sample_rate_hz)
         cells_per_s = sample_rate_hz / self._cell
         most = MOST_SAMPLES // channels
-        self._history = max(HISTORY, min(math.ceil(HISTORY_S * sample_rate_hz), most // 2))
+        history_s = 0.0 if wanted <= CELLS_SUFFICE else HISTORY_S
+        self._history = max(HISTORY, min(math.ceil(history_s * sample_rate_hz), most // 2))
         stretch = math.ceil(min(STRETCH_FRAMES, most // 2, frames) / self._cell)
         self._silence = Clicks.LATE * self._cell  # that follows the sound
         self._stretch = max(stretch * self._cell, self._silence)
@@ -55,12 +72,12 @@ class Faults:
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
         self._peak = 0.0
-        self._clicks = Clicks(channels, self._cell, cells_per_s, step)
-        self._dropouts = Dropouts(channels, cells_per_s, step)
-        self._repeats = Repeats(sample_rate_hz, step)
-        self._flat_tops = FlatTops(sample_rate_hz, channels, step)
-        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell)
-        self._noise = NoiseFloor(channels, self._cell)
+        self._clicks = Clicks(channels, self._cell, cells_per_s, step) if "clicks" in wanted else None
+        self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in wanted else None
+        self._repeats = Repeats(sample_rate_hz, step) if "repeats" in wanted else None
+        self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in wanted else None
+        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
+        self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
@@ -75,33 +92,38 @@ class Faults:
                 self._look()
 
     def result(self) -> dict[str, Any]:
-        """Return the figures, by name."""
+        """Return the figures of the detectors that were asked for, by name."""
         padding = self._cell - (self._end - self._history) % self._cell  # at least a frame of silence ends the sound
         self._samples[:, self._end : self._end + padding] = 0.0
         self._end += padding
         self._look()
-        self._samples[:, self._history : self._history + self._silence] = 0.0
-        silent = self._samples[:, : self._history + self._silence]
-        self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history)
-        return {
-            **self._clicks.result(self._peak),
-            **self._dropouts.result(self._peak, self._cell),
-            **self._repeats.result(),
-            **self._flat_tops.result(),
-            **self._hum.result(),
-            **self._noise.result(),
-        }
+        figures: dict[str, Any] = {}
+        if self._clicks:
+            self._samples[:, self._history : self._history + self._silence] = 0.0
+            silent = self._samples[:, : self._history + self._silence]
+            self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history)
+            figures |= self._clicks.result(self._peak)
+        if self._dropouts:
+            figures |= self._dropouts.result(self._peak, self._cell)
+        for detector in (self._repeats, self._flat_tops, self._hum, self._noise):
+            if detector:
+                figures |= detector.result()
+        return figures
 
     def _look(self) -> None:
         """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
         samples = self._samples[:, : self._end]
         self._peak = max(self._peak, kernel.highest(samples[:, self._history :]))
-        cells = cells_of(samples, self._history, self._cell)
-        self._clicks.add(cells, samples, self._history)
-        for detector in (self._dropouts, self._hum, self._noise):
-            detector.add(cells)
-        self._repeats.add(samples, self._history, self._frame)
-        self._flat_tops.add(samples, self._history, self._frame)
+        if self._clicks or self._dropouts or self._hum or self._noise:
+            cells = cells_of(samples, self._history, self._cell)
+            if self._clicks:
+                self._clicks.add(cells, samples, self._history)
+            for by_cells in (self._dropouts, self._hum, self._noise):
+                if by_cells:
+                    by_cells.add(cells)
+        for by_samples in (self._repeats, self._flat_tops):
+            if by_samples:
+                by_samples.add(samples, self._history, self._frame)
         new = self._end - self._history
         self._samples[:, : self._history] = self._samples[:, new : self._end].copy()
         self._end = self._history

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from audio_checks import audio, wav
-from audio_checks.audio import FAMILIES, FIGURES, MAKERS, PLACES, AudioFile
+from audio_checks.audio import FAMILIES, FIGURES, PLACES, AudioFile
 from audio_checks.errors import Unreadable
+from audio_checks.measure.faults import DETECTORS
 from tests.support.chunks import bext, cue, info, inst
 from tests.support.mutants import mutant
 from tests.support.waves import chunk, join, noise, pcm_bytes, silence, sine, smpl, write_large, write_wav
@@ -98,10 +99,8 @@ def test_every_byte_of_sound_is_read_once(tmp_path, counted, figures):
 
 def test_only_prepared_families_are_measured(tmp_path, monkeypatch):
     made = []
-    for family, make in dict(MAKERS).items():
-        monkeypatch.setitem(
-            MAKERS, family, lambda *given, family=family, make=make: made.append(family) or make(*given)
-        )
+    made_by = audio.accumulators_of
+    monkeypatch.setattr(audio, "accumulators_of", lambda layout, wanted: made.extend(wanted) or made_by(layout, wanted))
     file = AudioFile(write_wav(tmp_path / "tick.wav", sine(hz=997)))
     file.prepare(["true_peak_dbtp"])
     file.prepare(["rms_dbfs"])
@@ -109,7 +108,17 @@ def test_only_prepared_families_are_measured(tmp_path, monkeypatch):
     assert file.measurements.true_peak_dbtp == pytest.approx(-6, abs=0.01)
     assert sorted(made) == ["levels", "true_peak"]
     assert file.measurements.clipped_runs == 0  # not prepared: another pass
-    assert sorted(made) == ["faults", "levels", "true_peak"]
+    assert sorted(made) == ["flat_tops", "levels", "true_peak"]
+
+
+def test_faults_are_looked_for_one_by_one_as_together(tmp_path):
+    with AudioFile(write_wav(tmp_path / "hum.wav", noise(seconds=2, channels=2))) as file:
+        together = file.measurements.to_dict()
+    for detector, figures in DETECTORS.items():
+        with AudioFile(tmp_path / "hum.wav") as file:
+            file.prepare(figures)
+            alone = file.measurements.to_dict()
+        assert alone == {name: together[name] for name in figures if name not in PLACES}, detector
 
 
 def test_an_unknown_figure_is_our_fault(tmp_path):
