@@ -24,7 +24,7 @@ def configure(level: str = "WARNING") -> None:
     ]
     is_watched = sys.stderr.isatty()
     last: list[structlog.typing.Processor] = (
-        [structlog.dev.ConsoleRenderer()]
+        [structlog.dev.ConsoleRenderer(exception_formatter=structlog.dev.plain_traceback)]
         if is_watched
         else [structlog.processors.ExceptionRenderer(TRACEBACK), structlog.processors.JSONRenderer()]
     )

@@ -160,8 +160,9 @@ def shown_takes(
     newer = select(later.id).where(later.cue_id == Cue.id).order_by(later.received_at.desc(), later.id.desc())
     if designer_id is not None:
         newer = newer.where(later.designer_id == designer_id)
-    newest = select(Take).join(Cue, Take.id == newer.limit(1).correlate(Cue).scalar_subquery())
-    shown = {take.cue_id: take for take in session.scalars(newest.where(Cue.id.in_(cue_ids)))}
+    newest = select(newer.limit(1).correlate(Cue).scalar_subquery()).where(Cue.id.in_(cue_ids))
+    newest_ids = [take_id for take_id in session.scalars(newest) if take_id is not None]
+    shown = {take.cue_id: take for take in session.scalars(select(Take).where(Take.id.in_(newest_ids)))}
     approved = _seen_by(select(Take), designer_id).where(
         Take.cue_id.in_(accepted), Take.state == TakeState.APPROVED, Take.variation == 1
     )
@@ -261,13 +262,20 @@ def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, st
 def takes_with_designers(session: Session, project_id: UUID) -> Sequence[Row[Take, Cue, str]]:
     """Return the takes that came back, are the newest of a cue, and still needed, with cue and designer's name."""
     later, picked = aliased(Take), aliased(Take)
-    newest = (
+    newest_id = (
         select(later.id)
         .where(later.cue_id == Cue.id)
         .order_by(later.received_at.desc(), later.id.desc())
         .limit(1)
         .correlate(Cue)
         .scalar_subquery()
+    )
+    # Found once for each cue; without the word PostgreSQL would look for it anew for each take.
+    wanted = (
+        select(Cue.id, newest_id.label("newest_id"))
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
+        .cte("wanted")
+        .prefix_with("MATERIALIZED")
     )
     approved = (
         select(func.count())
@@ -277,10 +285,10 @@ def takes_with_designers(session: Session, project_id: UUID) -> Sequence[Row[Tak
     )
     return session.execute(
         select(Take, Cue, Person.name)
-        .select_from(Cue)
-        .join(Take, Take.id == newest)
+        .select_from(wanted)
+        .join(Take, Take.id == wanted.c.newest_id)
+        .join(Cue, Cue.id == wanted.c.id)
         .join(Person, Person.id == Take.designer_id)
-        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
         .where(Take.state.in_(WITH_DESIGNER), approved < Cue.variations)
         .order_by(Take.state_since, Take.id)
         .limit(WITH_OTHERS)

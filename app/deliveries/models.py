@@ -45,7 +45,11 @@ class Take(Base):
         Index("ix_deliveries_takes_project_waiting", "project_id", "state", "state_since", "cue_id"),
         Index("ix_deliveries_takes_studio_waiting", "studio_id", "state", "state_since", "cue_id"),
         # Everything that is summed up of a list's takes, so that no take itself is read.
-        Index("ix_deliveries_takes_sums", "project_id", "cue_id", "variation", "state", "number", "designer_id"),
+        Index(
+            "ix_deliveries_takes_sums",
+            *("project_id", "cue_id", "variation", "state", "number", "designer_id"),
+            "studio_id",  # which the row policies of PostgreSQL ask for
+        ),
         Index("ix_deliveries_takes_project_id_id", "project_id", "id"),
     )
 

@@ -32,7 +32,10 @@ PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row 
 AWAY_STATES = frozenset({"57P01", "57P02", "57P03", "53300"})  # shut down, crashed, not up yet, too many connections
 UNIQUE_VIOLATION = "23505"
 CROSSED_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
-CONNECTION = {  # a host that is gone is noticed within half a minute
+CONNECTION = {
+    # Row policies make statements look dear, and compiling one takes longer than any of ours runs.
+    "options": "-c jit=off",
+    # A host that is gone is noticed within half a minute.
     "connect_timeout": "10",
     "keepalives_idle": "10",
     "keepalives_interval": "5",

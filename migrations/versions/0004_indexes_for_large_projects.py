@@ -14,7 +14,7 @@ NEW = (
     (
         "ix_deliveries_takes_sums",
         "deliveries_takes",
-        ["project_id", "cue_id", "variation", "state", "number", "designer_id"],
+        ["project_id", "cue_id", "variation", "state", "number", "designer_id", "studio_id"],
     ),
     ("ix_deliveries_takes_project_id_id", "deliveries_takes", ["project_id", "id"]),
     ("ix_sound_lists_cues_order", "sound_lists_cues", ["project_id", "position", "number"]),
