@@ -44,6 +44,11 @@ class Judged:
         """Where it is, as the report has it."""
         return self.report.path
 
+    @property
+    def was_read(self) -> bool:
+        """Whether the report says what the file is."""
+        return self.report.facts is not None and "duration_s" in self.report.facts
+
 
 def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
     """Return what is found over files together, for each of them, graded by its own spec.
@@ -63,7 +68,7 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
         places = [
             place
             for place, one in enumerate(files)
-            if one.report.facts is not None and one.spec.checks.get(check.name) != "off"
+            if one.was_read and one.spec.checks.get(check.name) != "off"
         ]
         try:
             for place, finding in list(check.run_set([files[place] for place in places])):
@@ -76,9 +81,9 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
 
 def off_its_set_lu(files: Sequence[Judged]) -> list[float | None]:
     """Return how much louder each file of one cue is than its other variations, in LU; None where it is not known."""
-    readable = [one for one in files if one.report.facts is not None]
+    readable = [one for one in files if one.was_read]
     off = iter(variation_set.off_its_set_lu(readable))
-    return [next(off) if one.report.facts is not None else None for one in files]
+    return [next(off) if one.was_read else None for one in files]
 
 
 def _graded(findings: Sequence[Finding], spec: DeliverySpec) -> Iterator[Finding]:

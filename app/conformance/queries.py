@@ -1,16 +1,21 @@
 """Check runs and waivers, read from the database; callers have checked who looks."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
+from typing import Any
 from uuid import UUID
 
-from sqlalchemy import and_, exists, select, update
+from sqlalchemy import Row, Select, and_, exists, select, tuple_, update
 from sqlalchemy.orm import Session, aliased, joinedload
 
+import audio_checks
 from app.conformance.models import CheckRun, Mend, Waiver
 from app.conformance.rules import MENDABLE_STATES
 from app.deliveries.models import Take
-from app.deliveries.rules import CHECKABLE
+from app.deliveries.rules import CHECKABLE, TakeState
 from app.projects.models import Spec
+from app.sound_lists.models import Cue
+
+STANDING = (TakeState.CONFORMING, TakeState.RETURNED, TakeState.APPROVED)  # in a set: neither refused nor set aside
 
 
 def current_run(session: Session, take_id: UUID) -> CheckRun | None:
@@ -55,6 +60,70 @@ def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] 
     if cue_ids is not None:
         query = query.where(Take.cue_id.in_(cue_ids))
     return session.scalars(query.order_by(Take.id)).all()
+
+
+def _of_takes() -> Select[Any]:
+    """Return the SELECT of takes, cues loaded, with what checks over files together read of their newest reports."""
+    told = CheckRun.report
+    return (
+        select(
+            Take,
+            CheckRun.pcm_sha256,
+            told["facts"].label("facts"),
+            told["findings"].label("findings"),
+            told["likeness_print"].as_string().label("likeness_print"),
+            told[("measurements", "integrated_lufs")].as_float().label("integrated_lufs"),
+            told[("measurements", "short_loudness_lufs")].as_float().label("short_loudness_lufs"),
+        )
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .options(joinedload(Take.cue))
+        .order_by(Take.received_at, Take.id)
+    )
+
+
+def _read(rows: Iterable[Row[Any]]) -> list[tuple[Take, audio_checks.FileReport]]:
+    return [
+        (
+            row.Take,
+            audio_checks.FileReport(
+                path=row.Take.file_name,
+                verdict="conforming",
+                pcm_sha256=row.pcm_sha256,
+                facts=row.facts,
+                measurements={
+                    "integrated_lufs": row.integrated_lufs,
+                    "short_loudness_lufs": row.short_loudness_lufs,
+                },
+                findings=tuple(audio_checks.Finding.from_dict(one) for one in row.findings),
+                likeness_print=row.likeness_print,
+            ),
+        )
+        for row in rows
+    ]
+
+
+def takes_in_sets(
+    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
+) -> list[tuple[Take, audio_checks.FileReport]]:
+    """Return the takes that stand in the sets among some cues, with what matters of their newest checks."""
+    query = _of_takes().join(Cue, Cue.id == Take.cue_id)
+    query = query.where(Take.cue_id.in_(list(cue_ids)), Cue.variations > 1, Take.state.in_(STANDING))
+    if designer_id is not None:
+        query = query.where(Take.designer_id == designer_id)
+    return _read(session.execute(query))
+
+
+def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[tuple[Take, audio_checks.FileReport]]:
+    """Return a take after those of its delivery that came before with the same samples, and are for another place."""
+    query = _of_takes().where(Take.delivery_id == take.delivery_id, CheckRun.pcm_sha256 == pcm_sha256)
+    query = query.where(tuple_(Take.received_at, Take.id) <= tuple_(take.received_at, take.id))
+    here = (take.cue_id, take.variation)
+    found = _read(session.execute(query))
+    return [
+        (one, told)
+        for one, told in found
+        if one.id == take.id or one.cue_id is None or (one.cue_id, one.variation) != here
+    ]
 
 
 def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, CheckRun, Take]]:

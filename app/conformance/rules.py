@@ -3,10 +3,12 @@
 import dataclasses
 import hashlib
 import json
-from collections.abc import Collection, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from enum import StrEnum
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
+from uuid import UUID
 
 import audio_checks
 from app.deliveries.rules import TakeState
@@ -109,3 +111,26 @@ def unjudged(name: str, category: str | None, why: str) -> Report:
         "judgements": {},
         "findings": [finding],
     }
+
+
+class MemberFact(NamedTuple):
+    """What decides whether a take stands in its set."""
+
+    take_id: UUID
+    variation: int
+    alternate: int | None
+    number: int
+    approved: bool
+
+
+def members_of_set(takes: Iterable[MemberFact]) -> list[UUID]:
+    """Return the takes that stand in a set: of each variation the approved one, else the newest of each alternate."""
+    by_variation: dict[int, list[MemberFact]] = defaultdict(list)
+    for take in takes:
+        by_variation[take.variation].append(take)
+    standing: list[UUID] = []
+    for _, here in sorted(by_variation.items()):
+        approved = [take for take in here if take.approved]
+        newest = {take.alternate: take for take in sorted(approved or here, key=lambda take: take.number)}
+        standing += [take.take_id for take in newest.values()]
+    return standing

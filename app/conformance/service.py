@@ -24,6 +24,7 @@ from app.conformance.rules import (
     with_waived,
 )
 from app.conformance.schemas import CheckRead, FindingRead, WaiverRead
+from app.conformance.sets import same_sounds, with_set_word, words_on_sets
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState
@@ -172,12 +173,12 @@ def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRe
 
 def check_for(session: Session, actor: Actor, take_id: UUID) -> CheckRead:
     """Return what the newest check says of a take within the caller's sight."""
-    take, _ = take_for(session, actor, take_id)
-    return read_check(session, take)
+    take, standing = take_for(session, actor, take_id)
+    return read_check(session, take, designer_id=standing.only_designer_id)
 
 
-def read_check(session: Session, take: Take) -> CheckRead:
-    """Return what the newest check says of a take."""
+def read_check(session: Session, take: Take, *, designer_id: UUID | None = None) -> CheckRead:
+    """Return what the newest check says of a take, and what its set does, by the takes of one designer where given."""
     run = queries.current_run(session, take.id)
     if run is None:
         raise CheckNotFound("this take has not been checked yet", fix="ask again in a few seconds")
@@ -186,6 +187,11 @@ def read_check(session: Session, take: Take) -> CheckRead:
         waiver = None
     spec, newest = queries.spec_of(session, run), current_spec(session, take.project_id)
     resolved = resolved_spec(spec, take)
+    cue_ids = [take.cue_id] if take.cue_id else []
+    specs = {take.project_id: newest}
+    word = words_on_sets(session, cue_ids, specs, designer_id=designer_id).get(take.id)
+    same = same_sounds(session, take, run.pcm_sha256, newest)
+    report = with_set_word(run.report, word.findings if word else (), same)
     return CheckRead(
         take_id=take.id,
         state=take.state,
@@ -198,7 +204,7 @@ def read_check(session: Session, take: Take) -> CheckRead:
         facts=run.report["facts"],
         measurements=run.report["measurements"],
         judgements=run.report["judgements"],
-        findings=told_findings(run.report, resolved, waiver.codes if waiver else []),
+        findings=told_findings(report, resolved, waiver.codes if waiver else []),
         waiver=waiver and _waiver_read(waiver),
     )
 

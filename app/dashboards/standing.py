@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.conformance.models import CheckRun
+from app.conformance.sets import words_on_sets
 from app.dashboards import queries, schemas
 from app.dashboards.rules import CueStatus, VariationFact, cue_status, statuses_of, variation_status
 from app.deliveries.models import Take
@@ -130,9 +131,13 @@ class _Page(_Statuses):
         self._pictures = queries.pictures(session, project.studio_id, sounds)
         undecided = [id_ for id_ in ids if id_ not in accepted]
         self._findings = queries.standing_findings(session, undecided, designer_id)
+        spec = current_spec(session, project.id)
+        sets = [cue.id for cue in cues if cue.variations > 1 and cue.id not in accepted]
+        self._of_sets: dict[UUID, list[Finding]] = defaultdict(list)
+        for word in words_on_sets(session, sets, {project.id: spec}, designer_id=designer_id).values():
+            self._of_sets[word.cue_id] += word.findings
         self._waived = queries.waived_cues(session, ids, designer_id)
-        newest_spec_id = current_spec(session, project.id).id
-        self._elsewhere = queries.cues_of_other_specs(session, ids, designer_id, newest_spec_id)
+        self._elsewhere = queries.cues_of_other_specs(session, ids, designer_id, spec.id)
         self._rounds = queries.rounds_by_cue(session, ids)
 
     def standing_of(self, cue: Cue) -> schemas.Standing:
@@ -156,7 +161,7 @@ class _Page(_Statuses):
                 for stem in sorted(cue.stems, key=lambda each: each.variation)
             ],
             newest_take=newest_take(take, picture) if take else None,
-            worst_finding=worst_of(self._findings.get(cue.id, [])),
+            worst_finding=worst_of([*self._of_sets[cue.id], *self._findings.get(cue.id, [])]),
             open_question=self._questions.get(cue.id),
             waived=cue.id in self._waived,
             not_to_spec=cue.id in self._elsewhere,

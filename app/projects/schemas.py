@@ -103,6 +103,7 @@ class AcceptRead(Schema):
     sample_rates_hz: list[int] | None
     bit_depths: list[int] | None
     channels: list[int] | None
+    layouts: list[str] | None
     duration_s: RangeRead
 
 
@@ -119,13 +120,27 @@ class LimitsRead(Schema):
     tolerance_db: float
     loudness_lufs: RangeRead
     noise_floor_dbfs: float | None
+    mono_loss_db: float | None
+
+
+class NameTokenRead(Schema):
+    """One part of a name."""
+
+    name: str
+    wanted: str = Field(description="What it may be, in words.")
+    optional: bool
+    repeats: bool
 
 
 class NamingRead(Schema):
-    """How files are named."""
+    """How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System."""
 
     pattern: str | None
     extension: str | None
+    tokens: list[NameTokenRead]
+    separator: str
+    grammar: str | None
+    portable: bool = Field(description="Whether names must be such that every system can hold them.")
 
 
 class EngineRead(Schema):
@@ -153,6 +168,7 @@ class ResolvedSpec(Schema):
     accept: AcceptRead
     limits: LimitsRead
     naming: NamingRead
+    required_metadata: list[str]
     engine: EngineRead
     targets: dict[str, TargetRead]
     checks: dict[str, str]

@@ -15,11 +15,13 @@ from app.accounts.schemas import PersonBrief
 from app.conformance.queries import mend_that_made
 from app.conformance.schemas import FindingRead
 from app.conformance.service import resolved_spec, told_findings
+from app.conformance.sets import SetWord, with_set_word, words_on_sets
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
 from app.kit.http import BadCursor, Page, cursor_of
 from app.projects.errors import TeamNeeded
+from app.projects.models import Spec
 from app.projects.queries import decider_of
 from app.projects.service import standing_in
 from app.renders.service import picture_of_render, sound_places
@@ -60,8 +62,9 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     rounds = queries.round_counts(session, by_cue)
     approved = queries.approved_variations(session, by_cue)
     changes = queries.last_changes(session, by_cue)
+    words = words_on_sets(session, by_cue, _specs_of(one for takes in by_cue.values() for one in takes))
     items = [
-        _queue_item(takes, since, prefixes, rounds.get(cue_id, 0), changes.get(cue_id), approved.get(cue_id, []))
+        _queue_item(takes, since, prefixes, rounds.get(cue_id, 0), changes.get(cue_id), approved.get(cue_id, []), words)
         for cue_id, since in shown
         if (takes := by_cue.get(cue_id))
     ]
@@ -98,12 +101,13 @@ def _queue_item(
     rounds: int,
     last_change: str | None,
     approved: list[int],
+    words: dict[UUID, SetWord],
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
         raise AssertionError("only matched takes wait")
     prefix = prefixes[cue.project_id]
-    takes = [review_take(one, prefix) for one in waiting]
+    takes = [review_take(one, prefix, words) for one in waiting]
     findings = [finding for take in takes for finding in take.findings]
     return QueueItem(
         cue=review_cue(cue, prefix),
@@ -118,15 +122,20 @@ def _queue_item(
     )
 
 
+def _specs_of(takes: Iterable[TakeOnReview]) -> dict[UUID, Spec]:
+    return {one.take.project_id: one.spec for one in takes}
+
+
 def review_cue(cue: Cue, prefix: str) -> ReviewCue:
     """Return a cue as the review room shows it."""
     facts = {name: getattr(cue, name) for name in ReviewCue.model_fields if name != "label"}
     return ReviewCue(**facts, label=label(prefix, cue.number))
 
 
-def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
-    """Return a take with what is needed to hear and to judge it."""
-    take, report = one.take, one.check.report if one.check else {}
+def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> ReviewTake:
+    """Return a take with what is needed to hear and to judge it, and what its set says of it."""
+    take, word = one.take, words.get(one.take.id)
+    report = with_set_word(one.check.report, word.findings if word else ()) if one.check else {}
     measurements = report.get("measurements") or {}
     findings = _findings(one, report)
     return ReviewTake(
@@ -146,6 +155,7 @@ def review_take(one: TakeOnReview, prefix: str) -> ReviewTake:
         designer=PersonBrief.model_validate(take.delivery.designer),
         facts=report.get("facts") or {},
         loudness_lufs=_first(measurements.get("integrated_lufs"), measurements.get("short_loudness_lufs")),
+        away_from_set_lu=word.away_lu if word else None,
         sample_peak_dbfs=measurements.get("sample_peak_dbfs"),
         true_peak_dbtp=measurements.get("true_peak_dbtp"),
         measurements=measurements,
@@ -212,7 +222,9 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     standing, cue = cue_in_sight(session, actor, cue_id)
     standing.ensure_team()
     prefix = standing.project.cue_prefix
-    takes = [review_take(one, prefix) for one in queries.takes_of_cue(session, cue.id)]
+    shown = queries.takes_of_cue(session, cue.id)
+    words = words_on_sets(session, [cue.id], _specs_of(shown))
+    takes = [review_take(one, prefix, words) for one in shown]
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)

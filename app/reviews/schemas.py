@@ -87,6 +87,7 @@ class ReviewTake(SoundBrief):
     designer: PersonBrief
     facts: dict[str, Any]
     loudness_lufs: float | None = Field(description="Integrated, or of the loudest 0.4 s where that is all there is.")
+    away_from_set_lu: float | None = Field(description="Louder than the middle of the other variations by so much.")
     sample_peak_dbfs: float | None
     true_peak_dbtp: float | None
     measurements: dict[str, Any]

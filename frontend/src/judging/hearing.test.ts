@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest'
 
-import { aTake } from '@/test/review'
+import { aFinding, aTake } from '@/test/review'
 
-import { awayFromSet, inOrder, letterOf, matchGainDb, oddOne, soundOf, targetsOf } from './hearing'
+import { inOrder, letterOf, matchGainDb, oddOne, soundOf, targetsOf } from './hearing'
 
 const loud = (id: string, variation: number, lufs: number | null) => aTake(id, { variation, loudness_lufs: lufs })
 
@@ -17,16 +17,19 @@ test('what was not measured is left as sent, and no gain passes 24 dB', () => {
   expect(matchGainDb(loud('b', 1, -70), loud('a', 1, -16))).toBe(24)
 })
 
-test('the odd one of a set is measured against the middle of the others', () => {
-  const set = [loud('1', 1, -19.5), loud('2', 2, -19.5), loud('3', 3, -15.5), loud('4', 4, -19.3)]
-  expect(awayFromSet(set[2]!, set)).toBeCloseTo(4, 6)
-  expect(oddOne(set)).toEqual({ take: set[2], awayDb: expect.closeTo(4, 6) as number })
+const out = [aFinding({ check: 'variation-set', code: 'variation-set:level' })]
+
+test('the odd one of a set is the farthest that the check names', () => {
+  const set = [
+    aTake('1', { variation: 1, away_from_set_lu: -1.2 }),
+    aTake('2', { variation: 2, away_from_set_lu: -2.1, findings: out }),
+    aTake('3', { variation: 3, away_from_set_lu: 4, findings: out }),
+  ]
+  expect(oddOne(set)).toEqual({ take: set[2], awayDb: 4 })
 })
 
-test('a set within 3 dB has no odd one, and two variations say nothing of each other', () => {
-  const near = [loud('1', 1, -19), loud('2', 2, -17), loud('3', 3, -18)]
-  expect(oddOne(near)).toBeNull()
-  expect(oddOne([loud('1', 1, -30), loud('2', 2, -10)])).toBeNull()
+test('a set of which the check names none has no odd one', () => {
+  expect(oddOne([aTake('1', { away_from_set_lu: 1.9 }), aTake('2', { findings: [aFinding()] })])).toBeNull()
 })
 
 test('letters follow the order of delivery within a variation', () => {

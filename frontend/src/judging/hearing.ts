@@ -3,8 +3,6 @@ import type { Source } from '@/audio'
 import type { ReviewTake } from './api'
 
 export const MASTER = 'master'
-/** A variation this much louder or softer than the others of its set is named. */
-const ODD_DB = 3
 /** More than this is no matching of levels but another sound. */
 const MOST_GAIN_DB = 24
 
@@ -74,32 +72,19 @@ export function letterOf(take: ReviewTake, waiting: readonly ReviewTake[]): stri
 /** "_03". */
 export const variationName = (variation: number): string => `_${String(variation).padStart(2, '0')}`
 
-function median(values: number[]): number {
-  const sorted = values.toSorted((a, b) => a - b)
-  const middle = sorted.length >> 1
-  const upper = sorted[middle] ?? 0
-  return sorted.length % 2 === 1 ? upper : ((sorted[middle - 1] ?? upper) + upper) / 2
-}
-
-/** How far a take stands from the middle of the others of its set, in dB; null where that cannot be said. */
-export function awayFromSet(take: ReviewTake, set: readonly ReviewTake[]): number | null {
-  const others = set.flatMap((other) =>
-    other.variation !== take.variation && other.loudness_lufs !== null ? [other.loudness_lufs] : [],
-  )
-  if (take.loudness_lufs === null || others.length < 2) return null
-  return take.loudness_lufs - median(others)
-}
+/** What the checker says of a variation that is louder or softer than its set. */
+const OUT_OF_SET = 'variation-set:level'
 
 export interface OddOne {
   take: ReviewTake
   awayDb: number
 }
 
-/** The variation that stands out most from its set, if one does. */
+/** The variation that stands out most from its set, by the check; null where none does. */
 export function oddOne(set: readonly ReviewTake[]): OddOne | null {
   const far = set
-    .map((take) => ({ take, awayDb: awayFromSet(take, set) ?? 0 }))
-    .filter(({ awayDb }) => Math.abs(awayDb) >= ODD_DB)
+    .filter(({ findings }) => findings.some(({ code }) => code === OUT_OF_SET))
+    .map((take) => ({ take, awayDb: take.away_from_set_lu ?? 0 }))
     .sort((a, b) => Math.abs(b.awayDb) - Math.abs(a.awayDb))
   return far[0] ?? null
 }

@@ -58,10 +58,12 @@ describe('a set', () => {
 
 describe('words', () => {
   test('what waits names the odd one with its figure', () => {
-    const lufs = [-19.5, -19.5, -15.5, -19.5]
+    const findings = [aFinding({ check: 'variation-set', code: 'variation-set:level' })]
     const set = anItem(
       { variations: 4 },
-      lufs.map((loudness_lufs, index) => aTake(String(index), { variation: index + 1, loudness_lufs })),
+      [1, 2, 3, 4].map((variation) =>
+        aTake(String(variation), { variation, ...(variation === 3 && { findings, away_from_set_lu: 4 }) }),
+      ),
     )
     expect(whatWaits(set)).toEqual({ before: 'Set of 4: ', odd: '_03 is 4.0 dB louder', after: ' than the others' })
   })

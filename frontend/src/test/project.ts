@@ -33,6 +33,7 @@ const RESOLVED = {
     sample_rates_hz: [48000, 96000],
     bit_depths: [24],
     channels: [1, 2],
+    layouts: null,
     duration_s: { min: 0.01, max: 30 },
   },
   limits: {
@@ -46,8 +47,10 @@ const RESOLVED = {
     tolerance_db: 0.05,
     loudness_lufs: NONE,
     noise_floor_dbfs: null,
+    mono_loss_db: null,
   },
-  naming: { pattern: null, extension: '.wav' },
+  naming: { pattern: null, extension: '.wav', tokens: [], separator: '_', grammar: null, portable: true },
+  required_metadata: [],
   engine: { adds: [] },
   targets: {
     game: {

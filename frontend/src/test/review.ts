@@ -48,6 +48,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     designer: DESIGNER,
     facts: { sample_rate_hz: 48_000, bit_depth: 24, channels: 1, duration_s: 0.8 },
     loudness_lufs: -16,
+    away_from_set_lu: null,
     sample_peak_dbfs: -1.2,
     true_peak_dbtp: -1,
     measurements: {},

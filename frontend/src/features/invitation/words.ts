@@ -25,7 +25,7 @@ function loudnessOf({ min, max }: Spec['limits']['loudness_lufs']): string | nul
 }
 
 /** How sounds must come, in lines; what the spec leaves open is left out. */
-export function factsOf({ accept, limits, naming, engine, categories }: Spec): Fact[] {
+export function factsOf({ accept, limits, naming, required_metadata, engine, categories }: Spec): Fact[] {
   const level = (value: number | null, unit: string) => (value === null ? null : `${figure(value, 1)} ${unit} at most`)
   const said: [string, string | null][] = [
     ['Container', accept.containers && listed(accept.containers.map((one) => CONTAINERS[one] ?? one.toUpperCase()))],
@@ -38,6 +38,7 @@ export function factsOf({ accept, limits, naming, engine, categories }: Spec): F
     ['Loudness', loudnessOf(limits.loudness_lufs)],
     ['Silence first', limits.head_silence_ms === null ? null : `${figure(limits.head_silence_ms)} ms at most`],
     ['Silence last', limits.tail_silence_ms === null ? null : `${figure(limits.tail_silence_ms)} ms at most`],
+    ['Metadata', required_metadata.length > 0 ? `${required_metadata.join(', ')} filled` : null],
     ['Names', naming.extension && `as in the list, ending in ${naming.extension}`],
     ['The game adds', engine.adds.length > 0 ? `${engine.adds.join(', ')}; leave it out of the files` : null],
     ['Own rules for', categories.length > 0 ? categories.join(', ') : null],

@@ -1,6 +1,6 @@
 import { WaveThumb } from '@/audio'
 import type { ReviewCue, ReviewTake } from '@/judging/api'
-import { awayFromSet, MASTER, oddOne, soundOf } from '@/judging/hearing'
+import { MASTER, oddOne, soundOf } from '@/judging/hearing'
 import { measuredPart } from '@/judging/words'
 import { figure, length } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -50,7 +50,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               </span>
               <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
               <span className={`small cut-text ${classes.setSays}`}>
-                <Standing take={take} takes={takes} odd={odd?.take.id === take.id} />
+                <Standing take={take} odd={odd?.take.id === take.id} />
               </span>
               <span className={`small ${classes.setPick}`}>
                 {picked.has(take.id) && (
@@ -67,8 +67,8 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
   )
 }
 
-function Standing({ take, takes, odd }: { take: ReviewTake; takes: readonly ReviewTake[]; odd: boolean }) {
-  const away = awayFromSet(take, takes)
+function Standing({ take, odd }: { take: ReviewTake; odd: boolean }) {
+  const away = take.away_from_set_lu
   const worst = take.findings.find(({ severity }) => severity === 'error') ?? take.findings[0]
   if (take.draft_change) return <span className="tone-change toned">change noted, not sent</span>
   if (odd && away !== null) {

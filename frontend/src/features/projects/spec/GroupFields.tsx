@@ -13,6 +13,7 @@ const CHANNELS = [
 const CONTAINERS = [
   { value: 'wav', label: 'WAV' },
   { value: 'rf64', label: 'RF64' },
+  { value: 'flac', label: 'FLAC' },
 ]
 const ENCODINGS = [
   { value: 'pcm', label: 'PCM' },
@@ -67,12 +68,18 @@ export function LimitFields({ base }: { base: readonly string[] }) {
   )
 }
 
-function LimitLine({ limit: { key, word, unit, check }, base }: { limit: LimitName; base: readonly string[] }) {
+function LimitLine({
+  limit: { key, word, unit, check, severity },
+  base,
+}: {
+  limit: LimitName
+  base: readonly string[]
+}) {
   return (
     <div className={classes.limit}>
       <span>{word}</span>
       <NumberField place={[...base, 'limits', key]} label={word} unit={unit} hideLabel />
-      {check && <SeverityField base={[...base, 'checks']} check={check} label={word} />}
+      {check && <SeverityField base={[...base, 'checks']} check={check} label={word} usual={severity} />}
     </div>
   )
 }

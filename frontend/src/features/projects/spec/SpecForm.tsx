@@ -7,7 +7,7 @@ import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
 import { Categories } from './Categories'
-import { FORM_CHECKS, TUNING } from './checks'
+import { FAULT_CHECKS, FORM_CHECKS, TUNING } from './checks'
 import { Against, Choices, NumberField, SeverityField, useWriting } from './fields'
 import { AcceptFields, LimitFields } from './GroupFields'
 import { fits } from './naming'
@@ -45,7 +45,7 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
           note="returns: the take comes back; warns: it goes on, with a word"
         />
         <ul className={`${classes.inside} ${classes.checks}`}>
-          {FORM_CHECKS.map(({ name, word, usual }) => (
+          {[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word, usual }) => (
             <li key={name}>
               <span>{word}</span>
               <SeverityField base={['checks']} check={name} label={word} usual={usual} />

@@ -21,12 +21,29 @@ export const FORM_CHECKS: readonly CheckName[] = [
   { name: 'placeholder', word: 'Placeholder', usual: 'warning' },
 ]
 
+/** The checks that look for faults in the sound itself, and over files together; a category changes them in its TOML. */
+export const FAULT_CHECKS: readonly CheckName[] = [
+  { name: 'click', word: 'Clicks', usual: 'warning' },
+  { name: 'dropout', word: 'Dropouts', usual: 'warning' },
+  { name: 'cut-start', word: 'Cut start', usual: 'warning' },
+  { name: 'cut-tail', word: 'Cut end', usual: 'warning' },
+  { name: 'hum', word: 'Hum', usual: 'warning' },
+  { name: 'loop-points', word: 'Loop points', usual: 'warning' },
+  { name: 'false-stereo', word: 'Mono in stereo', usual: 'warning' },
+  { name: 'padded-bits', word: 'Padded depth', usual: 'warning' },
+  { name: 'metadata', word: 'Metadata', usual: 'warning' },
+  { name: 'duplicate', word: 'Same sound twice', usual: 'warning' },
+  { name: 'variation-set', word: 'Out of its set', usual: 'warning' },
+]
+
 export interface LimitName {
   key: string
   word: string
   unit: string
   /** The check that keeps it; without one the limit only tunes others. */
   check?: string
+  /** What follows when the spec says nothing; the take comes back, unless it says otherwise. */
+  severity?: Severity
   hint?: string
   /** What holds when the spec says nothing. */
   usual?: number
@@ -39,6 +56,7 @@ export const LIMITS: readonly LimitName[] = [
   { key: 'silence_below_dbfs', word: 'Silent below', unit: 'dBFS', check: 'silence' },
   { key: 'head_silence_ms', word: 'Silence first', unit: 'ms', check: 'head-silence' },
   { key: 'tail_silence_ms', word: 'Silence last', unit: 'ms', check: 'tail-silence' },
+  { key: 'mono_loss_db', word: 'Lost in mono', unit: 'dB', check: 'phase', severity: 'warning' },
 ]
 
 export const TUNING: readonly LimitName[] = [

@@ -2,7 +2,7 @@ import { channels, figure, rate } from '@/ui/format'
 
 import type { Spec } from '../api'
 import { listed } from '../words'
-import { FORM_CHECKS, LIMITS, type Severity, severityOf } from './checks'
+import { FAULT_CHECKS, FORM_CHECKS, LIMITS, type Severity, severityOf } from './checks'
 import { at, type Tables, tableIn } from './tables'
 
 /** A number as exactly as it was said, with one decimal at least where the unit is a level. */
@@ -44,7 +44,7 @@ export interface Line {
   severity?: Severity
 }
 
-const CONTAINERS: Record<string, string> = { wav: 'WAV', rf64: 'RF64' }
+const CONTAINERS: Record<string, string> = { wav: 'WAV', rf64: 'RF64', flac: 'FLAC' }
 const ENCODINGS: Record<string, string> = { pcm: 'PCM', float: 'float' }
 
 /** What a delivered file may be. */
@@ -84,6 +84,9 @@ export function limitLines({ resolved: { limits, checks, engine } }: Spec): Line
   }
   if (limits.silence_below_dbfs !== null) {
     add('Silent below', `${exact(limits.silence_below_dbfs, 1)} dBFS`, of('silence'))
+  }
+  if (limits.mono_loss_db !== null) {
+    add('Lost in mono', `${exact(limits.mono_loss_db, 1)} dB`, severityOf(checks, 'phase', 'warning'))
   }
   add('Flat tops', 'none', severityOf(checks, 'clipping', 'warning'))
   if (engine.adds.length > 0) lines.push({ word: 'Made by the engine', value: engine.adds.join(', ') })
@@ -129,7 +132,7 @@ const SEVERITY_VERBS: Record<Severity, string> = { error: 'returns', warning: 'w
 
 const CHECK_WORDS = new Map([
   ...LIMITS.flatMap(({ check, word }) => (check ? [[check, word.toLowerCase()] as const] : [])),
-  ...FORM_CHECKS.map(({ name, word }) => [name, word.toLowerCase()] as const),
+  ...[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word }) => [name, word.toLowerCase()] as const),
   ['loudness', 'loudness'] as const,
   ['dc-offset', 'DC offset'] as const,
 ])

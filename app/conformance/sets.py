@@ -1,0 +1,93 @@
+"""What is found over files together: looked up when it is shown. It informs the decider, and returns no take."""
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+import audio_checks
+from app.conformance import queries
+from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.projects.models import Spec
+from app.sound_lists.service import cue_facts
+
+Findings = tuple[dict[str, object], ...]
+OVER_A_CUE = ("variation-set", "duplicate")  # takes go by their cue's name here, so no two of them are twins
+
+
+@dataclass(frozen=True)
+class SetWord:
+    """What the set of a cue says of one take: what is found, and how much louder it is than the other variations."""
+
+    cue_id: UUID
+    findings: Findings
+    away_lu: float | None
+
+
+def words_on_sets(
+    session: Session, cue_ids: Collection[UUID], specs: Mapping[UUID, Spec], *, designer_id: UUID | None = None
+) -> dict[UUID, SetWord]:
+    """Return what the sets of some cues say of the takes that stand in them, by the newest specs of their projects.
+
+    Of one designer's takes alone, where one is given.
+    """
+    if not cue_ids:
+        return {}
+    by_cue: dict[UUID, list[tuple[Take, audio_checks.FileReport]]] = defaultdict(list)
+    for take, told in queries.takes_in_sets(session, cue_ids, designer_id):
+        if take.cue_id is not None:
+            by_cue[take.cue_id].append((take, told))
+    words: dict[UUID, SetWord] = {}
+    for cue_id, rows in by_cue.items():
+        words |= _of_one_set(cue_id, rows, parsed_spec(specs[rows[0][0].project_id].toml))
+    return words
+
+
+def _of_one_set(
+    cue_id: UUID, rows: Sequence[tuple[Take, audio_checks.FileReport]], spec: audio_checks.DeliverySpec
+) -> dict[UUID, SetWord]:
+    facts = [
+        MemberFact(take.id, take.variation, take.alternate, take.number or 0, take.state is TakeState.APPROVED)
+        for take, _ in rows
+    ]
+    chosen = set(members_of_set(facts))
+    members = [(take, told) for take, told in rows if take.id in chosen]
+    judged = [_judged(take, told, spec) for take, told in members]
+    found, away = audio_checks.set_findings(judged), audio_checks.off_its_set_lu(judged)
+    return {
+        take.id: SetWord(cue_id, _plain(findings), off)
+        for (take, _), findings, off in zip(members, found, away, strict=True)
+    }
+
+
+def _judged(take: Take, told: audio_checks.FileReport, spec: audio_checks.DeliverySpec) -> audio_checks.Judged:
+    cue = cue_facts(take.cue) if take.cue else None
+    view = spec.for_category((cue.category if cue else None) or spec.category_of(take.file_name))
+    alternate = take.alternate is not None
+    return audio_checks.Judged(told, view, cue, take.variation, is_alternate=alternate)
+
+
+def _plain(findings: Iterable[audio_checks.Finding]) -> Findings:
+    return tuple(finding.to_dict() for finding in findings if finding.check in OVER_A_CUE)
+
+
+def same_sounds(session: Session, take: Take, pcm_sha256: str | None, spec: Spec) -> Findings:
+    """Return what is said of a take whose samples came with its delivery before, for another place."""
+    if pcm_sha256 is None:
+        return ()
+    whole = parsed_spec(spec.toml)
+    judged = [
+        replace(_judged(one, told, whole), cue=None) for one, told in queries.same_sounds(session, take, pcm_sha256)
+    ]
+    found = audio_checks.set_findings(judged)
+    return _plain(found[-1]) if found else ()
+
+
+def with_set_word(report: Report, *more: Findings) -> Report:
+    """Return a report with what is found over files together, behind its own findings of the same weight."""
+    findings = [*report["findings"], *(finding for findings in more for finding in findings)]
+    return report | {"findings": sorted(findings, key=lambda one: one["severity"] != "error")}
