@@ -65,11 +65,7 @@ def set_findings(files: Sequence[Judged]) -> list[tuple[Finding, ...]]:
     """
     found: list[list[Finding]] = [[] for _ in files]
     for check in [one for one in all_checks().values() if one.is_over_sets]:
-        places = [
-            place
-            for place, one in enumerate(files)
-            if one.was_read and one.spec.checks.get(check.name) != "off"
-        ]
+        places = [place for place, one in enumerate(files) if one.was_read and one.spec.checks.get(check.name) != "off"]
         try:
             for place, finding in list(check.run_set([files[place] for place in places])):
                 found[places[place]].append(finding)

@@ -5,7 +5,7 @@ or of the sound before. In a game it takes its memory twice.
 How to fix: export the sound that was meant. If one sound should serve two cues, say so, and let the
 game play one file for both.
 Source: SHA-256 of the samples, whatever the name, the metadata, the sample rate in the header, and
-for FLAC the packing. Stand-ins are let be.
+for FLAC the packing. Stand-ins are let be. The server asks within a delivery, and returns no take for it.
 """
 
 import os

@@ -7,6 +7,7 @@ that are alike by another take.
 Source: integrated loudness, for sounds under 0.4 s the loudest 0.4 s: within 2 LU over the set. Length
 within 25 % of the middle of the others. Alike are sounds whose octave bands follow each other within
 0.4 dB once their levels are matched. It needs the sound list, and is asked once every variation is there.
+The server shows it to both sides, and returns no take for it.
 """
 
 from collections import defaultdict
