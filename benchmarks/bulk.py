@@ -75,8 +75,8 @@ class Bulk:
 
 
 @contextmanager
-def filling(database: Database) -> Iterator[Bulk]:
-    """Give a Bulk whose rows are there when the block ends, with fresh statistics for the planner."""
+def filling(database: Database, *, analysed: bool = True) -> Iterator[Bulk]:
+    """Give a Bulk whose rows are there when the block ends, with fresh statistics for the planner if wanted."""
     connection = database.engine.raw_connection()
     try:
         cursor = connection.cursor()
@@ -92,5 +92,7 @@ def filling(database: Database) -> Iterator[Bulk]:
             connection.commit()
     finally:
         connection.invalidate()
+    if not analysed:
+        return
     with database.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as analysing:
         analysing.exec_driver_sql("ANALYZE" if database.is_sqlite else "VACUUM ANALYZE")
