@@ -43,7 +43,7 @@ class Accumulator(Protocol):
     """Something that measures while a file streams by."""
 
     def add(self, block: NDArray[np.float64], /) -> None:
-        """Take the next samples, shape (n, channels)."""
+        """Take the next samples, shape (n, channels); the array holds others when `add` is called again."""
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
@@ -314,11 +314,16 @@ class AudioFile:
             hashes.add_around(head)
             gathering.pass_by(at, head)
             at += len(head)
-        used = 0
-        for raw in wav.raw_blocks(self._file, layout):
+        lender = next((one for one in accumulators if isinstance(one, Faults)), None)
+        used, left, most = 0, layout.frames, wav.block_frames(layout)
+        self._file.seek(layout.data_offset)
+        while left:
+            room = lender.lend(min(left, most)) if lender else None
+            raw = wav.read_frames(self._file, layout, min(left, most) if room is None else len(room))
             hashes.add_sound(raw)
-            block, bits = wav.decode(raw, layout)
+            block, bits = wav.decode(raw, layout, room)
             used |= bits
+            left -= len(block)
             for accumulator in accumulators:
                 accumulator.add(block)
         at = layout.data_offset + layout.data_size

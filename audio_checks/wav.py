@@ -659,7 +659,27 @@ def _read_up_to(file: BinaryIO, count: int) -> bytes:
     return content or b""
 
 
-def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[bytes]:
+def block_frames(layout: WavLayout) -> int:
+    """Return how many frames are read together, so that memory stays bounded whatever the channels."""
+    return max(1, min(BLOCK_FRAMES, MAX_BLOCK_BYTES // (8 * layout.channels)))
+
+
+def read_frames(file: BinaryIO, layout: WavLayout, frames: int) -> bytes:
+    """Return the bytes of so many frames from where the file stands.
+
+    Raises
+    ------
+    Unreadable
+        R1, when the file became shorter meanwhile.
+    """
+    wanted = frames * layout.frame_bytes
+    raw = _read_up_to(file, wanted)
+    if len(raw) < wanted:
+        raise _shrunk()
+    return raw
+
+
+def raw_blocks(file: BinaryIO, layout: WavLayout) -> Iterator[bytes]:
     """Yield the bytes of the data chunk in whole frames, in order.
 
     Raises
@@ -667,42 +687,40 @@ def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAM
     Unreadable
         R1, when the file became shorter meanwhile.
     """
-    step = max(1, min(block_frames, MAX_BLOCK_BYTES // (8 * layout.channels))) * layout.frame_bytes
     file.seek(layout.data_offset)
-    left = layout.data_size
+    left, most = layout.frames, block_frames(layout)
     while left:
-        block = _read_up_to(file, min(step, left))
-        if len(block) < min(step, left):
-            raise _shrunk()
-        left -= len(block)
-        yield block
+        frames = min(left, most)
+        yield read_frames(file, layout, frames)
+        left -= frames
 
 
-def decode(raw: bytes, layout: WavLayout) -> tuple[NDArray[np.float64], int]:
+def decode(raw: bytes, layout: WavLayout, into: NDArray[np.float64] | None = None) -> tuple[NDArray[np.float64], int]:
     """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
 
     The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are
-    signed integers of the container's width; of 24 bits, the upper three bytes of 32.
+    signed integers of the container's width; of 24 bits, the upper three bytes of 32. `into` is room for
+    the samples, of their shape.
 
     Raises
     ------
     Unreadable
         R7, for a float sample that is not a finite number.
     """
-    planar = np.empty((layout.channels, len(raw) // layout.frame_bytes))
+    block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T if into is None else into
     if layout.encoding == "pcm":
-        return planar.T, kernel.decode_pcm(raw, layout.container_bits, planar)
-    if channel := kernel.decode_float(raw, layout.container_bits, planar):
+        return block, kernel.decode_pcm(raw, layout.container_bits, block.T)
+    if channel := kernel.decode_float(raw, layout.container_bits, block.T):
         raise Unreadable(
             f"channel {channel} holds samples that are not numbers (infinity or NaN)",
             "R7",
             "structure:not-finite",
             "look for a broken plug-in in the session, then export again",
         )
-    return planar.T, 0
+    return block, 0
 
 
-def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:
+def blocks(file: BinaryIO, layout: WavLayout) -> Iterator[NDArray[np.float64]]:
     """Yield the samples in blocks of shape (n, channels), full scale ±1.0.
 
     Raises
@@ -710,7 +728,7 @@ def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) 
     Unreadable
         R7, for a float sample that is not a finite number; R1, when the file became shorter meanwhile.
     """
-    for raw in raw_blocks(file, layout, block_frames):
+    for raw in raw_blocks(file, layout):
         yield decode(raw, layout)[0]
 
 

@@ -179,7 +179,7 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
 }
 
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
-enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8, SKIPPED = 64 };
+enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8 };
 
 typedef struct {
     double sign, floor, least, rail, grain, share, flat, wide;
@@ -227,15 +227,17 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
     double *samples, *wanted_figures, *out;
-    if (arguments("crests", count, 4) < 0) return NULL;
-    const Py_ssize_t first = PyLong_AsSsize_t(args[1]);
+    const double *maxima;
+    if (arguments("crests", count, 5) < 0) return NULL;
+    const Py_ssize_t first = PyLong_AsSsize_t(args[2]);
     if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(wanted_figures = TAKE_DOUBLES(&held, args[2], SHAPE_FIGURES, 0)) || !(out = TAKE_DOUBLES(&held, args[3], -1, 1))) {
+        !(maxima = TAKE_DOUBLES(&held, args[1], rows_of(held.views[0].len / (Py_ssize_t)sizeof(double)), 0)) ||
+        !(wanted_figures = TAKE_DOUBLES(&held, args[3], SHAPE_FIGURES, 0)) || !(out = TAKE_DOUBLES(&held, args[4], -1, 1))) {
         let_go(&held);
         return NULL;
     }
     const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t most = held.views[2].len / (Py_ssize_t)sizeof(double) / CREST_FIGURES;
+    const Py_ssize_t most = held.views[3].len / (Py_ssize_t)sizeof(double) / CREST_FIGURES;
     if (first < 0 || first > frames) {
         let_go(&held);
         PyErr_SetString(PyExc_ValueError, "a first frame among the samples is wanted");
@@ -248,11 +250,12 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_ssize_t at = first, known = 0; /* what lies before `known` was looked at */
     while (at > 0 && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that the last block left open */
     while (at < frames && found < most) {
-        while (at + SKIPPED <= frames && highest_magnitude(samples + at, SKIPPED) < wanted.least) at += SKIPPED;
+        while (at < frames && maxima[at / ROW] < wanted.least) at = (at / ROW + 1) * ROW; /* no crest here is high */
+        if (at >= frames) break;
         while (at > known && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that began in what was skipped */
-        const Py_ssize_t until = at + SKIPPED < frames ? at + SKIPPED : frames;
+        const Py_ssize_t end = (at / ROW + 1) * ROW, until = end < frames ? end : frames;
         while (at < until && wanted.sign * samples[at] < wanted.floor) at++;
-        if (at == until) continue; /* perhaps more can be skipped */
+        if (at == until) continue;
         const Py_ssize_t start = at;
         double top = 0;
         while (at < frames && wanted.sign * samples[at] >= wanted.floor) {

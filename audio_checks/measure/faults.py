@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks import kernel
 from audio_checks.measure.cells import HISTORY, cell_frames, cells_of
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
 from audio_checks.measure.flat_tops import FlatTops
 from audio_checks.measure.hum import Hum
+from audio_checks.measure.maxima import maxima_of
 from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
 
@@ -69,6 +69,7 @@ class Faults:
         self._silence = Clicks.LATE * self._cell  # that follows the sound
         self._stretch = max(stretch * self._cell, self._silence)
         self._samples = np.zeros((channels, self._history + self._stretch + self._cell))
+        self._lent: NDArray[np.float64] | None = None
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
         self._peak = 0.0
@@ -79,17 +80,34 @@ class Faults:
         self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
         self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
 
+    def lend(self, frames: int) -> NDArray[np.float64]:
+        """Return room for the next samples, shape (n, channels), n no more than `frames`.
+
+        Whoever fills it and gives the same array to `add` saves a copy. It is used again for later samples.
+        """
+        space = self._history + self._stretch - self._end
+        parts = -(-space // frames)
+        self._lent = self._samples[:, self._end : self._end + min(frames, -(-space // parts))].T
+        return self._lent
+
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
+        if block is self._lent:
+            self._take(len(block))
+            return
         rows = block.T
         at, count = 0, len(block)
         while at < count:
             taken = min(count - at, self._history + self._stretch - self._end)
             self._samples[:, self._end : self._end + taken] = rows[:, at : at + taken]
-            self._end += taken
             at += taken
-            if self._end == self._history + self._stretch:
-                self._look()
+            self._take(taken)
+
+    def _take(self, count: int) -> None:
+        self._lent = None
+        self._end += count
+        if self._end == self._history + self._stretch:
+            self._look()
 
     def result(self) -> dict[str, Any]:
         """Return the figures of the detectors that were asked for, by name."""
@@ -113,7 +131,8 @@ class Faults:
     def _look(self) -> None:
         """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
         samples = self._samples[:, : self._end]
-        self._peak = max(self._peak, kernel.highest(samples[:, self._history :]))
+        maxima = maxima_of(samples)
+        self._peak = max(self._peak, float(maxima.max()))
         if self._clicks or self._dropouts or self._hum or self._noise:
             cells = cells_of(samples, self._history, self._cell)
             if self._clicks:
@@ -121,10 +140,12 @@ class Faults:
             for by_cells in (self._dropouts, self._hum, self._noise):
                 if by_cells:
                     by_cells.add(cells)
-        for by_samples in (self._repeats, self._flat_tops):
-            if by_samples:
-                by_samples.add(samples, self._history, self._frame)
+        if self._repeats:
+            self._repeats.add(samples, int(maxima.max(axis=1).argmax()), self._history, self._frame)
+        if self._flat_tops:
+            self._flat_tops.add(samples, maxima, self._history, self._frame)
         new = self._end - self._history
-        self._samples[:, : self._history] = self._samples[:, new : self._end].copy()
+        kept = samples[:, new:]
+        self._samples[:, : self._history] = kept if new >= self._history else kept.copy()
         self._end = self._history
         self._frame += new

@@ -60,18 +60,19 @@ class FlatTops:
         self._crests = np.empty((0, FIGURES_KEPT))
         self._found = np.empty((MAX_AT_ONCE, CHANNEL))
 
-    def add(self, samples: NDArray[np.float64], first: int, frame: int) -> None:
+    def add(self, samples: NDArray[np.float64], maxima: NDArray[np.float64], first: int, frame: int) -> None:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
-        `frame` is where in the whole signal the first of all of them lies.
+        `maxima` are those of all samples; `frame` is where in the whole signal the first of them lies.
         """
         for channel, row in enumerate(samples):
-            highest, lowest = float(row[first:].max(initial=0.0)), float(row[first:].min(initial=0.0))
-            for side, new in enumerate((highest, -lowest)):
-                extreme = max(new, float(self._extremes[channel, side]))
-                self._extremes[channel, side] = extreme
+            extremes = self._extremes[channel]
+            if maxima[channel].max() > extremes.min():
+                highest, lowest = float(row[first:].max(initial=0.0)), float(row[first:].min(initial=0.0))
+                np.maximum(extremes, (highest, -lowest), out=extremes)
+            for sign, extreme in zip((1.0, -1.0), extremes.tolist(), strict=True):
                 if extreme > 0:
-                    self._look(row, first, frame, channel, 1.0 - 2.0 * side, extreme)
+                    self._look(row, maxima[channel], first, frame, channel, sign, extreme)
 
     def result(self) -> dict[str, Any]:
         """Return `clipped_runs` and `soft_tops`, how many there are, and the spans of the first 1,000 of each."""
@@ -92,11 +93,18 @@ class FlatTops:
         }
 
     def _look(
-        self, row: NDArray[np.float64], first: int, frame: int, channel: int, sign: float, extreme: float
+        self,
+        row: NDArray[np.float64],
+        maxima: NDArray[np.float64],
+        first: int,
+        frame: int,
+        channel: int,
+        sign: float,
+        extreme: float,
     ) -> None:
         least = extreme * (1 - SOFT_CEILING)
         shape = np.array([sign, least * SOFT_WIDE, least, self._rail, self._grain, SHARE, SOFT_FLAT, SOFT_WIDE])
-        found = kernel.crests(row, first, shape, self._found)
+        found = kernel.crests(row, maxima, first, shape, self._found)
         if not found or len(self._crests) >= MAX_KEPT:
             return
         crests = np.empty((found, FIGURES_KEPT))

@@ -44,16 +44,17 @@ class Repeats:
         self._out = np.empty((MAX_AT_ONCE, 3), np.int64)
         self._found: list[Repeat] = []
 
-    def add(self, samples: NDArray[np.float64], first: int, frame: int) -> None:
+    def add(self, samples: NDArray[np.float64], channel: int, first: int, frame: int) -> None:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
-        `frame` is where in the whole signal the first of all of them lies.
+        A stretch is looked for in one `channel`, best the loudest: a buffer holds all, so it comes again in each.
+        `frame` is where in the whole signal the first of all samples lies.
         """
-        # A buffer holds all channels: what is equal in their sum came twice in each.
-        mixed = samples[0] if len(samples) == 1 else samples.sum(axis=0)
-        count = kernel.recurrences(mixed, first, self._spread, *self._lags, MOST_TIMES, self._out)
-        for start, end, lag in self._out[: min(count, MAX_KEPT - len(self._found))].tolist():
-            self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
+        count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, self._out)
+        for start, end, lag in self._out[:count].tolist():
+            again = np.array_equal(samples[:, start:end], samples[:, start - lag : end - lag])
+            if again and len(self._found) < MAX_KEPT:
+                self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
 
     def result(self) -> dict[str, Any]:
         """Return `repeats`, how many there are, and `repeat_places`."""

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from audio_checks import kernel
+from audio_checks.measure.maxima import maxima_of
 from tests.audio_checks.kernel.signals import Samples, signals
 
 HISTORY = 6
@@ -86,7 +87,7 @@ def test_crests(samples: Samples, first: int, sign: float, grain: float):
     first = min(first, len(row))
     out = np.empty((len(row) + 1, 8))
     if extreme:
-        count = kernel.crests(row, first, np.array(shape), out)
+        count = kernel.crests(row, maxima_of(row[np.newaxis])[0], first, np.array(shape), out)
         assert out[:count].tolist() == crests_of(row, first, shape)
 
 
