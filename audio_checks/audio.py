@@ -315,7 +315,7 @@ class AudioFile:
             gathering.pass_by(at, head)
             at += len(head)
         lender = next((one for one in accumulators if isinstance(one, Faults)), None)
-        used, left, most = 0, layout.frames, wav.block_frames(layout)
+        used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
         while left:
             room = lender.lend(min(left, most)) if lender else None

@@ -659,9 +659,9 @@ def _read_up_to(file: BinaryIO, count: int) -> bytes:
     return content or b""
 
 
-def block_frames(layout: WavLayout) -> int:
+def frames_at_once(layout: WavLayout, most: int = BLOCK_FRAMES) -> int:
     """Return how many frames are read together, so that memory stays bounded whatever the channels."""
-    return max(1, min(BLOCK_FRAMES, MAX_BLOCK_BYTES // (8 * layout.channels)))
+    return max(1, min(most, MAX_BLOCK_BYTES // (8 * layout.channels)))
 
 
 def read_frames(file: BinaryIO, layout: WavLayout, frames: int) -> bytes:
@@ -679,7 +679,7 @@ def read_frames(file: BinaryIO, layout: WavLayout, frames: int) -> bytes:
     return raw
 
 
-def raw_blocks(file: BinaryIO, layout: WavLayout) -> Iterator[bytes]:
+def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[bytes]:
     """Yield the bytes of the data chunk in whole frames, in order.
 
     Raises
@@ -688,7 +688,7 @@ def raw_blocks(file: BinaryIO, layout: WavLayout) -> Iterator[bytes]:
         R1, when the file became shorter meanwhile.
     """
     file.seek(layout.data_offset)
-    left, most = layout.frames, block_frames(layout)
+    left, most = layout.frames, frames_at_once(layout, block_frames)
     while left:
         frames = min(left, most)
         yield read_frames(file, layout, frames)
@@ -720,7 +720,7 @@ def decode(raw: bytes, layout: WavLayout, into: NDArray[np.float64] | None = Non
     return block, 0
 
 
-def blocks(file: BinaryIO, layout: WavLayout) -> Iterator[NDArray[np.float64]]:
+def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:
     """Yield the samples in blocks of shape (n, channels), full scale ±1.0.
 
     Raises
@@ -728,7 +728,7 @@ def blocks(file: BinaryIO, layout: WavLayout) -> Iterator[NDArray[np.float64]]:
     Unreadable
         R7, for a float sample that is not a finite number; R1, when the file became shorter meanwhile.
     """
-    for raw in raw_blocks(file, layout):
+    for raw in raw_blocks(file, layout, block_frames):
         yield decode(raw, layout)[0]
 
 
