@@ -13,6 +13,8 @@ LEAST_STEP = 16.0  # of the file's own smallest: four bits
 MOST_PARTS = 8  # steps between the two nearest values, where values are sparse
 LEAST_VALUES = 24  # different ones in a segment; fewer prove nothing
 MOST_OFF = 2.0  # from its step may a value lie, in the file's own smallest: rounding and dither
+SHARE_OFF = 1 / 24  # of the step, where that is less: the finer the step, the easier chance meets it
+ROUNDING = 0.75
 
 
 class Steps:
@@ -54,16 +56,20 @@ class Steps:
         Silence, a handful of different values and float samples tell nothing. It is a step when more
         than half of what can be told of the file stands on it.
         """
-        told: list[float] = []
-        for pieces in self._segments:
-            for channel in np.concatenate(pieces).T if pieces else ():
-                step = step_of(channel / self._step)
-                if step is not None:
-                    told.append(step)
-        if not told:
+        rows = [row for pieces in self._segments if pieces for row in np.concatenate(pieces).T]
+        steps: list[float] = []
+        without = 0
+        for row in rows:
+            step = step_of(row / self._step)
+            if step is not None and step > 1:
+                steps.append(step)
+            elif step is not None:
+                without += 1
+            if 2 * without >= len(rows):  # whatever the rest says
+                break
+        if not (steps or without):
             return {"sample_step": None}
-        steps = sorted(step for step in told if step > 1)
-        return {"sample_step": steps[len(steps) // 2] if 2 * len(steps) > len(told) else 1.0}
+        return {"sample_step": sorted(steps)[len(steps) // 2] if len(steps) > without else 1.0}
 
 
 def step_of(values: NDArray[np.float64]) -> float | None:
@@ -89,7 +95,8 @@ def step_of(values: NDArray[np.float64]) -> float | None:
     nearest = float(gaps.min())
     for parts in range(1, MOST_PARTS + 1):
         step = _fitted(nearest / parts, gaps, ordered)
-        if step >= LEAST_STEP and float(np.abs(ordered - step * np.rint(ordered / step)).max()) <= MOST_OFF:
+        most_off = max(ROUNDING, min(MOST_OFF, SHARE_OFF * step))
+        if step >= LEAST_STEP and float(np.abs(ordered - step * np.rint(ordered / step)).max()) <= most_off:
             return step
     return 1.0
 

@@ -1,5 +1,6 @@
 """The runner: which checks are called, what their findings weigh, and whose fault a crash is."""
 
+import io
 import os
 import signal
 import struct
@@ -10,15 +11,16 @@ from types import ModuleType
 import pytest
 
 import audio_checks
-from audio_checks import check_file, check_files, measure_file, processes
+from audio_checks import check_file, check_files, measure_file, processes, wav
 from audio_checks import runner as runner_module
 from audio_checks.checks import Check
 from audio_checks.errors import SpecError, Unreadable
 from audio_checks.findings import Finding
 from audio_checks.sound_list import read_sound_list
 from audio_checks.spec import CueFacts, new_spec, parse_spec
+from tests.support.chunks import bext, info
 from tests.support.waves import chunk as wav_chunk
-from tests.support.waves import float_bytes, fmt, join, noise, placeholder_mark, riff, silence, sine, write_wav
+from tests.support.waves import float_bytes, fmt, join, noise, placeholder_mark, riff, silence, sine, smpl, write_wav
 
 SPEC = parse_spec(new_spec())
 
@@ -249,6 +251,27 @@ def test_each_byte_is_read_once(monkeypatch, laser):
     monkeypatch.setattr(os, "open", counted)
     check_file(laser, SPEC, all_figures=True)
     assert len(read) == 1
+
+
+def test_every_byte_of_sound_is_read_once_with_all_checks_on(monkeypatch, tmp_path):
+    around = {"before": [bext(originator="Mara Lind")], "after": [info(ICMT="wind"), smpl([(0, 99)])]}
+    path = write_wav(tmp_path / "wind_01.wav", noise(seconds=2, channels=2), **around)
+    asked = '[metadata]\nrequired = ["bext.Originator", "INFO.ICMT"]\n'
+    spec = parse_spec(new_spec().replace("# loudness_lufs", "loudness_lufs") + asked)
+    size, reads = path.stat().st_size, []
+    real = wav.open_regular
+
+    class Counted(io.FileIO):
+        def read(self, count=-1):
+            place = self.tell()
+            content = super().read(count)
+            reads.append((place, len(content)))
+            return content
+
+    monkeypatch.setattr(wav, "open_regular", lambda opened: real(opened).close() or Counted(opened, "rb"))
+    entry = check_file(path, spec, cue=CueFacts("SW-1", variations=2, duration_s=2.0), all_figures=True)
+    assert entry.facts["metadata"]["fields"]["INFO.ICMT"] == "wind"
+    assert size <= sum(count for _, count in reads) < size + 600  # only headers are seen twice
 
 
 def test_the_base_install_is_enough_and_starts_fast():
