@@ -78,9 +78,7 @@ def serve(
     port: Annotated[int, typer.Option(help="Port to listen on.")] = 8000,
 ) -> None:
     """Serve the web application; run `soundlist migrate` before and `soundlist worker` beside it."""
-    import uvicorn
-
-    from app.kit import metrics
+    from app.kit import metrics, serving
     from app.main import create_app
 
     settings = _settings(serving=True)
@@ -90,10 +88,7 @@ def serve(
     runtime = _ready_to_serve(settings)
     try:
         with metrics.listening(settings, metrics.collectors(runtime)):
-            uvicorn.run(
-                create_app(runtime), host=host, port=port, log_config=None, access_log=False, proxy_headers=False,
-                server_header=False, timeout_graceful_shutdown=STOP_WITHIN_S,
-            )  # fmt: skip
+            serving.serve(create_app(runtime), host=host, port=port, drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
     except metrics.CannotListen as error:
         raise _refusal([str(error)]) from None
 

@@ -104,10 +104,10 @@ class ProcessServer:
     def _client(self) -> httpx.Client:
         return httpx.Client(base_url=f"http://127.0.0.1:{self.port}", timeout=PATIENCE_S)
 
-    def serve(self, kill_at: str = "", *, victim: int = 0, port: int = 0) -> Process:
+    def serve(self, kill_at: str = "", *, victim: int = 0, port: int = 0, **settings: Any) -> Process:
         """Start a web process, and return once it answers."""
         port = port or self.port
-        process = self._start(["serve", "--port", str(port)], kill_at, victim)
+        process = self._start(["serve", "--port", str(port)], kill_at, victim, settings)
         self._serves = True
         wait_until(lambda: process.poll() is not None or answers(port))
         assert process.poll() is None, self.log()
@@ -115,7 +115,7 @@ class ProcessServer:
 
     def work(self, kill_at: str = "", *, victim: int = 0) -> Process:
         """Start a worker."""
-        return self._start(["worker"], kill_at, victim)
+        return self._start(["worker"], kill_at, victim, {})
 
     def wait_for_death(self, process: Process, kill_at: str) -> None:
         """Return once a process has died by its own hand at the point."""
@@ -147,10 +147,9 @@ class ProcessServer:
     def _marker(self, kill_at: str) -> Path:
         return self.folder / f"killed-at-{kill_at}"
 
-    def _start(self, arguments: list[str], kill_at: str, victim: int) -> Process:
-        environment = {**os.environ} | {
-            f"SOUNDLIST_{name.upper()}": str(value) for name, value in self._settings.items()
-        }
+    def _start(self, arguments: list[str], kill_at: str, victim: int, settings: dict[str, Any]) -> Process:
+        set_here = self._settings | settings
+        environment = {**os.environ} | {f"SOUNDLIST_{name.upper()}": str(value) for name, value in set_here.items()}
         if kill_at:
             environment |= {kill.POINT: kill_at, kill.MARKER: str(self._marker(kill_at))}
         if victim:
