@@ -11,16 +11,17 @@ from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import decibels
 
-STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after
+STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
+STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
-GOES_ON = 30.0  # power may fall or rise by 15 dB across a click; more is a sound that starts or stops
+GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothing
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
-STEADY = 3.0  # peak over RMS of the sixth differences; below that tones hide small clicks in them
+STEADY = 3.2  # peak over RMS of the sixth differences; below that tones hide small clicks in them
 SEGMENT = 64  # cells of steady sound that are looked at together
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
@@ -70,7 +71,8 @@ class Clicks:
         if total - start > REACH:
             for channel in range(len(samples)):
                 near = slice(start - REACH - self._first, None)
-                self._keep(channel, start, recent.sharpness[channel, near] / IMPULSE, recent.squares[channel, near])
+                self._keep(recent, channel, start, recent.sharpness[channel, near] / IMPULSE, STANDS_OUT)
+                self._keep(recent, channel, start, recent.steps[channel, near], STEPS_OUT)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
             self._look_closer(recent, count, samples, first + (self._segment - begun) * self._cell)
@@ -93,19 +95,20 @@ class Clicks:
             last[channel] = cell
         return {"clicks": len(clicks), "click_places": tuple(clicks)}
 
-    def _keep(self, channel: int, start: int, heights: NDArray[np.float64], squares: NDArray[np.float64]) -> None:
+    def _keep(self, recent: Cells, channel: int, start: int, heights: NDArray[np.float64], times: float) -> None:
         """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`."""
         highest = _sliding_maximum(heights, REACH - CORE)
         after = highest[REACH + CORE + 1 :]
         before = highest[: len(after)]
         here = heights[REACH : REACH + len(after)]
         beside = np.minimum(heights[REACH - 1 :][: len(after)], heights[REACH + 1 :][: len(after)])
-        around = np.maximum(np.maximum(np.maximum(before, after), beside) * STANDS_OUT, self._least)
+        around = np.maximum(np.maximum(np.maximum(before, after), beside) * times, self._least)
         for cell in np.flatnonzero(here > around).tolist():
-            power_before = squares[cell + REACH - LEVEL_CELLS : cell + REACH - CORE].mean()
-            power_after = squares[cell + REACH + CORE + 1 : cell + REACH + LEVEL_CELLS + 1].mean()
-            quieter, louder = sorted((float(power_before), float(power_after)))
-            if louder <= quieter * GOES_ON and len(self._found) < MAX_KEPT:
+            place = start - self._first + cell
+            quieter, louder = _power_around(recent.squares[channel], place)
+            lower, higher = _power_around(recent.edges[channel], place)
+            goes_on = louder <= quieter * GOES_ON or higher <= lower * GOES_ON
+            if goes_on and len(self._found) < MAX_KEPT:
                 self._found.add((start + cell, channel, float(here[cell]), quieter))
 
     def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
@@ -124,9 +127,14 @@ class Clicks:
             kernel.unforeseen(samples[channel], before, self._window, ORDER, self._cell, heights)
             if heights[REACH:-REACH].max() < ABOVE_MEAN * heights.mean():
                 continue
-            start = place + number * SEGMENT
-            squares = recent.squares[channel, start - REACH : start + SEGMENT + REACH]
-            self._keep(channel, self._segment + number * SEGMENT, heights, squares)
+            self._keep(recent, channel, self._segment + number * SEGMENT, heights, STANDS_OUT)
+
+
+def _power_around(squares: NDArray[np.float64], place: int) -> tuple[float, float]:
+    """Return the mean of the 10 ms before a cell and of those after it, the smaller one first."""
+    before = float(squares[place - LEVEL_CELLS : place - CORE].mean())
+    after = float(squares[place + CORE + 1 : place + LEVEL_CELLS + 1].mean())
+    return min(before, after), max(before, after)
 
 
 def _sliding_maximum(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:

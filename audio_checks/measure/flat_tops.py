@@ -16,7 +16,7 @@ GRAIN = 2.5  # steps of the bit depth: samples that close are on one level
 SHARE = 1e-4  # of the level: the same for float
 CORNER = 16.0  # of these: what the wave falls within two samples of a run's ends; a round crest does not
 CEILING = 1e-3  # share of the highest crest by which others on the ceiling may lie lower
-FEWEST = 3  # of them under full scale: two crests may be as high by chance
+FEWEST = 3  # of them in a file, under full scale: two crests may be as high by chance
 SOFT_CEILING = 0.03  # the same for soft tops
 SOFT_FLAT = 0.98  # a soft top is what lies above this share of its crest
 SOFT_WIDE, SOFT_RATIO = 0.8, 1.7  # above this share a round crest is 3.2 times as wide, and a soft top at most this
@@ -76,20 +76,27 @@ class FlatTops:
 
     def result(self) -> dict[str, Any]:
         """Return `clipped_runs` and `soft_tops`, how many there are, and the spans of the first 1,000 of each."""
-        hard: list[FlatTop] = []
-        soft: list[FlatTop] = []
-        for channel, extremes in enumerate(self._extremes):
-            for sign, extreme in zip((1.0, -1.0), extremes, strict=True):
-                crests = self._crests[(self._crests[:, CHANNEL] == channel) & (self._crests[:, SIGN] == sign)]
-                crests = crests[crests[:, TOP] >= extreme * (1 - SOFT_CEILING)]
-                cut_off, rounded = self._flat(crests, extreme)
-                hard += self._spans(crests[cut_off], RUN)
-                soft += self._spans(crests[rounded & ~cut_off], FLAT)
+        sides = (2 * self._crests[:, CHANNEL] + (self._crests[:, SIGN] < 0)).astype(np.intp)
+        extremes = self._extremes.ravel()[sides]
+        highest = self._crests[:, TOP] >= extremes * (1 - SOFT_CEILING)
+        crests, sides, extremes = self._crests[highest], sides[highest], extremes[highest]
+        square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, HALF_WAVE] - crests[:, FLAT] <= SQUARE_EDGE)
+        hard = crests[:, AT_RAIL] >= SHORTEST_RUN
+        corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
+        under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square
+        under &= crests[:, TOP] >= extremes * (1 - CEILING)
+        if under.sum() >= FEWEST:
+            hard |= under
+        shortest = max(5, round(SOFT_S * self._rate))
+        soft = (crests[:, FLAT] >= shortest) & (crests[:, WIDE] <= SOFT_RATIO * crests[:, FLAT]) & ~square
+        count = self._extremes.size
+        share = SOFT_SHARE * np.bincount(sides, minlength=count)
+        soft &= (np.bincount(sides, weights=soft, minlength=count) >= np.maximum(SOFT_FEWEST, share))[sides] & ~hard
         return {
-            "clipped_runs": len(hard),
-            "clipped_spans": tuple(sorted(hard)[:MAX_SPANS]),
-            "soft_tops": len(soft),
-            "soft_spans": tuple(sorted(soft)[:MAX_SPANS]),
+            "clipped_runs": int(hard.sum()),
+            "clipped_spans": self._spans(crests[hard], RUN),
+            "soft_tops": int(soft.sum()),
+            "soft_spans": self._spans(crests[soft], FLAT),
         }
 
     def _look(
@@ -113,28 +120,15 @@ class FlatTops:
         crests[:, CHANNEL], crests[:, SIGN] = channel, sign
         self._crests = np.concatenate((self._crests, crests))
 
-    def _flat(self, crests: NDArray[np.float64], extreme: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return which of the highest crests of one side are cut off, and which are flattened softly."""
-        square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, HALF_WAVE] - crests[:, FLAT] <= SQUARE_EDGE)
-        hard = crests[:, AT_RAIL] >= SHORTEST_RUN
-        corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
-        under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square
-        under &= crests[:, TOP] >= extreme * (1 - CEILING)
-        if under.sum() >= FEWEST:
-            hard |= under
-        shortest = max(5, round(SOFT_S * self._rate))
-        soft = (crests[:, FLAT] >= shortest) & (crests[:, WIDE] <= SOFT_RATIO * crests[:, FLAT]) & ~square
-        if soft.sum() < max(SOFT_FEWEST, SOFT_SHARE * len(crests)):
-            soft[:] = False
-        return hard, soft
-
-    def _spans(self, crests: NDArray[np.float64], length: int) -> list[FlatTop]:
-        return [
+    def _spans(self, crests: NDArray[np.float64], length: int) -> tuple[FlatTop, ...]:
+        """Return the first of these crests, `length` being the column that tells how long each is flat."""
+        first = crests[np.lexsort((crests[:, CHANNEL], crests[:, START]))[:MAX_SPANS]]
+        return tuple(
             FlatTop(
                 crest[START] / self._rate,
                 (crest[START] + crest[length]) / self._rate,
                 int(crest[CHANNEL]) + 1,
                 decibels(crest[TOP]),
             )
-            for crest in crests.tolist()
-        ]
+            for crest in first.tolist()
+        )
