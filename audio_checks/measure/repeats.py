@@ -52,6 +52,8 @@ class Repeats:
         """
         count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, self._out)
         for start, end, lag in self._out[:count].tolist():
+            if frame + start - lag < self._lags[0]:  # a steady tone from the file's first sample on is no buffer
+                continue
             again = np.array_equal(samples[:, start:end], samples[:, start - lag : end - lag])
             if again and len(self._found) < MAX_KEPT:
                 self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
