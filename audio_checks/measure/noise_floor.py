@@ -16,10 +16,8 @@ PAUSE = 20  # steps: a pause lasts 0.2 s
 DEEP = 16.0  # in power: a pause lies 12 dB under the loudest 0.2 s
 STEADY_DB = 6.0  # by which the steps of a pause may differ between their lower and upper quarter
 LEVEL_DB = 1.2  # by which the halves of a pause may differ
-FALL_DB, FALLS_ALIKE = (
-    0.4,
-    4.0,
-)  # what falls by more, and by as much up to so many times, from pause to pause, dies away
+FALL_DB = 0.4  # what falls by more from pause to pause,
+FALLS_ALIKE = 2.5  # and evenly, up to so many times, dies away
 
 
 class NoiseFloor:
