@@ -52,7 +52,7 @@ STATE_WORDS = {
     "PENDING": "running",
     "CANCELLED": "parked",
     "MAX_RECOVERY_ATTEMPTS_EXCEEDED": "parked",
-    "ERROR": "broken",  # none of ours ends so: what fails is tried again, then parked
+    "ERROR": "broken",
 }
 
 Payload = dict[str, Any]
@@ -104,7 +104,6 @@ class UnfinishedJob:
     tries: int
     since: datetime
     reason: str | None
-    cursor: str  # where a list goes on after it
 
 
 @dataclass(frozen=True)
@@ -197,38 +196,22 @@ class JobQueue:
             self._write(session, key, work._replace(attempt=attempt), delay_s=PAUSES_S[work.attempt - 1], reason=reason)
         return True
 
-    def unfinished(
-        self,
-        *,
-        only_failed: bool = False,
-        state: str | None = None,
-        studio_id: UUID | None = None,
-        after: tuple[int, str] | None = None,
-        limit: int = 1000,
-    ) -> list[UnfinishedJob]:
-        """Return the jobs that wait, run or gave up, oldest first; in one state or of one studio where it is given.
-
-        `after` is the cursor of the last one read: its instant in milliseconds, and its id.
-        """
-        jobs = self._workflows
-        shown = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
-        states = [one for one in shown if state in (None, STATE_WORDS[one])]
-        order = (jobs.c.created_at, jobs.c.workflow_uuid)
-        query = sa.select(jobs).where(jobs.c.name == RUN_JOB, jobs.c.status.in_(states)).order_by(*order)
-        if studio_id is not None:
-            query = query.where(jobs.c.attributes["studio"].as_string() == str(studio_id))
-        if after is not None:
-            query = query.where(sa.tuple_(*order) > sa.tuple_(*after))
-        with self._database.reading() as session:
-            return [_unfinished(row) for row in session.execute(query.limit(limit))]
-
-    def unfinished_job(self, job_id: str) -> UnfinishedJob | None:
-        """Return one job that waits, runs or gave up; None for one that is done."""
-        jobs = self._workflows
-        query = sa.select(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(STATE_WORDS))
-        with self._database.reading() as session:
-            row = session.execute(query.where(jobs.c.name == RUN_JOB)).one_or_none()
-        return _unfinished(row) if row else None
+    def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
+        """Return the jobs that wait, run or gave up, oldest first."""
+        states = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
+        found = self._client.list_workflows(status=states, sort_desc=False, limit=1000, load_output=False)
+        return [
+            UnfinishedJob(
+                id=workflow.workflow_id,
+                name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
+                studio_id=UUID(studio) if (studio := (workflow.attributes or {}).get("studio")) else None,
+                state=STATE_WORDS[workflow.status],
+                tries=_attempt(workflow.workflow_id) - 1 + (workflow.recovery_attempts or 0),
+                since=_instant(workflow.created_at),
+                reason=(workflow.attributes or {}).get("reason"),
+            )
+            for workflow in found
+        ]
 
     def counts(self, studio_id: UUID | None = None) -> list[JobCount]:
         """Return how many jobs wait, run or gave up, by name; those of one studio where it is given."""
@@ -299,30 +282,14 @@ def _workflows(database: Database) -> sa.TableClause:
         "workflow_status",
         sa.column("workflow_uuid", sa.Text),
         sa.column("status", sa.Text),
-        sa.column("name", sa.Text),
-        sa.column("queue_name", sa.Text),  # null once a job is parked
+        sa.column("queue_name", sa.Text),
         sa.column("queue_partition_key", sa.Text),
         sa.column("priority", sa.Integer),
         sa.column("executor_id", sa.Text),
         sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
         sa.column("created_at", sa.BigInteger),
         sa.column("completed_at", sa.BigInteger),
-        sa.column("recovery_attempts", sa.BigInteger),
         schema=None if database.is_sqlite else "dbos",
-    )
-
-
-def _unfinished(row: sa.Row[Any]) -> UnfinishedJob:
-    said = row.attributes or {}
-    return UnfinishedJob(
-        id=row.workflow_uuid,
-        name=said.get("job") or RUN_JOB,
-        studio_id=UUID(said["studio"]) if said.get("studio") else None,
-        state=STATE_WORDS[row.status],
-        tries=_attempt(row.workflow_uuid) - 1 + (row.recovery_attempts or 0),
-        since=_instant(row.created_at),
-        reason=said.get("reason"),
-        cursor=f"{row.created_at or 0}.{row.workflow_uuid}",
     )
 
 
