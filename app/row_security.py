@@ -20,6 +20,7 @@ from app.kit.runtime import Runtime
 POLICY = "within_reach"
 UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
 ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, under a hash of the credentials
+NEVER_ALTERED = frozenset({"contracts_events", "contracts_acceptances"})  # what was said stands
 SERVERS_OWN = frozenset({"kit_heartbeats"})
 PERSONAL = frozenset({"accounts_sign_ins", "accounts_password_resets"})
 
@@ -146,7 +147,9 @@ def _guarded(connection: sa.Connection) -> dict[str, str]:
 def _guard(table: sa.Table) -> Iterator[str]:
     yield f"revoke all on {table.name} from {REQUEST_ROLE}"
     if table.name not in SERVERS_OWN:
-        allowed = "insert" if table.name in ADD_ONLY else "select, insert, update, delete"
+        allowed = "select, insert, update, delete"
+        if table.name in ADD_ONLY | NEVER_ALTERED:
+            allowed = "insert" if table.name in ADD_ONLY else "select, insert"
         yield f"grant {allowed} on {table.name} to {REQUEST_ROLE}"
     yield f"drop policy if exists {POLICY} on {table.name}"
     if (rows := condition(table)) is not None:

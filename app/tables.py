@@ -3,6 +3,7 @@
 from app.accounts import models as _accounts  # noqa: F401
 from app.builds import models as _builds  # noqa: F401
 from app.conformance import models as _conformance  # noqa: F401
+from app.contracts import models as _contracts  # noqa: F401
 from app.deliveries import models as _deliveries  # noqa: F401
 from app.kit import http as _http  # noqa: F401
 from app.kit.db import Base

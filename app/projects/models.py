@@ -3,7 +3,7 @@
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import ForeignKey, UniqueConstraint
+from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person, Studio
@@ -25,6 +25,7 @@ class Project(Base):
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     archived_at: Mapped[datetime | None]
+    nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
     studio: Mapped[Studio] = relationship(lazy="raise")
 
 
@@ -78,7 +79,10 @@ class Engagement(Base):
     """A designer's tie to a project; while it lasts the designer sees spec, list and their own work."""
 
     __tablename__ = "projects_engagements"
-    __table_args__ = (UniqueConstraint("project_id", "designer_id"),)
+    __table_args__ = (
+        UniqueConstraint("project_id", "designer_id"),
+        CheckConstraint("(nda_sha256 is null) = (nda_accepted_at is null)", name="nda_is_dated"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -87,6 +91,8 @@ class Engagement(Base):
     kind: Mapped[EngagementKind]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     ended_at: Mapped[datetime | None]
+    nda_sha256: Mapped[str | None]  # of the document that the designer accepted
+    nda_accepted_at: Mapped[datetime | None]
     designer: Mapped[Person] = relationship(lazy="raise")
 
 

@@ -1,0 +1,1 @@
+"""What studio and designer agree, and what follows from it."""

@@ -1,0 +1,38 @@
+"""What a contract may be and become, stated without a database."""
+
+from enum import StrEnum
+
+
+class ContractKind(StrEnum):
+    """What is agreed by one text."""
+
+    NDA = "nda"
+    FRAMEWORK = "framework"  # rights and rates once, for many batches
+    STATEMENT_OF_WORK = "statement_of_work"  # one batch under a framework: cues, price, dates
+    SINGLE = "single"  # all of it in one text
+
+
+class ContractState(StrEnum):
+    """How far the parties are."""
+
+    DRAFT = "draft"
+    SENT = "sent"
+    AGREED = "agreed"
+    ENDED = "ended"
+
+
+class ReleaseClause(StrEnum):
+    """When an accepted cue's share becomes due."""
+
+    PER_CUE = "per_cue"
+    ON_COMPLETION = "on_completion"  # with the last cue of its milestone
+
+
+class Party(StrEnum):
+    """Who agrees with whom."""
+
+    STUDIO = "studio"
+    DESIGNER = "designer"
+
+
+BASIS_POINTS = 10_000  # the whole
