@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
     from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
+    from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
@@ -89,6 +90,7 @@ __all__ = [
     "parse_spec",
     "preview",
     "read_sound_list",
+    "render_key",
     "render_master",
     "repair_spots",
     "set_findings",
@@ -116,6 +118,7 @@ _HOMES = {
     "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
     "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
+    "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),

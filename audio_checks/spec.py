@@ -114,7 +114,39 @@ class Engine:
 
 @dataclass(frozen=True)
 class Target:
-    """What renders are made to."""
+    """What renders are made to, and what the game may keep of them in memory.
+
+    Attributes
+    ----------
+    name : str
+        A slug; also the folder that `audio-checks render` writes to.
+    sample_rate_hz, bit_depth, encoding, channels : int, int, str, "master" or int
+        The format; "master" keeps the master's channels.
+    dither : {"tpdf", "shaped", "none"}
+        Noise added where bits are lost.
+    over_peak : {"attenuate", "refuse"}
+        What happens to a file whose peaks exceed the limits.
+    mono_gains : (float, float)
+        What left and right are multiplied by before they are added to mono.
+    chunks : {"sound", "all"}
+        Which chunks of the master go along: what tells of the sound (loops, cue points with their
+        labels, notes, tempo), or everything, names of people and projects included.
+    shelf_db : float or "auto"
+        By how much the top octave is lifted where the rate falls; "auto" by as much as the lost
+        highs weigh, 6 dB at most.
+    trim_below_dbfs : float or None
+        Cut what stays below this level, or 60 dB under the peak if that is lower, at both ends. None cuts nothing.
+    fade_in_ms, fade_out_ms : float
+        Raised-cosine fades. What loops is neither trimmed nor faded.
+    budget_bytes : int or None
+        What all game files of the target may take in memory; stated for a category, what its files may.
+    codec_ratio : float
+        How many times smaller the engine's codec makes the PCM: PCM 1, ADPCM 4, Vorbis or Opus about 10.
+    streamed : bool
+        Whether the engine plays from disk: then only a buffer counts as memory.
+    stream_buffer_bytes : int
+        The buffer of one streamed file.
+    """
 
     name: str
     sample_rate_hz: int
@@ -123,6 +155,16 @@ class Target:
     channels: Literal["master", 1, 2] = "master"
     dither: Literal["tpdf", "shaped", "none"] = "tpdf"
     over_peak: Literal["attenuate", "refuse"] = "attenuate"
+    mono_gains: tuple[float, float] = (0.5, 0.5)
+    chunks: Literal["sound", "all"] = "sound"
+    shelf_db: float | Literal["auto"] = 0.0
+    trim_below_dbfs: float | None = None
+    fade_in_ms: float = 0.0
+    fade_out_ms: float = 0.0
+    budget_bytes: int | None = None
+    codec_ratio: float = 1.0
+    streamed: bool = False
+    stream_buffer_bytes: int = 65_536
 
 
 @dataclass(frozen=True)
@@ -475,7 +517,10 @@ def _target(name: str, keys: Tables) -> Target:
             where=f"{where}.bit_depth",
         )
     plain = encoding == "float" or depth == 24
-    target = Target(**{"dither": "none" if plain else "tpdf", **keys, "name": name})
+    said = {"dither": "none" if plain else "tpdf", **_stated(keys), "name": name}
+    if "mono_gains" in said:
+        said["mono_gains"] = tuple(said["mono_gains"])
+    target = Target(**said)
     if target.dither == "shaped" and target.sample_rate_hz < 44_100:
         raise SpecError(
             "shaped dither needs 44100 Hz or more: below, the noise has nowhere to hide", where=f"{where}.dither"

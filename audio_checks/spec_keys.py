@@ -33,29 +33,31 @@ class Kind(Protocol):
 
 @dataclass(frozen=True)
 class Number:
-    """A finite number between two bounds, or "any"."""
+    """A finite number between two bounds, or a word instead of it: "any" where it limits."""
 
     low: float = -math.inf
     high: float = math.inf
+    words: tuple[str, ...] = (ANY,)
 
     def read(self, value: object, where: str) -> float | str:
-        """Return a float, or "any"."""
-        if value == ANY:
-            return ANY
+        """Return a float, or the word."""
+        if isinstance(value, str) and value in self.words:
+            return value
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            raise SpecError(f'wanted a number or "any", found {_shown(value)}', where=where)
+            wanted = " or ".join(["a number", *(f'"{word}"' for word in self.words)])
+            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
         if not self.low <= value <= self.high:
             raise SpecError(f"{value:g} is outside {self.low:g} to {self.high:g}", where=where)
         return float(value)
 
     def schema(self) -> dict[str, Any]:
-        """Return a number within the bounds, or "any"."""
+        """Return a number within the bounds, or one of the words."""
         number: dict[str, Any] = {"type": "number"}
         if math.isfinite(self.low):
             number["minimum"] = self.low
         if math.isfinite(self.high):
             number["maximum"] = self.high
-        return {"anyOf": [number, {"const": ANY}]}
+        return {"anyOf": [number, {"enum": list(self.words)}]} if self.words else number
 
 
 @dataclass(frozen=True)
@@ -145,6 +147,23 @@ class Listed:
         """Return an array, or "any"."""
         array = {"type": "array", "items": self.kind.schema(), **({"minItems": 1} if self.may_be_any else {})}
         return {"anyOf": [array, {"const": ANY}]} if self.may_be_any else array
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A list of exactly two values of one kind."""
+
+    kind: Kind
+
+    def read(self, value: object, where: str) -> list[Any]:
+        """Return the two values."""
+        if not isinstance(value, list) or len(value) != 2:
+            raise SpecError(f"wanted a list of two numbers, found {_shown(value)}", where=where)
+        return [self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)]
+
+    def schema(self) -> dict[str, Any]:
+        """Return an array of two."""
+        return {"type": "array", "items": self.kind.schema(), "minItems": 2, "maxItems": 2}
 
 
 @dataclass(frozen=True)
@@ -324,6 +343,16 @@ TARGET = Table(
         "channels": Whole(1, 2, words=("master",)),
         "dither": Word(("tpdf", "shaped", "none")),
         "over_peak": Word(("attenuate", "refuse")),
+        "mono_gains": Pair(Number(-4.0, 4.0, words=())),
+        "chunks": Word(("sound", "all")),
+        "shelf_db": Number(0.0, 6.0, words=("auto",)),
+        "trim_below_dbfs": Number(-200.0, 0.0),
+        "fade_in_ms": Number(0.0, 60_000.0, words=()),
+        "fade_out_ms": Number(0.0, 60_000.0, words=()),
+        "budget_bytes": Whole(0, 1 << 53, words=(ANY,)),
+        "codec_ratio": Number(1.0, 100.0, words=()),
+        "streamed": Flag(),
+        "stream_buffer_bytes": Whole(0, 1 << 30),
     }
 )
 CHECKS = Table(dict.fromkeys(DEFAULT_SEVERITY, LEVEL))

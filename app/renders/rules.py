@@ -1,12 +1,10 @@
 """What a render may be and what tells one from another, stated without a database."""
 
-import hashlib
-import json
 from enum import StrEnum
 from typing import NamedTuple
 
 from app.deliveries.rules import TakeState
-from audio_checks import RENDERER_VERSION, DeliverySpec, Target
+from audio_checks import DeliverySpec, Target, render_key
 
 RENDERED_STATES = frozenset({TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE})  # may still ship
 
@@ -28,30 +26,8 @@ class Recipe(NamedTuple):
     tolerance_db: float
 
     def key(self, master_sha256: str) -> str:
-        """Return what tells one render from another; see `render_key`."""
-        return render_key(master_sha256, self)
-
-
-def render_key(master_sha256: str, recipe: Recipe) -> str:
-    """Return what tells one render from another: the same master, recipe and renderer give the same bytes.
-
-    A master's own loop points are part of the master, so its hash stands for them.
-    """
-    target = recipe.target
-    facts = [
-        master_sha256,
-        RENDERER_VERSION,
-        {
-            "sample_rate_hz": target.sample_rate_hz,
-            "bit_depth": target.bit_depth,
-            "encoding": target.encoding,
-            "channels": target.channels,
-            "dither": target.dither,
-            "over_peak": target.over_peak,
-        },
-        *recipe[1:],
-    ]
-    return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()
+        """Return what tells one render from another: another key means another file."""
+        return render_key(master_sha256, **self._asdict())
 
 
 def recipes(spec: DeliverySpec, *, category: str | None, loop: bool) -> dict[str, Recipe]:

@@ -1,6 +1,6 @@
 import pytest
 
-from app.renders.rules import recipes, render_key
+from app.renders.rules import recipes
 from audio_checks import new_spec, parse_spec
 
 MASTER = "a" * 64
@@ -9,7 +9,7 @@ BASE = parse_spec(new_spec("44k1", name="Shield Wing"))
 
 def keys(toml_end: str = "", *, category: str | None = None, loop: bool = False, master: str = MASTER) -> set[str]:
     spec = parse_spec(BASE.to_toml() + toml_end)
-    return {render_key(master, recipe) for recipe in recipes(spec, category=category, loop=loop).values()}
+    return {recipe.key(master) for recipe in recipes(spec, category=category, loop=loop).values()}
 
 
 def test_each_target_has_a_key_of_its_own() -> None:

@@ -1,0 +1,36 @@
+"""What tells one game file of a master from another."""
+
+import hashlib
+import json
+from dataclasses import asdict
+
+from audio_checks.render.render import RENDERER_VERSION
+from audio_checks.spec import Target
+
+NO_PART_OF_A_FILE = ("name", "budget_bytes", "codec_ratio", "streamed", "stream_buffer_bytes")
+
+
+def render_key(
+    master_sha256: str,
+    target: Target,
+    *,
+    loop: bool,
+    loop_points: tuple[int, int] | None = None,
+    sample_peak_limit_dbfs: float | None,
+    true_peak_limit_dbtp: float | None,
+    tolerance_db: float,
+) -> str:
+    """Return the key of a render: the same key means the same bytes, and another key another file.
+
+    A file is never replaced by one of another key. The arguments are those of `render_master`; loop
+    points of the master's own are part of the master, so its hash stands for them.
+
+    Returns
+    -------
+    str
+        64 hexadecimal digits. What a target says of memory and its name make no other file.
+    """
+    how = {key: value for key, value in asdict(target).items() if key not in NO_PART_OF_A_FILE}
+    limits = [sample_peak_limit_dbfs, true_peak_limit_dbtp, tolerance_db]
+    facts = [master_sha256, RENDERER_VERSION, how, loop, loop_points, limits]
+    return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()
