@@ -2,7 +2,6 @@
 
 import io
 import os
-import signal
 import struct
 import subprocess
 import sys
@@ -11,7 +10,7 @@ from types import ModuleType
 import pytest
 
 import audio_checks
-from audio_checks import check_file, check_files, measure_file, processes, wav
+from audio_checks import check_file, check_files, measure_file, wav
 from audio_checks import runner as runner_module
 from audio_checks.checks import Check
 from audio_checks.errors import SpecError, Unreadable
@@ -190,19 +189,28 @@ class TestCrashes:
         entry = check_file(laser, SPEC)
         assert (entry.verdict, entry.findings[0].code) == ("unjudged", "audio-checks:crashed")
 
-    def test_a_process_that_dies_takes_one_file_with_it(self, monkeypatch, tmp_path):
+    def test_a_process_that_dies_takes_one_file_with_it(self, tmp_path):
         paths = [write_wav(tmp_path / f"laser_{number}.wav", sine(hz=997, seconds=0.1)) for number in range(5)]
-        real = runner_module._judge
+        # Forked children inherit the deadly version. This process has threads, and must not be forked itself.
+        script = """
+import os, signal, sys
+from audio_checks import check_files, processes, runner
 
-        def deadly(task, **options):
-            if task.path.endswith("laser_3.wav"):
-                os.kill(os.getpid(), signal.SIGKILL)
-            return real(task, **options)
+real = runner._judge
 
-        monkeypatch.setattr(runner_module, "_judge", deadly)
-        monkeypatch.setattr(processes, "START_METHOD", "fork")  # children inherit the deadly version
-        report = check_files(paths, SPEC, jobs=2)
-        assert [entry.verdict for entry in report.files] == ["conforming"] * 3 + ["unjudged"] + ["conforming"]
+def deadly(task, **options):
+    if task.path.endswith("laser_3.wav"):
+        os.kill(os.getpid(), signal.SIGKILL)
+    return real(task, **options)
+
+runner._judge = deadly
+processes.START_METHOD = "fork"
+print(*(entry.verdict for entry in check_files(sys.argv[1:], None, jobs=2).files))
+"""
+        done = subprocess.run(
+            [sys.executable, "-c", script, *map(str, paths)], capture_output=True, text=True, check=False, timeout=60
+        )
+        assert done.stdout.split() == ["conforming"] * 3 + ["unjudged"] + ["conforming"], done.stderr
 
 
 class TestManyFiles:
