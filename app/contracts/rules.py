@@ -33,6 +33,3 @@ class Party(StrEnum):
 
     STUDIO = "studio"
     DESIGNER = "designer"
-
-
-BASIS_POINTS = 10_000  # the whole

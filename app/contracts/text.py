@@ -1,0 +1,112 @@
+"""The few forms that a contract is written in: heads, paragraphs, lists and tables, with bold and italic words."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal
+
+BlockKind = Literal["head", "text", "item", "table"]
+_INLINE = re.compile(r"\\([\\*|#\-{}.])|(\*\*)|(\*)")
+_ITEM = re.compile(r"(?:-|\d+\.)\s+(.*)")
+_HEAD = re.compile(r"(#{1,3})\s+(.*)")
+_CELL = re.compile(r"(?<!\\)\|")
+_RULE = re.compile(r"[\s|:-]+")
+
+
+@dataclass(frozen=True)
+class Span:
+    """A run of letters of one weight."""
+
+    text: str
+    strong: bool = False
+    emphatic: bool = False
+
+
+@dataclass(frozen=True)
+class Block:
+    """A head, a paragraph, one item of a list, or a table whose first row is its head."""
+
+    kind: BlockKind
+    spans: list[Span] = field(default_factory=list)
+    level: int = 0  # of a head
+    rows: list[list[list[Span]]] = field(default_factory=list)
+
+
+def literal(text: str) -> str:
+    """Return text that says itself, whatever characters it has: a name, a question, a cue."""
+    return re.sub(r"([\\*|{}])", r"\\\1", " ".join(text.split()))
+
+
+def spans_of(line: str) -> list[Span]:
+    """Return the runs of a line."""
+    spans: list[Span] = []
+    strong = emphatic = False
+    written = ""
+
+    def close() -> None:
+        nonlocal written
+        if written:
+            spans.append(Span(written, strong, emphatic))
+        written = ""
+
+    place = 0
+    for found in _INLINE.finditer(line):
+        written += line[place : found.start()]
+        place = found.end()
+        if found[1]:
+            written += found[1]
+        elif found[2]:
+            close()
+            strong = not strong
+        else:
+            close()
+            emphatic = not emphatic
+    written += line[place:]
+    close()
+    return spans
+
+
+def blocks_of(markdown: str) -> list[Block]:
+    """Return the blocks of a text, in order."""
+    return [block for chunk in re.split(r"\n\s*\n", markdown) for block in _blocks_of_chunk(chunk.strip("\n"))]
+
+
+def _blocks_of_chunk(chunk: str) -> Iterator[Block]:
+    paragraph: list[str] = []
+    kind: BlockKind = "text"
+    rows: list[list[list[Span]]] = []
+
+    def close() -> Iterator[Block]:
+        nonlocal paragraph, kind, rows
+        if paragraph:
+            yield Block(kind, spans_of(" ".join(paragraph)))
+        if rows:
+            yield Block("table", rows=rows)
+        paragraph, kind, rows = [], "text", []
+
+    for line in (line.strip() for line in chunk.split("\n")):
+        if not line:
+            continue
+        if line.startswith("|"):
+            if paragraph:
+                yield from close()
+            if not _RULE.fullmatch(line):
+                rows.append([spans_of(cell.strip()) for cell in _CELL.split(line.strip("|"))])
+        elif head := _HEAD.fullmatch(line):
+            yield from close()
+            yield Block("head", spans_of(head[2]), level=len(head[1]))
+        elif item := _ITEM.fullmatch(line):
+            yield from close()
+            kind, paragraph = "item", [item[1]]
+        else:
+            if rows:
+                yield from close()
+            paragraph.append(line)
+    yield from close()
+
+
+def plain(block: Block) -> list[str]:
+    """Return what a block says, without its looks: one line, or one for each row of a table."""
+    if block.kind == "table":
+        return [" · ".join("".join(span.text for span in cell) for cell in row) for row in block.rows]
+    return ["".join(span.text for span in block.spans)]
