@@ -35,6 +35,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
+    "batch.asked": ("renders.plan_batch",),
     "list.revised": ("notifications.tell_list_revised",),
     "question.asked": ("notifications.tell_question",),
     "question.answered": ("notifications.tell_answer",),

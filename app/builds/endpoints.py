@@ -17,13 +17,13 @@ from app.builds.errors import (
     NothingAccepted,
     PackIncomplete,
     ReportInvalid,
-    TargetUnknown,
 )
 from app.builds.rules import ci_lines
 from app.builds.schemas import Baseline, BuildAdd, BuildRead, BuildSummary, CiLines, PackRead
 from app.builds.zip_stream import zip_bytes, zip_length
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.renders.errors import TargetUnknown
 
 router = APIRouter(prefix="/v1", tags=["builds"], route_class=Route)
 PAGE = 50

@@ -7,10 +7,6 @@ class BuildNotFound(NotFound):
     """No build of that id within the caller's sight."""
 
 
-class TargetUnknown(Invalid):
-    """The project's spec has no target of that name."""
-
-
 class NothingAccepted(Conflict):
     """No cue is accepted yet, so there is nothing to pack."""
 

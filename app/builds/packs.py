@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.documentation_key import KeyRow, key_csv, key_xlsx
-from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete, TargetUnknown
+from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete
 from app.builds.schemas import MissingFile, PackRead
 from app.builds.zip_stream import Entry
 from app.deliveries.models import Take
@@ -21,6 +21,7 @@ from app.kit.storage import Store
 from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.projects.service import Standing, standing_in
+from app.renders.errors import TargetUnknown
 from app.renders.models import Render
 from app.renders.queries import current_renders, parsed_spec
 from app.renders.rules import RenderState

@@ -8,14 +8,26 @@ from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.deliveries.errors import TakeNotFound
 from app.kit.blob_answer import blob_answer
-from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
-from app.renders import service
-from app.renders.errors import NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
-from app.renders.schemas import PeaksRead, TakeSoundsRead
+from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.renders import batches, service
+from app.renders.errors import (
+    BatchEnded,
+    BatchNotFound,
+    NotDrawn,
+    NothingRendered,
+    NothingToRender,
+    RenderNotFound,
+    SoundNotFound,
+    TargetUnknown,
+)
+from app.renders.schemas import BatchAdd, BatchRead, BatchSummary, PeaksRead, TakeSoundsRead
 
 router = APIRouter(prefix="/v1", tags=["renders"], route_class=Route)
 MAY_SEE: Actor = allows(Sight.PROJECT)
+TEAM: Actor = allows(Sight.TEAM)
+PAGE = 50
 
 
 @router.get("/takes/{take_id}/sounds", response_model=TakeSoundsRead, responses=problems(TakeNotFound))
@@ -79,3 +91,47 @@ def get_render_file(
     return blob_answer(
         request, runtime.store, render.studio_id, sha256, media_type="audio/wav", file_name=file_name, by_link=True
     )
+
+
+@router.post(
+    "/projects/{project_id}/batches",
+    status_code=201,
+    response_model=BatchSummary,
+    responses=problems(ProjectNotFound, TeamNeeded, NothingToRender, TargetUnknown),
+)
+def add_batch(project_id: UUID, body: BatchAdd, session: DbSession, actor: Actor = TEAM) -> BatchSummary:
+    """Make every game file of the project anew, or those of some targets; earlier files are kept."""
+    (summary,) = batches.summaries(session, [batches.ask_for_batch(session, actor, project_id, body.targets)])
+    return summary
+
+
+@router.get(
+    "/projects/{project_id}/batches",
+    response_model=Page[BatchSummary],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_batches(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
+) -> Page[BatchSummary]:
+    """Return the project's batches of game files, the newest first."""
+    found = batches.batches_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(
+        items=batches.summaries(session, found[:PAGE]),
+        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+    )
+
+
+@router.get("/batches/{batch_id}", response_model=BatchRead, responses=problems(BatchNotFound, TeamNeeded))
+def get_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchRead:
+    """Return how far a batch is, and what it does to the sizes."""
+    return batches.batch_read(session, batches.batch_in_sight(session, actor, batch_id))
+
+
+@router.post(
+    "/batches/{batch_id}/cancel",
+    response_model=BatchRead,
+    responses=problems(BatchNotFound, TeamNeeded, BatchEnded),
+)
+def cancel_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchRead:
+    """End a batch that is not through; what it has made stays."""
+    return batches.batch_read(session, batches.cancel(session, actor, batch_id))

@@ -1,6 +1,6 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Conflict, NotFound
+from app.kit.errors import Conflict, Invalid, NotFound
 
 
 class SoundNotFound(NotFound):
@@ -17,3 +17,19 @@ class NothingRendered(Conflict):
 
 class NotDrawn(Conflict):
     """The sound could not be drawn or previewed."""
+
+
+class BatchNotFound(NotFound):
+    """No batch of that id within the caller's sight."""
+
+
+class BatchEnded(Conflict):
+    """The batch is over, so it cannot be cancelled."""
+
+
+class NothingToRender(Conflict):
+    """No take may ship yet, or the spec has no target."""
+
+
+class TargetUnknown(Invalid):
+    """The project's spec has no target of that name."""

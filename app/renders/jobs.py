@@ -15,7 +15,8 @@ from app.deliveries.queries import take_by_id
 from app.kit import kill
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
-from app.renders import drawing, queries, service
+from app.kit.storage import BlobAltered, BlobMissing
+from app.renders import batches, drawing, queries, service
 from app.renders.models import Picture, Render
 from app.renders.rules import Recipe, RenderState
 from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable
@@ -164,9 +165,13 @@ def _rendered(
 @job("renders.renew_renders")
 def renew_renders(runtime: Runtime, payload: Payload) -> None:
     """Ask for the game files that a new spec or changed cues want of takes admitted before; old ones stay."""
-    cue_ids = [UUID(cue_id) for cue_id in payload["cue_ids"]] if "cue_ids" in payload else None
+    project_id = UUID(payload["project_id"])
+    if "cue_ids" not in payload:
+        with runtime.database.writing() as session:
+            batches.begin_for_spec(session, project_id)
+        return
     with runtime.database.writing() as session:
-        for take_id in queries.admitted_take_ids(session, UUID(payload["project_id"]), cue_ids):
+        for take_id in queries.admitted_take_ids(session, project_id, [UUID(cue) for cue in payload["cue_ids"]]):
             runtime.queue.enqueue(
                 session,
                 "renders.make_renders",
@@ -175,3 +180,33 @@ def renew_renders(runtime: Runtime, payload: Payload) -> None:
                 studio_id=UUID(payload["studio_id"]),
                 priority=BULK,
             )
+
+
+@job("renders.plan_batch")
+def plan_batch(runtime: Runtime, payload: Payload) -> None:
+    """Write down every game file that a batch is about, in one go."""
+    with runtime.database.writing() as session:
+        batches.plan(session, UUID(payload["batch_id"]))
+        kill.point("renders.batch_planned")
+
+
+@job(batches.MAKE_NEXT)
+def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
+    """Make the next game file of one lane of a batch."""
+    batch_id, lane = UUID(payload["batch_id"]), int(payload["lane"])
+    with runtime.database.reading() as session:
+        order = batches.order_next(session, batch_id, lane)
+    if order is None:
+        return
+    render, picture, fault = None, None, ""
+    if order.take is not None and order.recipe is not None:
+        try:
+            render, picture = _rendered(runtime, order.take, order.target, order.recipe)
+            RENDERS.labels(render.state.value).inc()
+        except (BlobAltered, BlobMissing) as error:  # one lost master must not hold up the others
+            fault = str(error)
+    kill.point("renders.batch_item_made")
+    with runtime.database.writing() as session:
+        batches.record(session, order, lane, render, picture, fault)
+        kill.point("renders.batch_before_commit")
+    kill.point("renders.batch_after_commit")

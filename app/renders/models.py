@@ -4,12 +4,12 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.renders.rules import RenderState
+from app.renders.rules import BatchState, ItemState, RenderState
 
 
 class Render(Base):
@@ -48,6 +48,49 @@ class RenderSet(Base):
     spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
     edition: Mapped[int]
     completed_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Batch(Base):
+    """Every game file of a project made anew, in one action: at a changed spec, or for a new target."""
+
+    __tablename__ = "renders_batches"
+    __table_args__ = (
+        UniqueConstraint("project_id", "number"),
+        CheckConstraint("(ended_at is null) = (state in ('planning', 'running'))", name="ended_is_dated"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    number: Mapped[int]
+    state: Mapped[BatchState] = mapped_column(default=BatchState.PLANNING)
+    spec_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_specs.id"))  # None until it is planned
+    targets: Mapped[list[str]] = mapped_column(default=list)  # empty: all of the spec's
+    asked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: the spec was changed
+    note: Mapped[str] = mapped_column(default="")  # why it ended early
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    ended_at: Mapped[datetime | None]
+
+
+class BatchItem(Base):
+    """One game file of a batch: what it replaces in the game, and what became of it."""
+
+    __tablename__ = "renders_batch_items"
+    __table_args__ = (
+        UniqueConstraint("batch_id", "take_id", "target"),
+        Index("ix_renders_batch_items_waiting", "batch_id", "state", "place"),
+    )
+
+    batch_id: Mapped[UUID] = mapped_column(ForeignKey("renders_batches.id"), primary_key=True)
+    place: Mapped[int] = mapped_column(primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    target: Mapped[str]
+    category: Mapped[str] = mapped_column(default="")
+    state: Mapped[ItemState] = mapped_column(default=ItemState.WAITING)
+    before_bytes: Mapped[int | None] = mapped_column(BigInteger)  # None: the target had no file of this take
+    after_bytes: Mapped[int | None] = mapped_column(BigInteger)  # None: there is none, or none yet
+    reason: Mapped[str] = mapped_column(default="")  # why there is none, in words
 
 
 class Picture(Base):

@@ -1,19 +1,23 @@
 """Renders and pictures within the caller's reach."""
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, and_, exists, or_, select
-from sqlalchemy.orm import Session, joinedload
+from sqlalchemy import ColumnElement, Row, and_, exists, func, or_, select
+from sqlalchemy.orm import Session, contains_eager, joinedload
 
 import audio_checks
 from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
-from app.renders.models import Picture, Render
-from app.renders.rules import RENDERED_STATES, Recipe, recipes
+from app.renders.models import Batch, BatchItem, Picture, Render
+from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
+from app.sound_lists.models import Cue
+
+RenderRow = Row[UUID, str, str, RenderState, int | None, str | None]
 
 
 @lru_cache(maxsize=64)
@@ -110,16 +114,136 @@ def current_renders(
     }
 
 
-def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UUID] | None) -> Sequence[UUID]:
-    """Return the matched takes of a project that may still ship; those of some cues where they are given."""
+def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> Sequence[UUID]:
+    """Return the matched takes of some cues that may still ship."""
     query = select(Take.id).where(
-        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None)
+        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.in_(cue_ids)
     )
-    if cue_ids is not None:
-        query = query.where(Take.cue_id.in_(cue_ids))
     return session.scalars(query.order_by(Take.id)).all()
 
 
 def render_of(session: Session, take_id: UUID, target: str, key: str) -> Render | None:
     """Return the render of a take for one target under one key."""
     return session.scalar(select(Render).where(Render.take_id == take_id, Render.target == target, Render.key == key))
+
+
+def admitted_takes(session: Session, project_id: UUID) -> Sequence[Take]:
+    """Return the matched takes of a project that may still ship, with their cues, in list order."""
+    return session.scalars(
+        select(Take)
+        .join(Cue, Cue.id == Take.cue_id)
+        .where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES))
+        .options(contains_eager(Take.cue))
+        .order_by(Cue.position, Cue.number, Take.variation, Take.number)
+    ).all()
+
+
+def has_admitted_takes(session: Session, project_id: UUID) -> bool:
+    """Whether a project has takes that may still ship."""
+    found = exists().where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None))
+    return bool(session.scalar(select(found)))
+
+
+def renders_so_far(session: Session, project_id: UUID) -> dict[tuple[UUID, str], list[RenderRow]]:
+    """Return what tells every render of a project apart, by take and target, the oldest first."""
+    found: dict[tuple[UUID, str], list[RenderRow]] = defaultdict(list)
+    rows = session.execute(
+        select(Render.take_id, Render.target, Render.key, Render.state, Render.file_bytes, Render.refusal)
+        .where(Render.project_id == project_id)
+        .order_by(Render.id)
+    )
+    for row in rows:
+        found[row.take_id, row.target].append(row)
+    return found
+
+
+def batch_by_id(session: Session, batch_id: UUID, *, locked: bool = False) -> Batch | None:
+    """Return a batch without asking who looks; locked where it is going to change."""
+    query = select(Batch).where(Batch.id == batch_id)
+    if locked:
+        query = query.with_for_update().execution_options(populate_existing=True)
+    return session.scalar(query)
+
+
+def batches_of(session: Session, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Batch]:
+    """Return the batches of a project, the newest first."""
+    query = select(Batch).where(Batch.project_id == project_id)
+    if before is not None:
+        query = query.where(Batch.id < before)
+    return session.scalars(query.order_by(Batch.id.desc()).limit(limit)).all()
+
+
+def open_batches(session: Session, project_id: UUID) -> Sequence[Batch]:
+    """Return the batches of a project that still run, to be ended."""
+    return session.scalars(
+        select(Batch).where(Batch.project_id == project_id, Batch.state.in_(OPEN_BATCHES)).with_for_update()
+    ).all()
+
+
+def last_batch_number(session: Session, project_id: UUID) -> int:
+    """Return the number of the newest batch; 0 where there was none."""
+    return session.scalar(select(func.max(Batch.number)).where(Batch.project_id == project_id)) or 0
+
+
+def item_counts(session: Session, batch_ids: Collection[UUID]) -> dict[UUID, dict[ItemState, int]]:
+    """Return how many game files of each batch are in each state."""
+    counts: dict[UUID, dict[ItemState, int]] = defaultdict(dict)
+    rows = session.execute(
+        select(BatchItem.batch_id, BatchItem.state, func.count())
+        .where(BatchItem.batch_id.in_(batch_ids))
+        .group_by(BatchItem.batch_id, BatchItem.state)
+    )
+    for batch_id, state, count in rows:
+        counts[batch_id][state] = count
+    return counts
+
+
+def item_sizes(session: Session, batch_id: UUID) -> Sequence[Row[str, str, int, int | None, int | None]]:
+    """Return for each target and category how many game files a batch has, and their bytes before and after."""
+    return session.execute(
+        select(
+            BatchItem.target,
+            BatchItem.category,
+            func.count(),
+            func.sum(BatchItem.before_bytes),
+            func.sum(BatchItem.after_bytes),
+        )
+        .where(BatchItem.batch_id == batch_id)
+        .group_by(BatchItem.target, BatchItem.category)
+        .order_by(BatchItem.target, BatchItem.category)
+    ).all()
+
+
+def items_without_file(session: Session, batch_id: UUID, *, limit: int) -> Sequence[Row[BatchItem, int, str]]:
+    """Return game files of a batch that were refused or left out, each with its cue's number and name."""
+    return session.execute(
+        select(BatchItem, Cue.number, Cue.name)
+        .join(Take, Take.id == BatchItem.take_id)
+        .join(Cue, Cue.id == Take.cue_id)
+        .where(BatchItem.batch_id == batch_id, BatchItem.state.in_((ItemState.REFUSED, ItemState.LEFT)))
+        .order_by(BatchItem.place)
+        .limit(limit)
+    ).all()
+
+
+def next_item(session: Session, batch_id: UUID, lane: int, lanes: int) -> BatchItem | None:
+    """Return the next game file that a lane of a running batch is to make."""
+    return session.scalar(
+        select(BatchItem)
+        .join(Batch, Batch.id == BatchItem.batch_id)
+        .where(
+            Batch.id == batch_id,
+            Batch.state == BatchState.RUNNING,
+            BatchItem.state == ItemState.WAITING,
+            BatchItem.place % lanes == lane,
+        )
+        .order_by(BatchItem.place)
+        .limit(1)
+    )
+
+
+def has_waiting_items(session: Session, batch_id: UUID) -> bool:
+    """Whether a batch has game files to make."""
+    return bool(
+        session.scalar(select(exists().where(BatchItem.batch_id == batch_id, BatchItem.state == ItemState.WAITING)))
+    )

@@ -16,6 +16,28 @@ class RenderState(StrEnum):
     REFUSED = "refused"
 
 
+class BatchState(StrEnum):
+    """How far a batch is."""
+
+    PLANNING = "planning"
+    RUNNING = "running"
+    DONE = "done"
+    CANCELLED = "cancelled"
+
+
+OPEN_BATCHES = frozenset({BatchState.PLANNING, BatchState.RUNNING})
+
+
+class ItemState(StrEnum):
+    """What became of one game file of a batch."""
+
+    WAITING = "waiting"
+    MADE = "made"
+    KEPT = "kept"  # the file that is there is the one that was wanted
+    REFUSED = "refused"
+    LEFT = "left"  # its take may not ship any more, or is checked again first
+
+
 class Recipe(NamedTuple):
     """Everything but the master that decides what a game file becomes."""
 

@@ -1,12 +1,13 @@
 """The bodies of this room."""
 
+from datetime import datetime
 from typing import Any, Literal
 from uuid import UUID
 
 from pydantic import Field
 
 from app.kit.http import Schema
-from app.renders.rules import RenderState
+from app.renders.rules import BatchState, RenderState
 
 
 class ThumbRead(Schema):
@@ -78,3 +79,54 @@ class TakeSoundsRead(Schema):
     master: MasterSoundRead
     mend: SoundBrief | None = Field(description="Its newest mended copy, once it is drawn.")
     renders: list[RenderSoundRead]
+
+
+class BatchAdd(Schema):
+    """What is to be made anew."""
+
+    targets: list[str] = Field(default_factory=list, max_length=100, description="Empty: all of the spec's.")
+
+
+class BatchSummary(Schema):
+    """One batch and how far it is."""
+
+    id: UUID
+    number: int
+    state: BatchState
+    targets: list[str] = Field(description="Empty: all that the spec has.")
+    by_spec: bool = Field(description="A change of the spec asked for it, and no person.")
+    note: str = Field(description="Why it ended early.")
+    created_at: datetime
+    ended_at: datetime | None
+    files: int
+    waiting: int
+    made: int
+    kept: int = Field(description="Game files that are what is wanted already.")
+    refused: int
+    left: int = Field(description="Game files whose version may not ship just now, or whose master is lost.")
+
+
+class BatchSizes(Schema):
+    """The bytes of a target's game files of one category, before and after."""
+
+    target: str
+    category: str
+    files: int
+    before_bytes: int
+    after_bytes: int
+
+
+class BatchTrouble(Schema):
+    """A game file that a batch could not make, and why."""
+
+    cue: str
+    name: str
+    target: str
+    reason: str
+
+
+class BatchRead(BatchSummary):
+    """One batch with what it did to the sizes, and the first game files that it could not make."""
+
+    sizes: list[BatchSizes]
+    trouble: list[BatchTrouble]

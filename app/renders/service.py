@@ -127,6 +127,7 @@ class RenderOrder:
     master_sha256: str
     spec_id: UUID
     missing: dict[str, Recipe]  # by target
+    there: dict[str, Render]  # what stands already for the other targets
 
 
 def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
@@ -145,6 +146,7 @@ def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
         master_sha256=take.master_sha256,
         spec_id=spec.id,
         missing={target: recipe for target, recipe in recipes.items() if made[target] is None},
+        there={target: render for target, render in made.items() if render is not None},
     )
 
 

@@ -26,7 +26,7 @@ from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import open_project
-from app.renders.models import Picture, Render, RenderSet
+from app.renders.models import Batch, Picture, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
@@ -109,6 +109,7 @@ class House(World):
         draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.decider_id)
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
+        batch = Batch(**of, number=1)
         mail = Mail(
             studio_id=self.studio_id,
             topic="link",
@@ -130,7 +131,7 @@ class House(World):
             tool_version="1",
         )
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
-        session.add_all([picture, render, draft, comment, build, mail, run, sets])
+        session.add_all([picture, render, draft, comment, build, batch, mail, run, sets])
         self._add_links(session)
         token = self._token(session, self.project_id, list(Scope))
         session.flush()
@@ -149,6 +150,7 @@ class House(World):
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "build_id": build.id,
+            "batch_id": batch.id,
             "mail_id": mail.id,
             "engagement_id": engagement.id,
             "invitation_id": self._invitation_id,

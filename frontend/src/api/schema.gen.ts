@@ -1489,6 +1489,70 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/batches": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Batches
+         * @description Return the project's batches of game files, the newest first.
+         */
+        get: operations["list_batches"];
+        put?: never;
+        /**
+         * Add Batch
+         * @description Make every game file of the project anew, or those of some targets; earlier files are kept.
+         */
+        post: operations["add_batch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/batches/{batch_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch
+         * @description Return how far a batch is, and what it does to the sizes.
+         */
+        get: operations["get_batch"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/batches/{batch_id}/cancel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Cancel Batch
+         * @description End a batch that is not through; what it has made stays.
+         */
+        post: operations["cancel_batch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/review-queue": {
         parameters: {
             query?: never;
@@ -2221,6 +2285,165 @@ export interface components {
             format: 1;
             /** Waived */
             waived: components["schemas"]["WaivedSound"][];
+        };
+        /**
+         * BatchAdd
+         * @description What is to be made anew.
+         */
+        BatchAdd: {
+            /**
+             * Targets
+             * @description Empty: all of the spec's.
+             */
+            targets?: string[];
+        };
+        /**
+         * BatchRead
+         * @description One batch with what it did to the sizes, and the first game files that it could not make.
+         */
+        BatchRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            state: components["schemas"]["BatchState"];
+            /**
+             * Targets
+             * @description Empty: all that the spec has.
+             */
+            targets: string[];
+            /**
+             * By Spec
+             * @description A change of the spec asked for it, and no person.
+             */
+            by_spec: boolean;
+            /**
+             * Note
+             * @description Why it ended early.
+             */
+            note: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Ended At */
+            ended_at: string | null;
+            /** Files */
+            files: number;
+            /** Waiting */
+            waiting: number;
+            /** Made */
+            made: number;
+            /**
+             * Kept
+             * @description Game files that are what is wanted already.
+             */
+            kept: number;
+            /** Refused */
+            refused: number;
+            /**
+             * Left
+             * @description Game files whose version may not ship just now, or whose master is lost.
+             */
+            left: number;
+            /** Sizes */
+            sizes: components["schemas"]["BatchSizes"][];
+            /** Trouble */
+            trouble: components["schemas"]["BatchTrouble"][];
+        };
+        /**
+         * BatchSizes
+         * @description The bytes of a target's game files of one category, before and after.
+         */
+        BatchSizes: {
+            /** Target */
+            target: string;
+            /** Category */
+            category: string;
+            /** Files */
+            files: number;
+            /** Before Bytes */
+            before_bytes: number;
+            /** After Bytes */
+            after_bytes: number;
+        };
+        /**
+         * BatchState
+         * @description How far a batch is.
+         * @enum {string}
+         */
+        BatchState: "planning" | "running" | "done" | "cancelled";
+        /**
+         * BatchSummary
+         * @description One batch and how far it is.
+         */
+        BatchSummary: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            state: components["schemas"]["BatchState"];
+            /**
+             * Targets
+             * @description Empty: all that the spec has.
+             */
+            targets: string[];
+            /**
+             * By Spec
+             * @description A change of the spec asked for it, and no person.
+             */
+            by_spec: boolean;
+            /**
+             * Note
+             * @description Why it ended early.
+             */
+            note: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Ended At */
+            ended_at: string | null;
+            /** Files */
+            files: number;
+            /** Waiting */
+            waiting: number;
+            /** Made */
+            made: number;
+            /**
+             * Kept
+             * @description Game files that are what is wanted already.
+             */
+            kept: number;
+            /** Refused */
+            refused: number;
+            /**
+             * Left
+             * @description Game files whose version may not ship just now, or whose master is lost.
+             */
+            left: number;
+        };
+        /**
+         * BatchTrouble
+         * @description A game file that a batch could not make, and why.
+         */
+        BatchTrouble: {
+            /** Cue */
+            cue: string;
+            /** Name */
+            name: string;
+            /** Target */
+            target: string;
+            /** Reason */
+            reason: string;
         };
         /**
          * BuildAdd
@@ -4121,6 +4344,13 @@ export interface components {
             cues_wanted: number;
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
+        };
+        /** Page[BatchSummary] */
+        Page_BatchSummary_: {
+            /** Items */
+            items: components["schemas"]["BatchSummary"][];
+            /** Next */
+            next?: string | null;
         };
         /** Page[BuildSummary] */
         Page_BuildSummary_: {
@@ -10477,6 +10707,226 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_batches: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_BatchSummary_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_batch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BatchAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchSummary"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-render` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_batch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                batch_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `batch-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    cancel_batch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                batch_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `batch-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `batch-ended` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
