@@ -38,6 +38,7 @@ __all__ = [
 ]
 
 Tables = dict[str, Any]
+CATEGORY_FOLDER = "{category}"
 
 
 @dataclass(frozen=True)
@@ -146,6 +147,8 @@ class Target:
         Whether the engine plays from disk: then only a buffer counts as memory.
     stream_buffer_bytes : int
         The buffer of one streamed file.
+    folder : str
+        Where the game looks for its files: folders with "/" between, "{category}" for the sound's own; "" is the top.
     """
 
     name: str
@@ -165,6 +168,12 @@ class Target:
     codec_ratio: float = 1.0
     streamed: bool = False
     stream_buffer_bytes: int = 65_536
+    folder: str = ""
+
+    def path_of(self, file_name: str, category: str | None) -> str:
+        """Return where a file of the target stands in a pack; a sound without a category skips that folder."""
+        parts = [part.replace(CATEGORY_FOLDER, category or "") for part in self.folder.split("/")]
+        return "/".join([part for part in parts if part] + [file_name])
 
 
 @dataclass(frozen=True)

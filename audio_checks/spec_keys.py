@@ -18,6 +18,7 @@ from audio_checks.metadata.ixml import ASWG_FIELDS
 
 ANY = "any"  # lifts a limit
 METADATA_FIELD = r"(bext|iXML|INFO|Vorbis)(\.[A-Za-z0-9_:-]+)+"
+FOLDER = r"[A-Za-z0-9_() .-]+"
 SLUG = r"[a-z0-9]+([_-][a-z0-9]+)*"
 
 
@@ -147,6 +148,30 @@ class Listed:
         """Return an array, or "any"."""
         array = {"type": "array", "items": self.kind.schema(), **({"minItems": 1} if self.may_be_any else {})}
         return {"anyOf": [array, {"const": ANY}]} if self.may_be_any else array
+
+
+@dataclass(frozen=True)
+class Folder:
+    """Folders below the top of a pack, with "/" between and "{category}" for a sound's own."""
+
+    def read(self, value: object, where: str) -> str:
+        """Return the folders."""
+        if not isinstance(value, str) or (value and not all(map(_is_folder, value.split("/")))):
+            raise SpecError(
+                'wanted folders with "/" between, such as "Assets/Audio/{category}", '
+                f"each of letters, digits and inner _ - . ( ) or spaces, found {_shown(value)}",
+                where=where,
+            )
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return a string of that pattern."""
+        return {"type": "string", "pattern": "^[A-Za-z0-9_() ./{}-]*$"}
+
+
+def _is_folder(part: str) -> bool:
+    plain = part.replace("{category}", "x")
+    return re.fullmatch(FOLDER, plain) is not None and plain[0] not in " ." and plain[-1] not in " ."
 
 
 @dataclass(frozen=True)
@@ -353,6 +378,7 @@ TARGET = Table(
         "codec_ratio": Number(1.0, 100.0, words=()),
         "streamed": Flag(),
         "stream_buffer_bytes": Whole(0, 1 << 30),
+        "folder": Folder(),
     }
 )
 CHECKS = Table(dict.fromkeys(DEFAULT_SEVERITY, LEVEL))

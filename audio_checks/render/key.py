@@ -7,7 +7,7 @@ from dataclasses import asdict
 from audio_checks.render.render import RENDERER_VERSION
 from audio_checks.spec import Target
 
-NO_PART_OF_A_FILE = ("name", "budget_bytes", "codec_ratio", "streamed", "stream_buffer_bytes")
+NO_PART_OF_A_FILE = ("name", "budget_bytes", "codec_ratio", "streamed", "stream_buffer_bytes", "folder")
 
 
 def render_key(

@@ -448,3 +448,25 @@ class TestTargetKeys:
         with pytest.raises(SpecError, match=words) as wrong:
             parse_spec(self.TARGET + line)
         assert wrong.value.where == f"spec.toml: targets.pc.{key}"
+
+
+class TestFolders:
+    @pytest.mark.parametrize(
+        ("folder", "category", "path"),
+        [
+            ("", "ui", "a.wav"),
+            ("Assets/Audio/{category}", "ui", "Assets/Audio/ui/a.wav"),
+            ("Assets/{category}", None, "Assets/a.wav"),
+            ("sfx_{category}/v1.2", "ui", "sfx_ui/v1.2/a.wav"),
+            ("Originals/Voices/English(US)", "vo", "Originals/Voices/English(US)/a.wav"),
+        ],
+    )
+    def test_a_target_says_where_its_files_stand(self, folder, category, path):
+        toml = f'format = 1\n[targets.game]\nsample_rate_hz = 48000\nbit_depth = 16\nfolder = "{folder}"\n'
+        assert parse_spec(toml).targets["game"].path_of("a.wav", category) == path
+
+    @pytest.mark.parametrize("folder", ["/a", "a/", "..", "a/../b", "a//b", " a", "C:/x", "a\\\\b", "{cue}", "a.", "é"])
+    def test_no_folder_leads_out_of_the_pack(self, folder):
+        toml = f'format = 1\n[targets.game]\nsample_rate_hz = 48000\nbit_depth = 16\nfolder = "{folder}"\n'
+        with pytest.raises(SpecError, match="folders"):
+            parse_spec(toml)

@@ -51,7 +51,14 @@ def test_so_does_what_it_is_made_from_and_held_to(more):
 
 @pytest.mark.parametrize(
     "change",
-    [{"name": "game"}, {"budget_bytes": 1}, {"codec_ratio": 4.0}, {"streamed": True}, {"stream_buffer_bytes": 1}],
+    [
+        {"name": "game"},
+        {"budget_bytes": 1},
+        {"codec_ratio": 4.0},
+        {"streamed": True},
+        {"stream_buffer_bytes": 1},
+        {"folder": "Assets"},
+    ],
 )
 def test_name_and_memory_make_no_other_file(change):
     assert key(replace(PC, **change)) == key()
