@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     from audio_checks.mending.spots import repair_spots
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, wave_shapes
-    from audio_checks.render.render import RENDERER_VERSION, Rendered, render_master
+    from audio_checks.render.render import RENDERER_VERSION, render_master
+    from audio_checks.render.rendered import Loss, Rendered
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.sandbox import Sandbox
     from audio_checks.sets import Judged, off_its_set_lu, set_findings
@@ -58,6 +59,7 @@ __all__ = [
     "FileReport",
     "Finding",
     "Judged",
+    "Loss",
     "MendRefused",
     "Mended",
     "Offer",
@@ -120,7 +122,8 @@ _HOMES = {
     "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),
-    "audio_checks.render.render": ("RENDERER_VERSION", "Rendered", "render_master"),
+    "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
+    "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
     "audio_checks.sandbox": ("Sandbox",),
     "audio_checks.sets": ("Judged", "off_its_set_lu", "set_findings"),

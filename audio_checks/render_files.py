@@ -4,7 +4,8 @@ import os
 from pathlib import Path
 
 from audio_checks.errors import RenderRefused
-from audio_checks.render.render import Rendered, render_master
+from audio_checks.render.render import render_master
+from audio_checks.render.rendered import Rendered
 from audio_checks.runner import Task
 from audio_checks.sound_list import parse_file_name
 

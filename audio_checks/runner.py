@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 
 from audio_checks import check_names
 from audio_checks.audio import AudioFile
-from audio_checks.checks import Check, all_checks, placeholder
+from audio_checks.checks import Check, all_checks
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
 from audio_checks.loudness_presets import PRESETS
+from audio_checks.metadata.mark import cue_marked
 from audio_checks.sets import Judged, with_set_findings
 from audio_checks.severity import crash, graded, ordered
 from audio_checks.sound_list import SoundList, parse_file_name
@@ -146,7 +147,7 @@ def is_placeholder(path: PathLike) -> bool:
     """Tell whether a file carries the mark of a stand-in; Unreadable when it is no sound at all."""
     with AudioFile(path) as file:
         file.prepare(())
-        return placeholder.cue_marked(file) is not None
+        return cue_marked(file.metadata.fields) is not None
 
 
 def view_of(

@@ -8,25 +8,22 @@ Source: stand-ins are marked by `SOUNDLIST:PLACEHOLDER` and the cue's number in 
 tools say `placeholder` as the state in iXML (ASWG-G006).
 """
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.metadata.mark import cue_marked
 from audio_checks.spec import DeliverySpec
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
 
 FIGURES = ()
-MARK = re.compile(r"SOUNDLIST:PLACEHOLDER(?: ([^\x00-\x1f\x7f]{1,64}))?")
-MARKED_FIELDS = ("INFO.ICMT", "bext.Description", "Vorbis.COMMENT", "Vorbis.DESCRIPTION")
-STATE_FIELD = "iXML.ASWG.state"
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `placeholder:marked` for a file that carries the mark; an error among renders."""
-    number = cue_marked(file)
+    number = cue_marked(file.metadata.fields)
     if number is not None:
         yield Finding(
             code="placeholder:marked",
@@ -34,12 +31,3 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
             fix="deliver the real sound in its place",
             severity="error" if spec.target is not None else None,
         )
-
-
-def cue_marked(file: "AudioFile") -> str | None:
-    """Return the number of the cue that a stand-in is for ("" when it names none); None for a real sound."""
-    fields = file.metadata.fields
-    for name in MARKED_FIELDS:
-        if found := MARK.match(fields.get(name, "")):
-            return (found[1] or "").strip()
-    return "" if fields.get(STATE_FIELD, "").lower() == "placeholder" else None

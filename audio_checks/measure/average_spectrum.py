@@ -43,36 +43,60 @@ class AverageSpectrum:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole sound.
+    bands_of_hz : int, optional
+        The sample rate whose bands are taken, so that sounds of several rates can be laid over each
+        other; windows then last as long for all of them.
     """
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, bands_of_hz: int | None = None) -> None:
+        self._rate = sample_rate_hz
         self._frames = frames
         self._channels = channels
-        self._hop = WINDOW_FRAMES // 2
-        self._window = np.sin(np.pi * (np.arange(WINDOW_FRAMES) + 0.5) / WINDOW_FRAMES)
+        self._size = size = WINDOW_FRAMES if bands_of_hz is None else _frames_of_window(sample_rate_hz)
+        self._hop = size // 2
+        self._window = np.sin(np.pi * (np.arange(size) + 0.5) / size)
         self._held = np.zeros((channels, self._hop))
-        self._power = np.zeros(WINDOW_FRAMES // 2 + 1)
-        self._edges_hz = _edges(sample_rate_hz)
-        self._shares = _shares(self._edges_hz, sample_rate_hz)
+        self._power = np.zeros(size // 2 + 1)
+        self._edges_hz = _edges(bands_of_hz or sample_rate_hz)
+        self._ended = False
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take in the next frames, shape (frames, channels)."""
         held = np.concatenate((self._held, block.T), axis=1)
         start = 0
-        while start + WINDOW_FRAMES <= held.shape[1]:
-            spectra = np.fft.rfft(held[:, start : start + WINDOW_FRAMES] * self._window, axis=1)
+        while start + self._size <= held.shape[1]:
+            spectra = np.fft.rfft(held[:, start : start + self._size] * self._window, axis=1)
             self._power += np.square(np.abs(spectra)).sum(axis=0)
             start += self._hop
         self._held = held[:, start:]
 
     def result(self) -> BandLevels:
         """Return the levels, and end the stream; −inf everywhere for silence and for no frames."""
-        self.add(np.zeros((WINDOW_FRAMES, self._channels)))
-        energy = 2 * self._power / WINDOW_FRAMES
-        energy[[0, -1]] /= 2  # 0 Hz and half the sample rate have no mirror image
-        bands = self._shares @ energy / max(1, self._frames * self._channels)
+        shares = _shares(self._edges_hz, self._rate, self._size)
+        bands = shares @ self._energy() / max(1, self._frames * self._channels)
         centres = np.sqrt(self._edges_hz[:-1] * self._edges_hz[1:])
         return BandLevels(centres, np.array([power_decibels(float(band)) for band in bands]))
+
+    def above_db(self, hz: float) -> float:
+        """Return the energy above a frequency against all of it, in dB, and end the stream; −inf for none."""
+        energy = self._energy()
+        whole = float(energy.sum())
+        middles = np.arange(len(energy)) * (self._rate / self._size)
+        return power_decibels(float(energy[middles > hz].sum()) / whole) if whole else -math.inf
+
+    def _energy(self) -> NDArray[np.float64]:
+        """Return the energy of each bin, once the windows have run out over the end."""
+        if not self._ended:
+            self.add(np.zeros((self._size, self._channels)))
+            self._ended = True
+        energy = 2 * self._power / self._size
+        energy[[0, -1]] /= 2  # 0 Hz and half the sample rate have no mirror image
+        return energy
+
+
+def _frames_of_window(sample_rate_hz: int) -> int:
+    """Return the power of two whose windows last nearest to those of WINDOW_FRAMES at 48 kHz."""
+    return max(2, 1 << round(math.log2(WINDOW_FRAMES * sample_rate_hz / 48_000)))
 
 
 def _edges(sample_rate_hz: int) -> NDArray[np.float64]:
@@ -84,10 +108,10 @@ def _edges(sample_rate_hz: int) -> NDArray[np.float64]:
     return edges
 
 
-def _shares(edges_hz: NDArray[np.float64], sample_rate_hz: int) -> NDArray[np.float64]:
+def _shares(edges_hz: NDArray[np.float64], sample_rate_hz: int, size: int) -> NDArray[np.float64]:
     """Return how much of each bin belongs to each band, shape (bands, bins)."""
-    width_hz = sample_rate_hz / WINDOW_FRAMES
-    middles = np.arange(WINDOW_FRAMES // 2 + 1) * width_hz
+    width_hz = sample_rate_hz / size
+    middles = np.arange(size // 2 + 1) * width_hz
     low, high = np.maximum(middles - width_hz / 2, 0), np.minimum(middles + width_hz / 2, sample_rate_hz / 2)
     inside = np.minimum(high, edges_hz[1:, np.newaxis]) - np.maximum(low, edges_hz[:-1, np.newaxis])
     shares: NDArray[np.float64] = np.clip(inside, 0, None) / (high - low)

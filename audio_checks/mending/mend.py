@@ -16,10 +16,10 @@ from audio_checks import wav
 from audio_checks.errors import MendRefused, Unreadable
 from audio_checks.findings import FileReport, Finding
 from audio_checks.mending import header, offers
-from audio_checks.mending.chunks import Move, carried
 from audio_checks.mending.names import lawful_name
 from audio_checks.mending.offers import Offer, RepairKind, mendable
 from audio_checks.mending.samples import stretch
+from audio_checks.metadata.carrying import MOST_BYTES, Move, bytes_beside, carried
 from audio_checks.render.dither import DITHERED_TO_BITS, quantised
 from audio_checks.runner import check_file
 from audio_checks.spec import CueFacts, DeliverySpec
@@ -341,6 +341,7 @@ class _Work:
         self._fades = _fades(file, layout, plan)
         sound = _sound(file, layout, plan, self._fades)
         changed = plan.gain_db != 0.0 or plan.depth is not None
+        _ensure_carried(layout)
         before, after = carried(file, layout, Move(first, end - first, changed, plan.depth))
         extremes = _Extremes(depth)
         blocks: Iterable[NDArray[np.integer]] | Iterable[NDArray[np.floating]] = sound
@@ -503,3 +504,13 @@ class _Extremes:
     def over_db(self) -> float:
         most = max(self._highest / (self._full - 1), -self._lowest / self._full)
         return 20 * math.log10(most) if most > 1 else 0.0
+
+
+def _ensure_carried(layout: wav.WavLayout) -> None:
+    beside = bytes_beside(layout)
+    if beside > MOST_BYTES:
+        raise MendRefused(
+            f"the file carries {beside >> 20} MiB beside its sound; a mend carries {MOST_BYTES >> 20} MiB at most",
+            code="mend:large-chunks",
+            fix="mend it in the session, or leave out what the file need not carry",
+        )

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
+from audio_checks.measure.decibels import power_decibels
 
 Dither = Literal["tpdf", "shaped", "none"]
 
@@ -35,8 +36,31 @@ def ensure_shapeable(dither: Dither, sample_rate_hz: int) -> None:
         )
 
 
+class Requantisation:
+    """Sums up the difference between what was wanted and what is written."""
+
+    def __init__(self) -> None:
+        self._energy = 0.0
+        self._samples = 0
+
+    def add(self, error: NDArray[np.float64]) -> None:
+        """Take differences, full scale ±1.0."""
+        self._energy += float(np.square(error).sum())
+        self._samples += error.size
+
+    def level_dbfs(self) -> float:
+        """Return their RMS; −inf where every sample is exact, and for none."""
+        return power_decibels(self._energy / self._samples) if self._samples else -math.inf
+
+
 def quantised(
-    blocks: Iterable[NDArray[np.float64]], *, bit_depth: int, channels: int, dither: Dither, seed: bytes
+    blocks: Iterable[NDArray[np.float64]],
+    *,
+    bit_depth: int,
+    channels: int,
+    dither: Dither,
+    seed: bytes,
+    noise: Requantisation | None = None,
 ) -> Iterator[NDArray[np.int64]]:
     """Yield blocks of floats (full scale ±1.0) as whole numbers of `bit_depth` bits.
 
@@ -52,6 +76,8 @@ def quantised(
         Noise added before rounding.
     seed : bytes
         Digest of the master: the same master gives the same noise, however its blocks are cut.
+    noise : Requantisation, optional
+        Is given what rounding and dither add.
 
     Yields
     ------
@@ -61,14 +87,20 @@ def quantised(
     scale = float(1 << (bit_depth - 1))
     if dither == "none":
         for block in blocks:
-            yield _rounded(block * scale)
+            wanted = block * scale
+            whole = _rounded(wanted)
+            if noise is not None:
+                noise.add((whole - wanted) / scale)
+            yield whole
         return
-    noise = _TriangularNoise(seed, channels)
+    triangular = _TriangularNoise(seed, channels)
     shaper = _Shaper(channels) if dither == "shaped" else None
     for block, silent in _with_silence(blocks, channels):
-        wanted, added = block * scale, noise.draw(len(block))
+        wanted, added = block * scale, triangular.draw(len(block))
         whole = shaper.rounded(wanted, added, silent) if shaper else _rounded(wanted + added)
         whole[silent] = 0
+        if noise is not None:
+            noise.add((whole - wanted) / scale)
         yield whole
 
 

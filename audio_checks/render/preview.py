@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from audio_checks import wav
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
-from audio_checks.render.render import Recipe, Rendered, render
+from audio_checks.render.render import Recipe, render
+from audio_checks.render.rendered import Rendered
 from audio_checks.sound_files import open_sound
 
 MAX_RATE_HZ = 48_000
@@ -55,6 +56,7 @@ def preview(
             gains=None if layout.channels <= 2 else np.full((layout.channels, 1), 1 / layout.channels),
             dither="tpdf",
             loop=loop,
+            tells_loss=False,
         )
         rendered = render(sound, recipe, out)
     if backwards:

@@ -3,129 +3,46 @@
 import hashlib
 import math
 import os
-import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, BinaryIO, Literal, Protocol
+from typing import Any, BinaryIO, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.errors import RenderRefused
+from audio_checks.measure.average_spectrum import AverageSpectrum
+from audio_checks.measure.decibels import decibels
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.loudness import Loudness, channel_weights
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.true_peak import TruePeak
-from audio_checks.render.channels import mixing_gains
-from audio_checks.render.dither import DITHERED_TO_BITS, Dither, ensure_shapeable, quantised
-from audio_checks.render.resample import (
-    ensure_downwards,
-    frames_after,
-    loop_fit_frames,
-    position_after,
-    resample_blocks,
-)
+from audio_checks.metadata import CHUNKS, MOST_CHUNKS, read_metadata
+from audio_checks.metadata import MOST_BYTES as MOST_READ_BYTES
+from audio_checks.metadata.carrying import MOST_BYTES, Move, bytes_beside, carried, sampler
+from audio_checks.metadata.mark import comment_chunk, cue_marked
+from audio_checks.render.channels import mixed, mixing_gains
+from audio_checks.render.dither import DITHERED_TO_BITS, Dither, Requantisation, ensure_shapeable, quantised
+from audio_checks.render.fades import faded
+from audio_checks.render.loops import FittedLoop, fitted_loop, part, with_turns
+from audio_checks.render.rendered import Loss, Rendered, SeamFigures
+from audio_checks.render.resample import ensure_downwards, frames_after, loop_fit_frames, resample_blocks
+from audio_checks.render.shelf import compensating_gain
+from audio_checks.render.survey import Survey
+from audio_checks.render.turns import gain_of
 from audio_checks.sound_files import OpenSound, open_sound
+from audio_checks.spec import Target
 
-RENDERER_VERSION = "2"  # changes when the same master and target give other bytes
+RENDERER_VERSION = "3"  # changes when the same master and target give other bytes
 TOLERANCE_DB = 0.05  # as for checks: what they would let pass is not touched
+MONO_LOSS_LIMIT_DB = 6.0
 ATTEMPTS = 12  # the second settles it but for a step of rounding; at 8 bit that step may take a few more
-LOOP_KINDS = {"forward": 0, "alternating": 1, "backward": 2}
+MILLIONTHS = 1_000_000  # of a dB: attenuation is a whole number of them, so that no machine's logarithm shows in bytes
 READ_BYTES = 1 << 20
-
-
-class RenderTarget(Protocol):
-    """What a render is made to: the `Target` of a delivery spec."""
-
-    @property
-    def sample_rate_hz(self) -> int:
-        """Frames per second of the game file."""
-
-    @property
-    def bit_depth(self) -> int:
-        """Bits a sample."""
-
-    @property
-    def encoding(self) -> Literal["pcm", "float"]:
-        """How samples are written."""
-
-    @property
-    def channels(self) -> Literal["master", 1, 2]:
-        """Channels wanted; "master" keeps the master's."""
-
-    @property
-    def dither(self) -> Dither:
-        """Noise added where bits are lost."""
-
-    @property
-    def over_peak(self) -> Literal["attenuate", "refuse"]:
-        """What happens to a file whose peaks exceed the limits."""
-
-
-@dataclass(frozen=True)
-class SeamFigures:
-    """A loop's seam against the sound around it, in dB: step of level, change of slope."""
-
-    step_db: float
-    slope_db: float
-
-
-@dataclass(frozen=True)
-class Rendered:
-    """A game file that was made, and how.
-
-    Attributes
-    ----------
-    measurements : dict
-        Figures of the new file, named as in the report: levels, true peak, loudness.
-    attenuation_db : float
-        By how much it was lowered to keep the peak limits; 0 when it was not.
-    recalculated : bool
-        Whether samples were resampled, mixed or lowered; if not, they are the master's own, rounded
-        at most, and the bit depth is no higher than the master's.
-    loop_points : tuple of (int, int)
-        First and last frame of each loop written to the file.
-    loop_fit_frames : float
-        By how many frames a loop was lengthened (+) or shortened (−) to become whole.
-    seam_before, seam_after : SeamFigures or None
-        Of the master and of the file, for loops.
-    master_sha256, sha256, pcm_sha256 : str
-        Digest of the master's bytes, of the file's, and of the file's samples.
-    """
-
-    path: Path
-    sample_rate_hz: int
-    bit_depth: int
-    encoding: Literal["pcm", "float"]
-    channels: int
-    frames: int
-    measurements: dict[str, Any]
-    attenuation_db: float
-    recalculated: bool
-    dither: Dither
-    loop: bool
-    loop_points: tuple[tuple[int, int], ...]
-    loop_fit_frames: float
-    seam_before: SeamFigures | None
-    seam_after: SeamFigures | None
-    master_sha256: str
-    sha256: str
-    pcm_sha256: str
-    renderer_version: str = RENDERER_VERSION
-
-    @property
-    def duration_s(self) -> float:
-        """Length in seconds."""
-        return self.frames / self.sample_rate_hz
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return everything but the path as plain values, −inf as None."""
-        plain: dict[str, Any] = _without_infinity(asdict(self) | {"duration_s": self.duration_s})
-        del plain["path"]
-        return plain
+TELL_OF_THE_SOUND = frozenset({"cue ", "smpl", "inst", "acid", "plst"})  # and LIST/adtl, the labels of cue points
 
 
 @dataclass(frozen=True)
@@ -141,13 +58,20 @@ class Recipe:
     sample_peak_limit_dbfs: float | None = None
     true_peak_limit_dbtp: float | None = None
     tolerance_db: float = TOLERANCE_DB
+    mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB
     loop: bool = False
     loop_points: tuple[tuple[int, int], ...] | None = None  # None keeps the master's
+    chunks: Literal["sound", "all"] = "sound"
+    shelf_db: float | Literal["auto"] = 0.0
+    trim_below_dbfs: float | None = None
+    fade_in_ms: float = 0.0
+    fade_out_ms: float = 0.0
+    tells_loss: bool = True
 
 
 def render_master(
     path: str | os.PathLike[str],
-    target: RenderTarget,
+    target: Target,
     out_path: str | os.PathLike[str],
     *,
     loop: bool = False,
@@ -155,31 +79,42 @@ def render_master(
     sample_peak_limit_dbfs: float | None = None,
     true_peak_limit_dbtp: float | None = None,
     tolerance_db: float = TOLERANCE_DB,
+    mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB,
 ) -> Rendered:
     """Make the game file of a target from a master; the master is only read.
 
-    The file carries sound and loop points, and nothing of who made it. It is written whole or not
-    at all. The same master and target give the same bytes.
+    The file carries the sound and what tells of it: loops, cue points and their labels, notes, tempo.
+    Everything else goes along only where the target asks for all chunks; the mark of a stand-in always
+    does. It is written whole or not at all. The same master and target give the same bytes.
 
     Parameters
     ----------
     path, out_path : path
         The master, and the WAV file to write.
-    target : RenderTarget
-        Rate, depth, encoding, channels, dither, and what to do with peaks over the limits.
+    target : Target
+        Rate, depth, encoding, channels, dither, chunks, shelf, trim, fades, and what to do with peaks
+        over the limits.
     loop : bool
         The whole file loops: it is filtered across its seam and fitted to whole frames.
     loop_points : (int, int), optional
-        First and last frame of a loop within the master, in place of its own `smpl` chunk.
+        First and last frame of a loop within the master, in place of those of its own `smpl` chunk.
     sample_peak_limit_dbfs, true_peak_limit_dbtp : float, optional
         What the peaks of the new file are held to; without them full scale.
     tolerance_db : float
         How far a peak may lie beyond its limit and still be let be.
+    mono_loss_limit_db : float
+        What a stereo sound may lose in mono before a warning is given.
+
+    Returns
+    -------
+    Rendered
+        With the report of what was lost, and warnings.
 
     Raises
     ------
     RenderRefused
-        `render:upwards`, `render:channels`, `render:shaped-too-low`, `render:over-peak`.
+        `render:upwards`, `render:channels`, `render:shaped-too-low`, `render:over-peak`,
+        `render:loop-points`, `render:large-chunks`.
     Unreadable
         When the master breaks a rule of structure.
     SandboxFailed
@@ -188,18 +123,26 @@ def render_master(
     with open_sound(path) as sound:
         layout = sound.layout
         ensure_downwards(layout.sample_rate_hz, target.sample_rate_hz)
+        if loop_points is not None:
+            _ensure_inside(loop_points, layout.frames)
         recipe = Recipe(
             sample_rate_hz=target.sample_rate_hz,
             bit_depth=target.bit_depth,
             encoding=target.encoding,
-            gains=mixing_gains(layout.channels, target.channels),
+            gains=mixing_gains(layout.channels, target.channels, target.mono_gains),
             dither=target.dither,
             refuse_over_peak=target.over_peak == "refuse",
             sample_peak_limit_dbfs=sample_peak_limit_dbfs,
             true_peak_limit_dbtp=true_peak_limit_dbtp,
             tolerance_db=tolerance_db,
+            mono_loss_limit_db=mono_loss_limit_db,
             loop=loop,
             loop_points=(loop_points,) if loop_points else None,
+            chunks=target.chunks,
+            shelf_db=target.shelf_db,
+            trim_below_dbfs=target.trim_below_dbfs,
+            fade_in_ms=target.fade_in_ms,
+            fade_out_ms=target.fade_out_ms,
         )
         return render(sound, recipe, Path(out_path))
 
@@ -218,7 +161,7 @@ def render(sound: OpenSound, recipe: Recipe, out_path: Path) -> Rendered:
                 break
             if recipe.refuse_over_peak:
                 raise _over_peak(over_db)
-            lowered_db += over_db
+            lowered_db = math.ceil((lowered_db + over_db) * MILLIONTHS) / MILLIONTHS
         else:
             raise _over_peak(over_db)
         rendered = work.describe(scratch, out_path, attempt, lowered_db)
@@ -233,33 +176,69 @@ class _Work:
     """One master being rendered: what holds for every attempt."""
 
     def __init__(self, sound: OpenSound, recipe: Recipe) -> None:
+        self._sound = sound
         self._file = sound.file
         self._layout = layout = sound.layout
         self._recipe = recipe
+        rates = layout.sample_rate_hz, recipe.sample_rate_hz
         whole = ((0, layout.frames - 1),)
         self._points = recipe.loop_points or tuple((loop.start, loop.end) for loop in layout.loops)
         self._circular = self._points == whole or (recipe.loop and not self._points)
         self._changes_rate = recipe.sample_rate_hz != layout.sample_rate_hz
-        self._frames = frames_after(layout.frames, layout.sample_rate_hz, recipe.sample_rate_hz, loop=self._circular)
         self._channels = layout.channels if recipe.gains is None else recipe.gains.shape[1]
         self._mask = layout.channel_mask if recipe.gains is None else None
         self._seed = _digest(sound.original)
-        self._new_points = tuple(self._moved(start, end) for start, end in self._points)
+        trims = recipe.trim_below_dbfs is not None and not self._loops
+        self._survey = Survey(
+            self._file,
+            layout,
+            to_mono=recipe.gains is not None and recipe.gains.shape == (2, 1),
+            trims=trims,
+            tells_loss=recipe.tells_loss,
+        )
+        self._cut = self._survey.silence_frames(recipe.trim_below_dbfs)
+        self._kept = layout.frames - sum(self._cut)
+        self._frames = frames_after(self._kept, *rates, loop=self._circular)
+        self._fitted = () if self._circular else tuple(fitted_loop(*one, self._frames, *rates) for one in self._points)
+        self._new_points = (
+            ((0, self._frames - 1),)
+            if self._circular and self._points
+            else tuple((one.first, one.last) for one in self._fitted)
+        )
+        self._shelf = self._shelf_gain()
+
+    @property
+    def _loops(self) -> bool:
+        return self._circular or bool(self._points)
 
     def write(self, path: Path, lowered_db: float) -> "_Attempt":
         """Write the whole file once, lowered by so many dB, and measure it on its way."""
         recipe = self._recipe
         bit_depth, dither = self._depth(lowered_db)
-        weights = channel_weights(self._channels, self._mask)
-        attempt = _Attempt(recipe.sample_rate_hz, bit_depth, dither, self._channels, self._frames, weights)
+        attempt = _Attempt(
+            recipe.sample_rate_hz,
+            bit_depth,
+            dither,
+            self._channels,
+            self._frames,
+            channel_weights(self._channels, self._mask),
+            bands_of_hz=self._layout.sample_rate_hz if recipe.tells_loss else None,
+        )
         floats = self._floats(lowered_db)
         blocks: Iterator[NDArray[np.integer]] | Iterator[NDArray[np.floating]]
         if recipe.encoding == "float":
-            dtype = np.float32 if bit_depth == 32 else np.float64
-            blocks = attempt.watched_floats(block.astype(dtype) for block in floats)
+            blocks = attempt.watched_floats(floats, np.float32 if bit_depth == 32 else np.float64)
         else:
-            whole = quantised(floats, bit_depth=bit_depth, channels=self._channels, dither=dither, seed=self._seed)
+            whole = quantised(
+                floats,
+                bit_depth=bit_depth,
+                channels=self._channels,
+                dither=dither,
+                seed=self._seed,
+                noise=attempt.noise,
+            )
             blocks = attempt.watched_steps(whole)
+        before, after = self._chunks(bit_depth, dither, lowered_db)
         wav.write_wav(
             path,
             blocks,
@@ -269,14 +248,14 @@ class _Work:
             channels=self._channels,
             frames=self._frames,
             channel_mask=self._mask if self._channels > 2 else None,
-            chunks=self._chunks(),
+            chunks=before,
+            chunks_after=after,
         )
         return attempt
 
     def describe(self, scratch: Path, out_path: Path, attempt: "_Attempt", lowered_db: float) -> Rendered:
         sha256, pcm_sha256 = _digests(scratch)
-        rate, loops = self._layout.sample_rate_hz, self._circular or bool(self._points)
-        return Rendered(
+        rendered = Rendered(
             path=out_path,
             sample_rate_hz=self._recipe.sample_rate_hz,
             bit_depth=attempt.bit_depth,
@@ -289,18 +268,57 @@ class _Work:
             dither=attempt.dither,
             loop=self._circular,
             loop_points=self._new_points,
-            loop_fit_frames=(
-                loop_fit_frames(self._layout.frames, rate, self._recipe.sample_rate_hz) if self._circular else 0.0
-            ),
-            seam_before=self._seam(self._file, self._layout, self._points) if loops else None,
-            seam_after=self._seam_of(scratch) if loops else None,
+            loop_fit_frames=self._fit_frames(),
+            seam_before=self._seam(self._file, self._layout, self._points) if self._loops else None,
+            seam_after=self._seam_of(scratch) if self._loops else None,
             master_sha256=self._seed.hex(),
             sha256=sha256,
             pcm_sha256=pcm_sha256,
+            renderer_version=RENDERER_VERSION,
+            warnings=self._survey.mono_warnings(self._recipe.mono_loss_limit_db),
+        )
+        return replace(rendered, loss=self._loss(rendered, attempt)) if self._recipe.tells_loss else rendered
+
+    def _loss(self, rendered: Rendered, attempt: "_Attempt") -> Loss:
+        assert attempt.spectrum is not None  # noqa: S101 - there where the loss is told
+        rate = self._layout.sample_rate_hz
+        return Loss(
+            before=self._survey.figures,
+            after=rendered.measurements,
+            above_nyquist_db=self._survey.above_db(rendered.sample_rate_hz / 2) if self._changes_rate else -math.inf,
+            shelf_db=decibels(self._shelf),
+            attenuation_db=rendered.attenuation_db,
+            requantisation_dbfs=attempt.noise.level_dbfs(),
+            trimmed_s=(self._cut[0] / rate, self._cut[1] / rate),
+            loop_fit_frames=rendered.loop_fit_frames,
+            seam_before=rendered.seam_before,
+            seam_after=rendered.seam_after,
+            mono_loss_db=self._survey.mono_loss_db(),
+            spectra=self._survey.spectra(attempt.spectrum),
         )
 
+    def _fit_frames(self) -> float:
+        if self._circular:
+            return loop_fit_frames(self._layout.frames, self._layout.sample_rate_hz, self._recipe.sample_rate_hz)
+        return self._fitted[0].fit_frames if self._fitted else 0.0
+
+    def _shelf_gain(self) -> float:
+        recipe, layout = self._recipe, self._layout
+        if not self._changes_rate:
+            return 1.0
+        if recipe.shelf_db == "auto":
+            return compensating_gain(self._kept_blocks(), self._channels, layout.sample_rate_hz, recipe.sample_rate_hz)
+        return gain_of(recipe.shelf_db)
+
     def _recalculated(self, lowered_db: float) -> bool:
-        return self._changes_rate or self._recipe.gains is not None or lowered_db > 0
+        return self._changes_rate or self._recipe.gains is not None or lowered_db > 0 or any(self._fades())
+
+    def _fades(self) -> tuple[int, int]:
+        """Return the frames of fade at head and tail: none where the sound loops."""
+        if self._loops:
+            return 0, 0
+        rate = self._recipe.sample_rate_hz
+        return round(self._recipe.fade_in_ms * rate / 1000), round(self._recipe.fade_out_ms * rate / 1000)
 
     def _depth(self, lowered_db: float) -> tuple[int, Dither]:
         """Return the bits to write, and the dither they need."""
@@ -315,49 +333,107 @@ class _Work:
 
     def _mixed(self) -> Iterator[NDArray[np.float64]]:
         for block in wav.blocks(self._file, self._layout):
-            yield block if self._recipe.gains is None else block @ self._recipe.gains
+            yield block if self._recipe.gains is None else mixed(block, self._recipe.gains)
+
+    def _kept_blocks(self) -> Iterator[NDArray[np.float64]]:
+        yield from part(self._mixed, self._cut[0], self._kept)() if any(self._cut) else self._mixed()
 
     def _floats(self, lowered_db: float) -> Iterator[NDArray[np.float64]]:
-        factor = 10 ** (-lowered_db / 20)
-        for block in resample_blocks(
-            self._mixed,
-            frames=self._layout.frames,
+        rates = {"sample_rate_hz": self._layout.sample_rate_hz, "to_hz": self._recipe.sample_rate_hz}
+        blocks = resample_blocks(
+            self._kept_blocks,
+            frames=self._kept,
             channels=self._channels,
-            sample_rate_hz=self._layout.sample_rate_hz,
-            to_hz=self._recipe.sample_rate_hz,
             loop=self._circular,
-        ):
+            shelf=self._shelf,
+            **rates,
+        )
+        turning = self._turning()
+        if turning and self._changes_rate:
+            blocks = with_turns(blocks, self._mixed, turning, channels=self._channels, shelf=self._shelf, **rates)
+        fade_in, fade_out = self._fades()
+        if fade_in or fade_out:
+            blocks = faded(blocks, frames=self._frames, fade_in=fade_in, fade_out=fade_out)
+        factor = gain_of(-lowered_db)
+        for block in blocks:
             yield block * factor if lowered_db else block
 
-    def _moved(self, start: int, end: int) -> tuple[int, int]:
-        if self._circular:
-            return 0, self._frames - 1
-        rates = self._layout.sample_rate_hz, self._recipe.sample_rate_hz
-        last = min(position_after(end + 1, *rates), self._frames) - 1
-        return min(position_after(start, *rates), last), last
+    def _turning(self) -> list[FittedLoop]:
+        """Return the loops that turn round from their last frame to their first; others play back and forth."""
+        if self._recipe.loop_points is not None:
+            return list(self._fitted)
+        kinds = (loop.kind for loop in self._layout.loops)
+        return [one for one, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
 
-    def _chunks(self) -> Sequence[tuple[str, bytes]]:
-        if not self._new_points:
-            return ()
-        note = (60, 0)
-        for chunk in self._layout.chunks:
-            if chunk.id == "smpl" and chunk.size >= 20:
-                self._file.seek(chunk.offset + 12)
-                note = struct.unpack("<2I", self._file.read(8))
-        period_ns = round(1e9 / self._recipe.sample_rate_hz)
-        kinds = [loop.kind for loop in self._layout.loops] if self._recipe.loop_points is None else []
-        payload = struct.pack("<9I", 0, 0, period_ns, *note, 0, 0, len(self._new_points), 0)
-        for number, (start, end) in enumerate(self._new_points):
-            kind = LOOP_KINDS.get(kinds[number], 0) if kinds else 0
-            payload += struct.pack("<6I", number, kind, start, end, 0, 0)
-        return [("smpl", payload)]
+    def _chunks(
+        self, bit_depth: int, dither: Dither, lowered_db: float
+    ) -> tuple[list[tuple[str, bytes]], list[tuple[str, bytes]]]:
+        recipe, layout = self._recipe, self._layout
+        beside = bytes_beside(layout)
+        if beside > MOST_BYTES:
+            raise RenderRefused(
+                f"the master carries {beside >> 20} MiB beside its sound, and a render {MOST_BYTES >> 20} MiB at most",
+                code="render:large-chunks",
+                fix="leave out what the file need not carry, such as pictures, and deliver it again",
+            )
+        same_encoding = recipe.encoding == layout.encoding
+        exact = same_encoding and bit_depth >= layout.bit_depth and dither == "none"
+        move = Move(
+            cut=self._cut[0],
+            frames=self._frames,
+            changed=self._recalculated(lowered_db) or not exact,
+            new_depth=None if bit_depth == layout.bit_depth else bit_depth,
+            sample_rate_hz=layout.sample_rate_hz,
+            to_hz=recipe.sample_rate_hz,
+            new_channels=recipe.gains is not None,
+            loops={(one.start, one.end): (one.first, one.last) for one in self._fitted},
+            stretch=self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)
+            if self._circular
+            else 1.0,
+            history=self._history(bit_depth),
+        )
+        before, after = carried(self._file, layout, move, keep=self._keeps)
+        if recipe.loop_points is not None:
+            samplers = [payload for name, payload in (*before, *after) if name == "smpl"]
+            new = sampler(recipe.sample_rate_hz, [(0, *one) for one in self._new_points], *samplers[:1])
+            before = [chunk for chunk in before if chunk[0] != "smpl"] + [("smpl", new)]
+            after = [chunk for chunk in after if chunk[0] != "smpl"]
+        number = self._stand_in_for()
+        if number is not None and recipe.chunks != "all":
+            after.append(comment_chunk(number))
+        return before, after
+
+    def _stretch(self) -> float:
+        if not self._circular:
+            return 1.0
+        return self._frames * self._layout.sample_rate_hz / (self._layout.frames * self._recipe.sample_rate_hz)
+
+    def _keeps(self, name: str, payload: bytes) -> bool:
+        if self._recipe.chunks == "all":
+            return True
+        return name in TELL_OF_THE_SOUND or (name == "LIST" and payload[:4] == b"adtl")
+
+    def _stand_in_for(self) -> str | None:
+        """Return the cue that the master is a stand-in for; None for a real sound."""
+        chunks = [chunk for chunk in self._layout.chunks if chunk.id in CHUNKS][:MOST_CHUNKS]
+        told = read_metadata(
+            (chunk.id, wav.chunk_payload(self._file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES))))
+            for chunk in chunks
+        )
+        comments = self._sound.flac.comment_fields if self._sound.flac is not None else {}
+        return cue_marked(told.fields | comments)
+
+    def _history(self, bit_depth: int) -> str:
+        """Return what EBU R 98 asks of each step of a sound's way."""
+        mode = {1: ",M=mono", 2: ",M=stereo"}.get(self._channels, "")
+        return f"A=PCM,F={self._recipe.sample_rate_hz},W={bit_depth}{mode}"
 
     def _seam_of(self, path: Path) -> SeamFigures:
         with wav.open_regular(path) as file:
             return self._seam(file, wav.read_layout(file), self._new_points)
 
     @staticmethod
-    def _seam(file: BinaryIO, layout: wav.WavLayout, points: Sequence[tuple[int, int]]) -> SeamFigures:
+    def _seam(file: BinaryIO, layout: wav.WavLayout, points: tuple[tuple[int, int], ...]) -> SeamFigures:
         seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loop=points[0] if points else None)
         for block in wav.blocks(file, layout):
             seam.add(block)
@@ -369,10 +445,22 @@ class _Attempt:
     """What one writing of the file came to."""
 
     def __init__(
-        self, rate: int, bit_depth: int, dither: Dither, channels: int, frames: int, weights: NDArray[np.float64]
+        self,
+        rate: int,
+        bit_depth: int,
+        dither: Dither,
+        channels: int,
+        frames: int,
+        weights: NDArray[np.float64],
+        *,
+        bands_of_hz: int | None,
     ) -> None:
         self.bit_depth = bit_depth
         self.dither = dither
+        self.noise = Requantisation()
+        self.spectrum = (
+            None if bands_of_hz is None else AverageSpectrum(rate, channels, frames, bands_of_hz=bands_of_hz)
+        )
         self._lowest = self._highest = 0
         self._accumulators = (
             Levels(rate, channels, frames),
@@ -390,10 +478,15 @@ class _Attempt:
             self._measure(block / full)
             yield np.clip(block, -full, full - 1)
 
-    def watched_floats(self, blocks: Iterator[NDArray[np.floating]]) -> Iterator[NDArray[np.floating]]:
+    def watched_floats(
+        self, blocks: Iterator[NDArray[np.float64]], dtype: type[np.float32] | type[np.float64]
+    ) -> Iterator[NDArray[np.floating]]:
         for block in blocks:
-            self._measure(block.astype(np.float64))
-            yield block
+            written: NDArray[np.floating] = block.astype(dtype)
+            kept = written.astype(np.float64)
+            self.noise.add(kept - block)
+            self._measure(kept)
+            yield written
 
     def figures(self) -> dict[str, Any]:
         if self._figures is None:
@@ -421,6 +514,8 @@ class _Attempt:
     def _measure(self, block: NDArray[np.float64]) -> None:
         for accumulator in self._accumulators:
             accumulator.add(block)
+        if self.spectrum is not None:
+            self.spectrum.add(block)
 
 
 def _over_peak(over_db: float) -> RenderRefused:
@@ -449,9 +544,11 @@ def _digests(path: Path) -> tuple[str, str]:
         return _digest(file).hex(), samples.hexdigest()
 
 
-def _without_infinity(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _without_infinity(held) for key, held in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_without_infinity(held) for held in value]
-    return None if isinstance(value, float) and math.isinf(value) else value
+def _ensure_inside(points: tuple[int, int], frames: int) -> None:
+    start, end = points
+    if not 0 <= start <= end < frames:
+        raise RenderRefused(
+            f"a loop is asked for from frame {start} to {end}, and the master has frames 0 to {frames - 1}",
+            code="render:loop-points",
+            fix="give the loop's first and last frame inside the master, the first one first",
+        )

@@ -21,6 +21,8 @@ from audio_checks.render.turns import cos_sin_pi, kaiser_sinc, turns_of
 
 PASSBAND = 0.95  # of the new Nyquist frequency; the stop band begins at the new Nyquist frequency itself
 ATTENUATION_DB = 200.0
+SHELF_MIDDLE, SHELF_WIDTH = 0.5, 0.4  # of the new Nyquist frequency: the top octave, risen to by three quarters
+SHELF_DB = 140.0  # how well the filter below the shelf stops, so that the pass band keeps its ripple
 BLOCK_FILTERS = 6  # a block is this many filters long, so a sixth of the work is overlap
 WINDOWS = 8  # are transformed at once, of all channels together
 SERIES_END = 1e-17
@@ -95,12 +97,20 @@ def resample(
 
 
 def resample_blocks(
-    blocks: Blocks, *, frames: int, channels: int, sample_rate_hz: int, to_hz: int, loop: bool = False
+    blocks: Blocks,
+    *,
+    frames: int,
+    channels: int,
+    sample_rate_hz: int,
+    to_hz: int,
+    loop: bool = False,
+    shelf: float = 1.0,
 ) -> Iterator[NDArray[np.float64]]:
     """Yield a stream at a lower rate, block by block; memory does not grow with its length.
 
     `blocks` starts the stream from its beginning each time it is called: a loop is read again for
-    what comes before its first frame and after its last.
+    what comes before its first frame and after its last. `shelf` is the gain of the top octave of what
+    is left: the filter that cuts the highs lifts those below them, in phase and without delay.
     """
     ensure_downwards(sample_rate_hz, to_hz)
     if not frames:
@@ -108,17 +118,48 @@ def resample_blocks(
     if to_hz == sample_rate_hz:
         yield from blocks()
         return
-    plan = _plan(sample_rate_hz, to_hz, frames * channels)
-    frames_out = frames_after(frames, sample_rate_hz, to_hz, loop=loop)
-    reader = _Reader(iter(blocks()), channels, start=0)
     if loop:
-        lead = _frames_before(blocks, frames, plan.edge_in)
-        reader = _Reader(_for_ever(lead, blocks), channels, start=-len(lead))
-        yield from _drifting(plan, _Stretch(plan, frames, frames_out), reader, frames_out)
-    elif plan.up * sample_rate_hz == plan.down * to_hz:
+        frames_out = frames_after(frames, sample_rate_hz, to_hz, loop=True)
+        yield from loop_blocks(
+            blocks,
+            frames=frames,
+            channels=channels,
+            sample_rate_hz=sample_rate_hz,
+            to_hz=to_hz,
+            frames_out=frames_out,
+            shelf=shelf,
+        )
+        return
+    plan = _plan(sample_rate_hz, to_hz, frames * channels, shelf)
+    frames_out = frames_after(frames, sample_rate_hz, to_hz)
+    reader = _Reader(iter(blocks()), channels, start=0)
+    if plan.up * sample_rate_hz == plan.down * to_hz:
         yield from _on_grid(plan, reader, frames_out, max(1, WINDOWS // channels))
     else:
         yield from _drifting(plan, _Stretch(plan, sample_rate_hz, to_hz), reader, frames_out)
+
+
+def loop_blocks(
+    blocks: Blocks,
+    *,
+    frames: int,
+    channels: int,
+    sample_rate_hz: int,
+    to_hz: int,
+    frames_out: int,
+    late: int = 0,
+    shelf: float = 1.0,
+) -> Iterator[NDArray[np.float64]]:
+    """Yield one turn of a loop at a lower rate: filtered as if it turned for ever, fitted to `frames_out` frames.
+
+    `late` is by how much of a frame of the master, in parts of 1 / `to_hz`, the first new frame stands after
+    (or, negative, before) the loop's first frame: a loop inside a file keeps its place against what leads to it.
+    """
+    plan = _plan(sample_rate_hz, to_hz, frames * channels, shelf)
+    lead = _frames_before(blocks, frames, plan.edge_in + -(-sample_rate_hz // to_hz) + 1)
+    reader = _Reader(_for_ever(lead, blocks), channels, start=-len(lead))
+    stretch = _Stretch(plan, frames * to_hz, frames_out * to_hz, late * frames_out)
+    yield from _drifting(plan, stretch, reader, frames_out)
 
 
 def _on_grid(plan: "_Plan", reader: "_Reader", frames_out: int, at_once: int) -> Iterator[NDArray[np.float64]]:
@@ -167,27 +208,40 @@ class _Plan:
 
 
 @lru_cache(maxsize=16)
-def _lowpass(sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
-    """Return a Kaiser-windowed sinc from PASSBAND to all of the new Nyquist frequency, odd in length."""
+def _lowpass(sample_rate_hz: int, to_hz: int, shelf: float = 1.0) -> NDArray[np.float64]:
+    """Return a Kaiser-windowed sinc from PASSBAND to all of the new Nyquist frequency, odd in length.
+
+    With a shelf, what passes a second, gentle low-pass is taken away from the lifted whole in part.
+    """
     new_nyquist = to_hz / sample_rate_hz / 2  # cycles per frame of the master
     width = (1 - PASSBAND) * new_nyquist
     cutoff = (1 + PASSBAND) / 2 * new_nyquist
-    half = math.ceil((ATTENUATION_DB - 7.95) / (14.36 * width) / 2)  # Kaiser's estimate of the order
-    beta = 0.1102 * (ATTENUATION_DB - 8.7)
-    return kaiser_sinc(half, cutoff, beta)
+    taps = _kaiser(width, cutoff, ATTENUATION_DB)
+    if shelf == 1.0:
+        return taps
+    gentle = _kaiser(SHELF_WIDTH * new_nyquist, SHELF_MIDDLE * new_nyquist, SHELF_DB)
+    lifted = shelf * taps
+    beside = (len(taps) - len(gentle)) // 2
+    lifted[beside : beside + len(gentle)] -= (shelf - 1.0) * gentle
+    return lifted
 
 
-def _plan(sample_rate_hz: int, to_hz: int, samples: int) -> _Plan:
+def _kaiser(width: float, cutoff: float, attenuation_db: float) -> NDArray[np.float64]:
+    half = math.ceil((attenuation_db - 7.95) / (14.36 * width) / 2)  # Kaiser's estimate of the order
+    return kaiser_sinc(half, cutoff, 0.1102 * (attenuation_db - 8.7))
+
+
+def _plan(sample_rate_hz: int, to_hz: int, samples: int, shelf: float = 1.0) -> _Plan:
     """Return how to lay blocks; a short sound gets short ones, so that it fills the windows of one transform."""
     taps = len(_lowpass(sample_rate_hz, to_hz))
     fitting = 1 << (max(samples // WINDOWS, 2 * taps) - 1).bit_length()
-    return _laid_plan(sample_rate_hz, to_hz, min(BLOCK_FILTERS * taps, fitting))
+    return _laid_plan(sample_rate_hz, to_hz, min(BLOCK_FILTERS * taps, fitting), shelf)
 
 
 @lru_cache(maxsize=32)
-def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int) -> _Plan:
+def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int, shelf: float) -> _Plan:
     up, down = _grid(sample_rate_hz, to_hz)
-    taps = _lowpass(sample_rate_hz, to_hz)
+    taps = _lowpass(sample_rate_hz, to_hz, shelf)
     half = len(taps) // 2
     drift = abs(sample_rate_hz * up - down * to_hz) / (to_hz * up)  # frames of the master, for each new one
     slack = 2 + 2 * math.ceil(down / up) + math.ceil(2 * drift * hop_wanted)  # a loop drifts by up to one as well
@@ -243,16 +297,16 @@ def _smooth(least: int) -> int:
 
 
 class _Stretch:
-    """Where the new frames lie in the master: `step_out` of them for `step_in` of its own."""
+    """Where the new frames lie in the master: `step_out` for `step_in` of its own, all later by `late` / `step_out`."""
 
-    def __init__(self, plan: _Plan, step_in: int, step_out: int) -> None:
-        self._step_in, self._step_out = step_in, step_out
+    def __init__(self, plan: _Plan, step_in: int, step_out: int, late: int = 0) -> None:
+        self._step_in, self._step_out, self._late = step_in, step_out, late
         # Frames of the master by which each new frame comes later than on the grid of the plan.
         self.drift = (step_in * plan.up - plan.down * step_out) / (step_out * plan.up)
 
     def start_of(self, frame_out: int) -> tuple[int, float]:
         """Return the frame of the master at or just before a new frame, and by how much it is before."""
-        whole, part = divmod(frame_out * self._step_in, self._step_out)
+        whole, part = divmod(frame_out * self._step_in + self._late, self._step_out)
         return whole, part / self._step_out
 
 

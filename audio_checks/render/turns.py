@@ -14,6 +14,9 @@ Floats = NDArray[np.float64]
 
 _SINE = [(-1.0) ** k / math.factorial(2 * k + 1) for k in range(10)]  # enough for an eighth of a turn
 _COSINE = [(-1.0) ** k / math.factorial(2 * k) for k in range(11)]
+_DOUBLINGS_A_DB = 0.16609640474436813  # log2(10) / 20
+_LN_2 = 0.6931471805599453
+_EXPONENTIAL_TERMS = 20  # for powers up to a half of ln 2 the last are below 1e-27
 _BESSEL_TERMS = 80  # for arguments up to 25 the last are below 1e-17 of the sum
 
 
@@ -45,6 +48,17 @@ def _in_octant(octant: NDArray[np.int64], part: Floats) -> tuple[Floats, Floats]
     cosine = np.choose(quarter, [near, -far, -near, far])
     sine = np.choose(quarter, [far, near, -far, -near])
     return cosine, sine
+
+
+def gain_of(level_db: float) -> float:
+    """Return the amplitude ratio of a level in dB, 10 ** (level_db / 20), within 2e-16 of it."""
+    doublings = level_db * _DOUBLINGS_A_DB
+    whole = math.floor(doublings + 0.5)
+    rest = (doublings - whole) * _LN_2
+    total = 1.0
+    for k in range(_EXPONENTIAL_TERMS, 0, -1):
+        total = 1.0 + total * rest / k
+    return math.ldexp(total, whole)
 
 
 def _polynomial(weights: list[float], values: Floats) -> Floats:

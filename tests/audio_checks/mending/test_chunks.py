@@ -5,7 +5,7 @@ import struct
 import pytest
 
 from audio_checks import MendRefused, mend_master, parse_spec, wav
-from audio_checks.mending import chunks
+from audio_checks.mending import mend
 from tests.support.waves import chunk, join, silence, sine, write_wav
 
 SPEC = parse_spec("format = 1\n[limits]\nhead_silence_ms = 0\ntail_silence_ms = 0\nsample_peak_dbfs = -1.0\n")
@@ -120,7 +120,7 @@ def test_broken_chunks_are_carried_as_far_as_they_go(tmp_path):
 
 
 def test_more_than_can_be_held_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(chunks, "MOST_BYTES", 1_000)
+    monkeypatch.setattr(mend, "MOST_BYTES", 1_000)
     with pytest.raises(MendRefused) as refused:
         mended(tmp_path, after=[chunk(b"XyZ1", bytes(1_001))])
     assert refused.value.code == "mend:large-chunks"

@@ -262,8 +262,11 @@ class TestLoops:
         )
         rendered = render_master(master, Target("half", 48_000, 24), out)
         layout = layout_of(out)
-        assert [(loop.start, loop.end) for loop in layout.loops] == [(4_801, 43_199)]  # 4800.5 rounds up
-        assert rendered.loop_points == ((4_801, 43_199),)
+        assert [(loop.start, loop.end) for loop in layout.loops] == [
+            (4_801, 43_200)
+        ]  # 4800.5 and the period of 38399.5 round up
+        assert rendered.loop_points == ((4_801, 43_200),)
+        assert rendered.loop_fit_frames == 0.5
         assert [chunk.id for chunk in layout.chunks] == ["fmt ", "smpl", "data"]
         assert not rendered.loop
         assert rendered.seam_after is not None
