@@ -318,7 +318,7 @@ class AudioFile:
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
         while left:
-            room = lender.lend(min(left, most)) if lender else None
+            room = lender.lend(left, most) if lender else None
             raw = wav.read_frames(self._file, layout, min(left, most) if room is None else len(room))
             hashes.add_sound(raw)
             block, bits = wav.decode(raw, layout, room)

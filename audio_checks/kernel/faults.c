@@ -3,58 +3,27 @@
 
 #include <stdlib.h>
 
-enum { CELL_FIGURES = 5, HISTORY = 6, LANES = 4, REGISTERS = LANES / TOGETHER };
-
-static inline together differences(const double *at) {
-    const together far = neighbours(at) + neighbours(at - 6), near = neighbours(at - 1) + neighbours(at - 5);
-    const together close = neighbours(at - 2) + neighbours(at - 4);
-    return (far - BOTH(6, 6) * near) + (BOTH(15, 15) * close - BOTH(20, 20) * neighbours(at - 3));
-}
-
-static inline double difference(const double *at) {
-    return (at[0] + at[-6] - 6 * (at[-1] + at[-5])) + (15 * (at[-2] + at[-4]) - 20 * at[-3]);
-}
+enum { CELL_FIGURES = 5, HISTORY = 6, LEAST_CELL = 4 };
 
 static inline double larger_of(double one, double other) { return one > other ? one : other; }
 
-static inline double total(const together *registers) {
-    double lanes[LANES];
-    memcpy(lanes, registers, sizeof lanes);
-    return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+static inline double sixth_difference(const double *at) {
+    return (at[0] + at[-6] - 6 * (at[-1] + at[-5])) + (15 * (at[-2] + at[-4]) - 20 * at[-3]);
 }
 
-static inline double top_of(const together *registers) {
-    together top = registers[0];
-    for (int which = 1; which < REGISTERS; which++) top = larger(registers[which], top);
-    return largest(top);
-}
-
-/* Sum, sum of squares, largest step, and of the sixth differences the largest and the sum of squares. */
-static void measure_cell(const double *RESTRICT samples, Py_ssize_t size, double *RESTRICT figures) {
-    together sums[REGISTERS] = {BOTH(0, 0)}, squares[REGISTERS] = {BOTH(0, 0)};
-    together steps[REGISTERS] = {BOTH(0, 0)}, sharp[REGISTERS] = {BOTH(0, 0)}, edged[REGISTERS] = {BOTH(0, 0)};
-    Py_ssize_t at = 0;
-    for (; at + LANES <= size; at += LANES) {
-        for (int which = 0; which < REGISTERS; which++) {
-            const double *here = samples + at + which * TOGETHER;
-            const together both = neighbours(here);
-            sums[which] += both;
-            squares[which] += both * both;
-            steps[which] = larger(sizes(both - neighbours(here - 1)), steps[which]);
-            const together sixth = differences(here);
-            sharp[which] = larger(sizes(sixth), sharp[which]);
-            edged[which] += sixth * sixth;
+/* Cells of fewer samples than there are lanes; see `cells` in lanes.h. */
+static void measure_small_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row) {
+    for (Py_ssize_t cell = 0; cell < count; cell++, samples += size, out++) {
+        double figures[CELL_FIGURES] = {0};
+        for (Py_ssize_t at = 0; at < size; at++) {
+            const double sixth = sixth_difference(samples + at);
+            figures[0] += samples[at];
+            figures[1] += samples[at] * samples[at];
+            figures[2] = larger_of(fabs(samples[at] - samples[at - 1]), figures[2]);
+            figures[3] = larger_of(fabs(sixth), figures[3]);
+            figures[4] += sixth * sixth;
         }
-    }
-    figures[0] = total(sums), figures[1] = total(squares), figures[4] = total(edged);
-    figures[2] = top_of(steps), figures[3] = top_of(sharp);
-    for (; at < size; at++) {
-        figures[0] += samples[at];
-        figures[1] += samples[at] * samples[at];
-        figures[2] = larger_of(fabs(samples[at] - samples[at - 1]), figures[2]);
-        const double sixth = difference(samples + at);
-        figures[3] = larger_of(fabs(sixth), figures[3]);
-        figures[4] += sixth * sixth;
+        for (int figure = 0; figure < CELL_FIGURES; figure++) out[figure * row] = figures[figure];
     }
 }
 
@@ -76,13 +45,9 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     Py_BEGIN_ALLOW_THREADS
     for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-        for (Py_ssize_t cell = 0; cell < out.frames; cell++) {
-            double figures[CELL_FIGURES];
-            measure_cell(block.samples + channel * block.row + first + cell * size, size, figures);
-            for (int figure = 0; figure < CELL_FIGURES; figure++) {
-                out.samples[(figure * block.channels + channel) * out.row + cell] = figures[figure];
-            }
-        }
+        const double *samples = block.samples + channel * block.row + first;
+        (size < LEAST_CELL ? measure_small_cells : in_lanes()->cells)(
+            samples, size, out.frames, out.samples + channel * out.row, block.channels * out.row);
     }
     Py_END_ALLOW_THREADS
     let_go(&held);
@@ -92,19 +57,6 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 /* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
  * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
 enum { MOST_COEFFICIENTS = 64 };
-
-static double lagged_product(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
-    together sums[REGISTERS] = {BOTH(0, 0)};
-    Py_ssize_t at = 0;
-    for (; at + LANES <= count; at += LANES) {
-        for (int which = 0; which < REGISTERS; which++) {
-            sums[which] += neighbours(one + at + which * TOGETHER) * neighbours(other + at + which * TOGETHER);
-        }
-    }
-    double sum = total(sums);
-    for (; at < count; at++) sum += one[at] * other[at];
-    return sum;
-}
 
 static void fit(const double *products, Py_ssize_t order, double *coefficients) {
     double error = products[0], before[MOST_COEFFICIENTS];
@@ -116,27 +68,6 @@ static void fit(const double *products, Py_ssize_t order, double *coefficients) 
         for (Py_ssize_t place = 0; place < at; place++) coefficients[place] -= reflected * before[at - 1 - place];
         coefficients[at] = reflected;
         error *= 1 - reflected * reflected;
-    }
-}
-
-/* What is left of each sample. Several are worked on at once, because each takes one step after the other. */
-static void foretell(const double *RESTRICT samples, const double *RESTRICT coefficients, Py_ssize_t order,
-                     Py_ssize_t count, double *RESTRICT rests) {
-    enum { AT_ONCE = 4 };
-    Py_ssize_t at = 0;
-    for (; at + AT_ONCE * TOGETHER <= count; at += AT_ONCE * TOGETHER) {
-        together rest[AT_ONCE];
-        for (int which = 0; which < AT_ONCE; which++) rest[which] = neighbours(samples + at + which * TOGETHER);
-        for (Py_ssize_t place = 0; place < order; place++) {
-            const together coefficient = BOTH(coefficients[place], coefficients[place]);
-            const double *before = samples + at - 1 - place;
-            for (int which = 0; which < AT_ONCE; which++) rest[which] -= coefficient * neighbours(before + which * TOGETHER);
-        }
-        memcpy(rests + at, rest, sizeof rest);
-    }
-    for (; at < count; at++) {
-        rests[at] = samples[at];
-        for (Py_ssize_t place = 0; place < order; place++) rests[at] -= coefficients[place] * samples[at - 1 - place];
     }
 }
 
@@ -167,15 +98,57 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     Py_BEGIN_ALLOW_THREADS
     double products[MOST_COEFFICIENTS + 1], coefficients[MOST_COEFFICIENTS] = {0};
     for (Py_ssize_t at = 0; at < frames; at++) faded[at] = samples[first + at] * window[at];
-    for (Py_ssize_t lag = 0; lag <= order; lag++) products[lag] = lagged_product(faded, faded + lag, frames - lag);
+    in_lanes()->lagged(faded, frames, order, products);
     products[0] *= 1 + 1e-10;
     fit(products, order, coefficients);
-    foretell(samples + first, coefficients, order, frames, faded);
-    for (Py_ssize_t cell = 0; cell < cells_wanted; cell++) out[cell] = highest_magnitude(faded + cell * size, size);
+    in_lanes()->foretell(samples + first, coefficients, order, frames, faded);
+    for (Py_ssize_t cell = 0; cell < cells_wanted; cell++) out[cell] = in_lanes()->highest(faded + cell * size, size);
     Py_END_ALLOW_THREADS
     free(faded);
     let_go(&held);
     Py_RETURN_NONE;
+}
+
+/* Where a height is `times` what lies around it, `reach` cells before and after, and more than `least`. Of the `core`
+ * cells on either side the one may belong to it too: only the lower of two neighbours counts. */
+static Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t reach, Py_ssize_t core,
+                                   double times, double least, int64_t *places) {
+    Py_ssize_t found = 0;
+    for (Py_ssize_t at = reach; at < count - reach; at++) {
+        const double here = heights[at];
+        if (!(here > least)) continue;
+        int highest = 1;
+        for (Py_ssize_t off = 1; off <= reach && highest; off++) {
+            const double before = heights[at - off] * times, after = heights[at + off] * times;
+            highest = off > core ? here > before && here > after : here > before || here > after;
+        }
+        if (highest) places[found++] = at;
+    }
+    return found;
+}
+
+PyObject *outstanding(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *heights;
+    int64_t *places;
+    if (arguments("outstanding", count, 6) < 0) return NULL;
+    const Py_ssize_t reach = PyLong_AsSsize_t(args[1]), core = PyLong_AsSsize_t(args[2]);
+    const double times = PyFloat_AsDouble(args[3]), least = PyFloat_AsDouble(args[4]);
+    if (PyErr_Occurred() || !(heights = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(places = take_row(&held, args[5], held.views[0].len / (Py_ssize_t)sizeof(double), sizeof(int64_t), 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t heights_given = held.views[0].len / (Py_ssize_t)sizeof(double);
+    if (reach < 0) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "a reach of 0 cells or more is wanted");
+        return NULL;
+    }
+    const Py_ssize_t found = find_outstanding(heights, heights_given, reach, core, times, least, places);
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
 }
 
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
@@ -275,7 +248,14 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 
 /* Stretches that come twice are looked for by words of six samples. Which words are looked up depends on what they
  * hold, so that a second coming chooses the same. */
-enum { WORD = 6, CHOSEN_FROM = 512, ONE_IN_BITS = 4, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
+enum { WORD = 6, CHOSEN_FROM = 512, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
+
+/* Of how many words one is chosen, as a power of two: the shortest stretch holds four of these, or nearly. */
+static int chosen_bits(Py_ssize_t shortest) {
+    int bits = 1;
+    while (shortest >> (bits + 2)) bits++;
+    return bits;
+}
 
 static inline uint64_t bits_of(double sample) {
     uint64_t bits;
@@ -334,13 +314,14 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
     Py_BEGIN_ALLOW_THREADS
     Py_ssize_t chosen[CHOSEN_FROM], choices = 0, next = 0, searched = 0;
     const Py_ssize_t words = frames - WORD + 1;
+    const int unchosen = 64 - chosen_bits(shortest);
     while (found < most) {
         while (next == choices && searched < words) {
             const Py_ssize_t until = words - searched < CHOSEN_FROM ? words : searched + CHOSEN_FROM;
             next = choices = 0;
             for (; searched < until; searched++) { /* without a branch, which no processor could foresee */
                 chosen[choices] = searched;
-                choices += !(scattered(samples[searched]) >> (64 - ONE_IN_BITS));
+                choices += !(scattered(samples[searched]) >> unchosen);
             }
         }
         if (next == choices) break;

@@ -23,10 +23,15 @@
 
 /* Several versions of a loop, chosen when the module loads. Wider registers change no result: lanes
  * stay lanes, and without contraction every operation rounds alike. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
+#if !defined(PLAIN_REGISTERS) && defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
 #define CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define CLONES
+#endif
+#if !defined(PLAIN_REGISTERS) && defined(__GNUC__) && defined(__x86_64__)
+#define WIDER_REGISTERS 1
+#else
+#define WIDER_REGISTERS 0
 #endif
 
 /* Numbers that are worked on together: two neighbours, or the same place of two channels. Where the compiler has no
@@ -102,12 +107,27 @@ void *take_row(holding *held, PyObject *object, Py_ssize_t count, Py_ssize_t siz
 
 int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 
-enum { ROW = 32 }; /* samples of which the highest magnitude is kept */
+enum { ROW = 32 };                            /* samples of which the highest magnitude is kept */
+enum { K_SEEN = 6, K_LANES = 4, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
+
+/* lanes.c: what looks at every sample, by the widest registers at hand. */
+typedef struct {
+    double (*highest)(const double *samples, Py_ssize_t count);
+    void (*maxima)(const double *samples, Py_ssize_t frames, double *maxima); /* the last row may be shorter */
+    void (*sums)(const double *samples, Py_ssize_t count, double *figures);   /* adds: sum, sum of squares */
+    double (*product)(const double *one, const double *other, Py_ssize_t count);
+    void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
+    void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+    void (*lagged)(const double *samples, Py_ssize_t count, Py_ssize_t order, double *products);
+    void (*foretell)(const double *samples, const double *coefficients, Py_ssize_t order, Py_ssize_t count, double *rests);
+    void (*weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t until, const double *coefficients,
+                  double *state, double *energies);
+} loops;
+
+const loops *in_lanes(void);
 
 /* levels.c */
-double highest_magnitude(const double *samples, Py_ssize_t count);
 Py_ssize_t rows_of(Py_ssize_t frames);
-void find_maxima(const double *samples, Py_ssize_t frames, double *maxima); /* the last row may be shorter */
 Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
 
 /* What Python may call: each name stands here once. */
@@ -126,6 +146,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
+    EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \

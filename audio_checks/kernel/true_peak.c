@@ -2,11 +2,11 @@
  *
  * An interval runs from one sample to the next. Each sieve is dearer than the one before: the row of intervals by the
  * filter's largest gain; the interval by how far a curve that bends so can rise above the samples beside it; 24 taps,
- * with what these may miss in the treble; and last the fine phases of 256 taps.
+ * with what these may miss in the treble; and last the fine phases of 512 taps.
  */
 #include "kernel.h"
 
-enum { TAPS = 24, PHASES = 8, FINE_TAPS = 256, FINE_PHASES = 16, REACH = FINE_TAPS - 1 };
+enum { TAPS = 24, PHASES = 8, FINE_TAPS = 512, FINE_PHASES = 16, REACH = FINE_TAPS - 1 };
 enum { LEAD = FINE_TAPS / 2 - 1, NEAR = (FINE_TAPS - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
 enum { PART = 4, PARTS = ROW / PART, SPAN = TAPS / PART, TOUCHED = ROW + TAPS };
 
@@ -152,7 +152,7 @@ static void search_channel(const double *samples, Py_ssize_t frames, const doubl
     const Py_ssize_t joined = frames < REACH ? frames : REACH;
     memcpy(joint, history, REACH * sizeof(double));
     memcpy(joint + REACH, samples, (size_t)joined * sizeof(double));
-    find_maxima(joint, REACH + joined, joint_maxima);
+    in_lanes()->maxima(joint, REACH + joined, joint_maxima);
     search(joint, joined, joint_maxima, by, result);
     if (frames > REACH) {
         result->start += REACH;
@@ -169,7 +169,7 @@ static void search_block(const planar *block, int64_t seen, const double *maxima
     const Py_ssize_t rows = rows_of(block->frames);
     Py_ssize_t place = block->frames;
     for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
-        const double peak = highest_magnitude(maxima + channel * rows, rows);
+        const double peak = in_lanes()->highest(maxima + channel * rows, rows);
         if (peak < result->best || peak == 0 || (peak == result->best && place == block->frames)) continue;
         const Py_ssize_t row = first_reaching(maxima + channel * rows, rows, peak) * ROW;
         const Py_ssize_t at = row + first_reaching(block->samples + channel * block->row + row, block->frames - row, peak);
@@ -184,7 +184,7 @@ static void search_block(const planar *block, int64_t seen, const double *maxima
     }
 }
 
-/* block, its maxima, history (channels, REACH), taps of 24, taps of 256, (gain, bend, kink, missed), best, its place, first frame
+/* block, its maxima, history (channels, REACH), taps of 24, taps of 512, (gain, bend, kink, missed), best, its place, first frame
  * -> best, its place in 16ths of a frame */
 PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;

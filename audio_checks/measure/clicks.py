@@ -60,10 +60,16 @@ class Clicks:
         self._first = -REACH  # the cell that the first of these is
         self._segment = 0  # the cell that the next segment starts with
         self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
+        self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
+        self._places = np.empty(0, np.int64)  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
-    def add(self, cells: Cells, samples: NDArray[np.float64], first: int) -> None:
-        """Take the next cells; they start at frame `first` of `samples`, shape (channels, n)."""
+    def add(self, cells: Cells, samples: NDArray[np.float64], first: int, peak: float) -> None:
+        """Take the next cells; they start at frame `first` of `samples`, shape (channels, n).
+
+        `peak` is the largest sample so far: what is too small or too quiet beside it is so beside the file's.
+        """
+        self._lowest, self._quietest = self._limits(peak)
         recent = Cells(*(np.concatenate(pair, axis=1) for pair in zip(self._recent, cells, strict=True)))
         begun = self._first + recent.sums.shape[1] - cells.sums.shape[1]  # the first of the new cells
         total = self._first + recent.sums.shape[1]
@@ -83,8 +89,7 @@ class Clicks:
 
     def result(self, peak: float) -> dict[str, Any]:
         """Return `clicks`, how many there are, and `click_places`; `peak` is the file's largest sample."""
-        least = max(self._least, peak * BELOW_PEAK)
-        sound = peak**2 * SOUND_BELOW_PEAK * self._cell
+        least, sound = self._limits(peak)
         clicks: list[Click] = []
         last: dict[int, int] = {}
         for cell, channel, height, power in sorted(self._found):
@@ -95,21 +100,23 @@ class Clicks:
             last[channel] = cell
         return {"clicks": len(clicks), "click_places": tuple(clicks)}
 
+    def _limits(self, peak: float) -> tuple[float, float]:
+        """Return the height that a click must have in a file of that peak, and the power that the sound around must."""
+        return max(self._least, peak * BELOW_PEAK), peak**2 * SOUND_BELOW_PEAK * self._cell
+
     def _keep(self, recent: Cells, channel: int, start: int, heights: NDArray[np.float64], times: float) -> None:
         """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`."""
-        highest = _sliding_maximum(heights, REACH - CORE)
-        after = highest[REACH + CORE + 1 :]
-        before = highest[: len(after)]
-        here = heights[REACH : REACH + len(after)]
-        beside = np.minimum(heights[REACH - 1 :][: len(after)], heights[REACH + 1 :][: len(after)])
-        around = np.maximum(np.maximum(np.maximum(before, after), beside) * times, self._least)
-        for cell in np.flatnonzero(here > around).tolist():
-            place = start - self._first + cell
+        if len(self._places) < len(heights):
+            self._places = np.empty(len(heights), np.int64)
+        places = self._places[: len(heights)]
+        found = kernel.outstanding(heights, REACH, CORE, times, self._lowest, places)
+        for cell in places[:found].tolist():
+            place = start - self._first + cell - REACH
             quieter, louder = _power_around(recent.squares[channel], place)
             lower, higher = _power_around(recent.edges[channel], place)
             goes_on = louder <= quieter * GOES_ON or higher <= lower * GOES_ON
-            if goes_on and len(self._found) < MAX_KEPT:
-                self._found.add((start + cell, channel, float(here[cell]), quieter))
+            if goes_on and quieter >= self._quietest and len(self._found) < MAX_KEPT:
+                self._found.add((start + cell - REACH, channel, float(heights[cell]), quieter))
 
     def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
         """Look at the next segments in channels where they are steady; the first starts at frame `at`."""
@@ -123,6 +130,9 @@ class Clicks:
             before = at + (number * SEGMENT - REACH) * self._cell
             if before < ORDER:  # of many channels less is kept
                 continue
+            around = slice(place + number * SEGMENT - LEVEL_CELLS, place + (number + 1) * SEGMENT + LEVEL_CELLS)
+            if recent.squares[channel, around].max() < self._quietest:
+                continue
             heights = np.empty(SEGMENT + 2 * REACH)
             kernel.unforeseen(samples[channel], before, self._window, ORDER, self._cell, heights)
             if heights[REACH:-REACH].max() < ABOVE_MEAN * heights.mean():
@@ -135,13 +145,3 @@ def _power_around(squares: NDArray[np.float64], place: int) -> tuple[float, floa
     before = float(squares[place - LEVEL_CELLS : place - CORE].mean())
     after = float(squares[place + CORE + 1 : place + LEVEL_CELLS + 1].mean())
     return min(before, after), max(before, after)
-
-
-def _sliding_maximum(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Return the maximum of each `width` values in a row."""
-    highest, reach = values, 1
-    while reach * 2 <= width:
-        highest = np.maximum(highest[:-reach], highest[reach:])
-        reach *= 2
-    rest = width - reach
-    return np.maximum(highest[:-rest], highest[rest:]) if rest else highest

@@ -80,14 +80,21 @@ class Faults:
         self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
         self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
 
-    def lend(self, frames: int) -> NDArray[np.float64]:
-        """Return room for the next samples, shape (n, channels), n no more than `frames`.
+    def lend(self, left: int, most: int) -> NDArray[np.float64]:
+        """Return room for the next samples, shape (n, channels).
 
         Whoever fills it and gives the same array to `add` saves a copy. It is used again for later samples.
+
+        Parameters
+        ----------
+        left : int
+            How many samples are to come.
+        most : int
+            How many are wanted together at most; a stretch is cut into equal parts.
         """
         space = self._history + self._stretch - self._end
-        parts = -(-space // frames)
-        self._lent = self._samples[:, self._end : self._end + min(frames, -(-space // parts))].T
+        parts = -(-space // most)
+        self._lent = self._samples[:, self._end : self._end + min(left, -(-space // parts))].T
         return self._lent
 
     def add(self, block: NDArray[np.float64]) -> None:
@@ -119,7 +126,7 @@ class Faults:
         if self._clicks:
             self._samples[:, self._history : self._history + self._silence] = 0.0
             silent = self._samples[:, : self._history + self._silence]
-            self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history)
+            self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history, self._peak)
             figures |= self._clicks.result(self._peak)
         if self._dropouts:
             figures |= self._dropouts.result(self._peak, self._cell)
@@ -136,7 +143,7 @@ class Faults:
         if self._clicks or self._dropouts or self._hum or self._noise:
             cells = cells_of(samples, self._history, self._cell)
             if self._clicks:
-                self._clicks.add(cells, samples, self._history)
+                self._clicks.add(cells, samples, self._history, self._peak)
             for by_cells in (self._dropouts, self._hum, self._noise):
                 if by_cells:
                     by_cells.add(cells)

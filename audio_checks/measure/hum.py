@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from audio_checks.measure.cells import Cells
@@ -88,21 +89,22 @@ class _Windows:
     def add(self, sums: NDArray[np.float64]) -> None:
         """Take the sums of the next cells."""
         kept = np.concatenate((self._kept, sums), axis=1)
-        start = 0
-        while start + self._length <= kept.shape[1]:
-            if self._number % self._every == 0:
-                bins = np.fft.rfft(kept[:, start : start + self._length] * self._window, axis=1)[:, : self._bins]
-                self._spectra.append(np.square(bins.real) + np.square(bins.imag))
-            if len(self._spectra) > self._most:
-                self._spectra, self._every = self._spectra[::2], self._every * 2
-            self._number += 1
-            start += self._hop
-        self._kept = kept[:, start:]
+        count = max(0, (kept.shape[1] - self._length) // self._hop + 1)
+        first = -self._number % self._every
+        if first < count:
+            windows = sliding_window_view(kept, self._length, axis=1)[:, :: self._hop][:, first : count : self._every]
+            bins = np.fft.rfft(windows * self._window, axis=2)[:, :, : self._bins]
+            self._spectra += list((np.square(bins.real) + np.square(bins.imag)).swapaxes(0, 1))
+        while len(self._spectra) > self._most:
+            self._spectra, self._every = self._spectra[::2], self._every * 2
+        self._number += count
+        self._kept = kept[:, count * self._hop :]
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
         spectra = np.asarray(self._spectra)
-        steady = np.sort(spectra, axis=0)[int(STEADY * (len(spectra) - 1))] * self._scale
+        place = int(STEADY * (len(spectra) - 1))
+        steady = np.partition(spectra, place, axis=0)[place] * self._scale
         return max((self._hum(channel, mains), mains) for channel in steady for mains in MAINS_HZ)
 
     def _hum(self, spectrum: NDArray[np.float64], mains: float) -> float:

@@ -1,6 +1,7 @@
 """What every accumulator keeps to: blocks of any length give the same, and none keeps hold of a block."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -62,9 +63,16 @@ def test_room_that_faults_lend_saves_a_copy_and_changes_nothing(layout: wav.WavL
     copying.add(SOUND)
     at = 0
     while at < len(SOUND):
-        room = lending.lend(min(30_000, len(SOUND) - at))
+        room = lending.lend(len(SOUND) - at, 30_000)
         assert 0 < len(room) <= 30_000
         room[:] = SOUND[at : at + len(room)]
         at += len(room)
         lending.add(room)
     assert lending.result() == copying.result()
+
+
+def test_a_short_sound_is_lent_room_for_all_of_it_at_once(layout: wav.WavLayout):
+    # A stretch is whole cells, so it is a little longer than the sound: what is left of it must not be halved for ever.
+    for frames in (4_000, 47_999, 48_001, 65_001):
+        (lending,) = accumulators_of(replace(layout, frames=frames), ["clicks"])
+        assert len(lending.lend(frames, 65_536)) == frames

@@ -86,8 +86,7 @@ def test_real_effects_agree_with_the_ideal_interpolator():
             layout = wav.read_layout(file)
             samples = np.concatenate(list(wav.blocks(file, layout)))
         off = true_peak_dbtp(samples, layout.sample_rate_hz) - ideal_peak_dbtp(samples, times=16)
-        # One 8-bit square wave at 11,025 Hz, loudest next to its Nyquist frequency, reads 0.058 dB high.
-        assert -0.1 <= off <= (0.06 if path.name == "dswpnup.wav" else 0.05), path.name
+        assert -0.1 <= off <= 0.05, path.name
     assert len(short) >= 20
 
 

@@ -1,0 +1,87 @@
+/* The loops that look at every sample, for the widest registers that the processor has. */
+#include "kernel.h"
+
+#if defined(__GNUC__)
+#define ALWAYS static inline __attribute__((always_inline))
+#else
+#define ALWAYS static inline
+#endif
+
+#define LOOP static
+#define NAMED(name) name##_by_two
+#define VECTOR together
+#define WIDTH TOGETHER
+#define AT(samples) neighbours(samples)
+#define LARGER(one, other) larger(one, other)
+#define SIZES(samples) sizes(samples)
+#define LARGEST(each) largest(each)
+#define KEPT(these, over, which) kept_by_two(these, (over) - (which) * TOGETHER)
+#if defined(__GNUC__)
+#define ALL(number) BOTH(number, number)
+#define GATHERED(streams, first, at) BOTH((streams)[first][at], (streams)[(first) + 1][at])
+#else
+#define ALL(number) (number)
+#define GATHERED(streams, first, at) ((streams)[first][at])
+#endif
+
+/* The samples without the first `over`, which become zero. */
+ALWAYS together kept_by_two(together these, Py_ssize_t over) {
+    double lanes[TOGETHER];
+    memcpy(lanes, &these, sizeof lanes);
+    for (Py_ssize_t lane = 0; lane < over && lane < TOGETHER; lane++) lanes[lane] = 0;
+    return neighbours(lanes);
+}
+
+#include "lanes.h"
+
+#if WIDER_REGISTERS
+#include <immintrin.h>
+#undef LOOP
+#undef NAMED
+#undef VECTOR
+#undef WIDTH
+#undef AT
+#undef ALL
+#undef GATHERED
+#undef LARGER
+#undef SIZES
+#undef LARGEST
+#undef KEPT
+
+typedef double quartet __attribute__((vector_size(32)));
+
+#define WIDE __attribute__((target("avx2")))
+#define LOOP WIDE static
+#define NAMED(name) name##_by_four
+#define VECTOR quartet
+#define WIDTH 4
+#define AT(samples) ((quartet)_mm256_loadu_pd(samples))
+#define ALL(number) ((quartet)_mm256_set1_pd(number))
+#define GATHERED(streams, first, at) \
+    ((quartet)_mm256_set_pd((streams)[3][at], (streams)[2][at], (streams)[1][at], (streams)[0][at]))
+#define LARGER(one, other) ((quartet)_mm256_max_pd((__m256d)(one), (__m256d)(other)))
+#define SIZES(samples) ((quartet)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)(samples)))
+#define LARGEST(each) largest_of_four(each)
+#define KEPT(these, over, which) kept_of_four(these, over)
+
+WIDE ALWAYS double largest_of_four(quartet each) {
+    const __m128d half = _mm_max_pd(_mm256_extractf128_pd((__m256d)each, 1), _mm256_castpd256_pd128((__m256d)each));
+    return _mm_cvtsd_f64(_mm_max_sd(_mm_unpackhi_pd(half, half), half));
+}
+
+WIDE ALWAYS quartet kept_of_four(quartet these, Py_ssize_t over) {
+    static const int64_t masks[8] = {0, 0, 0, 0, -1, -1, -1, -1};
+    const __m256i mask = _mm256_loadu_si256((const __m256i *)(masks + 4 - over));
+    return (quartet)_mm256_and_pd((__m256d)these, _mm256_castsi256_pd(mask));
+}
+
+#include "lanes.h"
+
+const loops *in_lanes(void) {
+    static const loops *chosen = NULL;
+    if (!chosen) chosen = __builtin_cpu_supports("avx2") ? &loops_by_four : &loops_by_two;
+    return chosen;
+}
+#else
+const loops *in_lanes(void) { return &loops_by_two; }
+#endif

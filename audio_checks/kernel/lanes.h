@@ -1,0 +1,213 @@
+/* Loops over samples in lanes, written once for registers of any width.
+ *
+ * Whoever includes it has said how many numbers a register takes (WIDTH), what a loop is called by that width (NAMED),
+ * and what is done to a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, KEPT. How many lanes a sum has is
+ * written here and no matter of the width, so every width gives the same bits.
+ */
+enum { NAMED(EIGHT) = 8 / WIDTH, NAMED(FOUR) = 4 / WIDTH }; /* registers of as many lanes */
+
+LOOP double NAMED(sum_of_eight)(const VECTOR *registers) {
+    double lanes[8], sum = 0;
+    memcpy(lanes, registers, sizeof lanes);
+    for (int lane = 0; lane < 8; lane++) sum += lanes[lane];
+    return sum;
+}
+
+LOOP double NAMED(sum_of_four)(const VECTOR *registers) {
+    double lanes[4];
+    memcpy(lanes, registers, sizeof lanes);
+    return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+}
+
+LOOP double NAMED(top_of_four)(const VECTOR *registers) {
+    VECTOR top = registers[0];
+    for (int which = 1; which < NAMED(FOUR); which++) top = LARGER(registers[which], top);
+    return LARGEST(top);
+}
+
+LOOP double NAMED(highest)(const double *samples, Py_ssize_t count) {
+    VECTOR top[NAMED(EIGHT)] = {ALL(0)};
+    double highest = 0;
+    Py_ssize_t at = 0;
+    for (; at + 8 <= count; at += 8) {
+        for (int which = 0; which < NAMED(EIGHT); which++) {
+            top[which] = LARGER(SIZES(AT(samples + at + which * WIDTH)), top[which]);
+        }
+    }
+    for (; at < count; at++) highest = fabs(samples[at]) > highest ? fabs(samples[at]) : highest;
+    for (int which = 1; which < NAMED(EIGHT); which++) top[0] = LARGER(top[which], top[0]);
+    const double found = LARGEST(top[0]);
+    return found > highest ? found : highest;
+}
+
+LOOP void NAMED(maxima)(const double *samples, Py_ssize_t frames, double *maxima) {
+    Py_ssize_t at = 0;
+    for (; at + ROW <= frames; at += ROW) *maxima++ = NAMED(highest)(samples + at, ROW);
+    if (at < frames) *maxima = NAMED(highest)(samples + at, frames - at);
+}
+
+LOOP void NAMED(sums)(const double *RESTRICT samples, Py_ssize_t count, double *RESTRICT figures) {
+    VECTOR sums[NAMED(EIGHT)] = {ALL(0)}, squares[NAMED(EIGHT)] = {ALL(0)};
+    Py_ssize_t at = 0;
+    for (; at + 8 <= count; at += 8) {
+        for (int which = 0; which < NAMED(EIGHT); which++) {
+            const VECTOR these = AT(samples + at + which * WIDTH);
+            sums[which] += these;
+            squares[which] += these * these;
+        }
+    }
+    figures[0] += NAMED(sum_of_eight)(sums);
+    figures[1] += NAMED(sum_of_eight)(squares);
+    for (; at < count; at++) {
+        figures[0] += samples[at];
+        figures[1] += samples[at] * samples[at];
+    }
+}
+
+LOOP double NAMED(product)(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
+    VECTOR sums[NAMED(EIGHT)] = {ALL(0)};
+    Py_ssize_t at = 0;
+    for (; at + 8 <= count; at += 8) {
+        for (int which = 0; which < NAMED(EIGHT); which++) {
+            const Py_ssize_t here = at + which * WIDTH;
+            sums[which] += AT(one + here) * AT(other + here);
+        }
+    }
+    double sum = NAMED(sum_of_eight)(sums);
+    for (; at < count; at++) sum += one[at] * other[at];
+    return sum;
+}
+
+LOOP void NAMED(stereo)(const double *RESTRICT left, const double *RESTRICT right, Py_ssize_t count, double *figures) {
+    VECTOR lefts[NAMED(EIGHT)] = {ALL(0)}, rights[NAMED(EIGHT)] = {ALL(0)};
+    VECTOR both[NAMED(EIGHT)] = {ALL(0)}, apart[NAMED(EIGHT)] = {ALL(0)};
+    Py_ssize_t at = 0;
+    for (; at + 8 <= count; at += 8) {
+        for (int which = 0; which < NAMED(EIGHT); which++) {
+            const VECTOR a = AT(left + at + which * WIDTH), b = AT(right + at + which * WIDTH);
+            lefts[which] += a * a;
+            rights[which] += b * b;
+            both[which] += a * b;
+            apart[which] += (a - b) * (a - b);
+        }
+    }
+    figures[0] += NAMED(sum_of_eight)(lefts), figures[1] += NAMED(sum_of_eight)(rights);
+    figures[2] += NAMED(sum_of_eight)(both), figures[3] += NAMED(sum_of_eight)(apart);
+    for (; at < count; at++) {
+        const double a = left[at], b = right[at];
+        figures[0] += a * a, figures[1] += b * b, figures[2] += a * b, figures[3] += (a - b) * (a - b);
+    }
+}
+
+LOOP VECTOR NAMED(sixth_differences)(const double *at) {
+    const VECTOR far = AT(at) + AT(at - 6), near = AT(at - 1) + AT(at - 5), close = AT(at - 2) + AT(at - 4);
+    return (far - ALL(6) * near) + (ALL(15) * close - ALL(20) * AT(at - 3));
+}
+
+/* Sum, sum of squares, largest step, and of the sixth differences the largest and the sum of squares, each in a row of
+ * `out`. What is left of a cell after whole fours is measured with the samples before it, which no sum takes twice. */
+LOOP void NAMED(cells)(const double *RESTRICT samples, Py_ssize_t size, Py_ssize_t count, double *RESTRICT out,
+                       Py_ssize_t row) {
+    for (Py_ssize_t cell = 0; cell < count; cell++, samples += size, out++) {
+        VECTOR sums[NAMED(FOUR)] = {ALL(0)}, squares[NAMED(FOUR)] = {ALL(0)};
+        VECTOR steps[NAMED(FOUR)] = {ALL(0)}, sharp[NAMED(FOUR)] = {ALL(0)}, edged[NAMED(FOUR)] = {ALL(0)};
+        for (Py_ssize_t at = 0; at < size; at += 4) {
+            const Py_ssize_t over = at + 4 > size ? at + 4 - size : 0; /* lanes that were counted */
+            for (int which = 0; which < NAMED(FOUR); which++) {
+                const double *here = samples + at - over + which * WIDTH;
+                const VECTOR these = AT(here), sixth = NAMED(sixth_differences)(here);
+                steps[which] = LARGER(SIZES(these - AT(here - 1)), steps[which]);
+                sharp[which] = LARGER(SIZES(sixth), sharp[which]);
+                const VECTOR new = over ? KEPT(these, over, which) : these;
+                const VECTOR newly = over ? KEPT(sixth, over, which) : sixth;
+                sums[which] += new;
+                squares[which] += new * new;
+                edged[which] += newly * newly;
+            }
+        }
+        out[0] = NAMED(sum_of_four)(sums);
+        out[row] = NAMED(sum_of_four)(squares);
+        out[2 * row] = NAMED(top_of_four)(steps);
+        out[3 * row] = NAMED(top_of_four)(sharp);
+        out[4 * row] = NAMED(sum_of_four)(edged);
+    }
+}
+
+/* Products of samples with those up to `order` later, four distances at a time. */
+LOOP void NAMED(lagged)(const double *RESTRICT samples, Py_ssize_t count, Py_ssize_t order, double *RESTRICT products) {
+    enum { AT_ONCE = 4 };
+    for (Py_ssize_t lag = 0; lag <= order; lag += AT_ONCE) {
+        VECTOR sums[AT_ONCE][NAMED(FOUR)];
+        memset(sums, 0, sizeof sums);
+        const Py_ssize_t all = count - lag - (AT_ONCE - 1); /* have partners at every distance */
+        Py_ssize_t at = 0;
+        for (; at + 4 <= all; at += 4) {
+            for (int which = 0; which < NAMED(FOUR); which++) {
+                const VECTOR these = AT(samples + at + which * WIDTH);
+                const double *later = samples + at + lag + which * WIDTH;
+                for (int more = 0; more < AT_ONCE; more++) sums[more][which] += these * AT(later + more);
+            }
+        }
+        for (int more = 0; more < AT_ONCE && lag + more <= order; more++) {
+            double sum = NAMED(sum_of_four)(sums[more]);
+            for (Py_ssize_t rest = at; rest < count - lag - more; rest++) sum += samples[rest] * samples[rest + lag + more];
+            products[lag + more] = sum;
+        }
+    }
+}
+
+/* What is left of each sample. Several are worked on at once, because each takes one step after the other. */
+LOOP void NAMED(foretell)(const double *RESTRICT samples, const double *RESTRICT coefficients, Py_ssize_t order,
+                          Py_ssize_t count, double *RESTRICT rests) {
+    enum { AT_ONCE = 4 };
+    Py_ssize_t at = 0;
+    for (; at + AT_ONCE * WIDTH <= count; at += AT_ONCE * WIDTH) {
+        VECTOR rest[AT_ONCE];
+        for (int which = 0; which < AT_ONCE; which++) rest[which] = AT(samples + at + which * WIDTH);
+        for (Py_ssize_t place = 0; place < order; place++) {
+            const double *before = samples + at - 1 - place;
+            for (int which = 0; which < AT_ONCE; which++) {
+                rest[which] -= ALL(coefficients[place]) * AT(before + which * WIDTH);
+            }
+        }
+        memcpy(rests + at, rest, sizeof rest);
+    }
+    for (; at < count; at++) {
+        rests[at] = samples[at];
+        for (Py_ssize_t place = 0; place < order; place++) rests[at] -= coefficients[place] * samples[at - 1 - place];
+    }
+}
+
+/* The two biquads of the K-weighting over four streams at once, and the sum of squares of each. Written by what came
+ * out last, the only loop that the processor waits for is one product and one difference long. */
+LOOP void NAMED(weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t until, const double *coefficients,
+                       double *state, double *energies) {
+    const VECTOR b0 = ALL(coefficients[0]), b1 = ALL(coefficients[1]), b2 = ALL(coefficients[2]);
+    const VECTOR a1 = ALL(coefficients[3]), a2 = ALL(coefficients[4]);
+    const VECTOR c1 = ALL(coefficients[5]), c2 = ALL(coefficients[6]);
+    VECTOR seen[K_SEEN][NAMED(FOUR)], sum[NAMED(FOUR)];
+    memcpy(seen, state, sizeof seen);
+    memset(sum, 0, sizeof sum);
+    for (Py_ssize_t at = from; at < until; at++) {
+        for (int which = 0; which < NAMED(FOUR); which++) {
+            const VECTOR x = GATHERED(streams, which * WIDTH, at);
+            const VECTOR x1 = seen[0][which], x2 = seen[1][which], u1 = seen[2][which], u2 = seen[3][which];
+            const VECTOR y1 = seen[4][which], y2 = seen[5][which];
+            const VECTOR w = (b0 * x + b1 * x1) + b2 * x2;
+            const VECTOR u = (w - a2 * u2) - a1 * u1;
+            const VECTOR d = (u - u1) - (u1 - u2);
+            const VECTOR y = (d - c2 * y2) - c1 * y1;
+            sum[which] += y * y;
+            seen[1][which] = x1, seen[0][which] = x;
+            seen[3][which] = u1, seen[2][which] = u;
+            seen[5][which] = y1, seen[4][which] = y;
+        }
+    }
+    memcpy(state, seen, sizeof seen);
+    memcpy(energies, sum, sizeof sum);
+}
+
+static const loops NAMED(loops) = {
+    NAMED(highest), NAMED(maxima), NAMED(sums),     NAMED(product), NAMED(stereo),
+    NAMED(cells),   NAMED(lagged), NAMED(foretell), NAMED(weigh),
+};
