@@ -145,12 +145,13 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
+    EACH(loud_rows, "Find the first and the last row with a maximum above a level; both -1 where there is none.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
-    EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference.") \
+    EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
     EACH(unforeseen, "Foretell each sample from those before it; measure the largest error of each cell.")

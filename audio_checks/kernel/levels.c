@@ -92,21 +92,58 @@ PyObject *products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_RETURN_NONE;
 }
 
-/* Of two channels: the energy of each, their product, and the energy of their difference. */
+/* Of two channels: the energy of each, their product, and the energy of their difference, hop by hop; `at` is where in
+ * the first hop the block starts. */
 PyObject *stereo_products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    planar block;
-    double *figures = NULL;
-    if (arguments("stereo_products", count, 2) < 0 || take_planar(&held, args[0], &block, 0) < 0 ||
-        !(figures = TAKE_DOUBLES(&held, args[1], 4, 1)) || block.channels != 2) {
-        if (figures) PyErr_Format(PyExc_ValueError, "two channels are wanted, not %zd", block.channels);
+    planar block, hops;
+    if (arguments("stereo_products", count, 4) < 0) return NULL;
+    Py_ssize_t at = PyLong_AsSsize_t(args[1]);
+    const Py_ssize_t hop = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 || take_planar(&held, args[3], &hops, 1) < 0) {
         let_go(&held);
         return NULL;
     }
+    if (block.channels != 2 || hops.frames != 4 || hop < 1 || at < 0 || at >= hop ||
+        hops.channels < (at + block.frames + hop - 1) / hop) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "two channels, and four figures for every hop that they touch, are wanted");
+        return NULL;
+    }
     Py_BEGIN_ALLOW_THREADS
-    in_lanes()->stereo(block.samples, block.samples + block.row, block.frames, figures);
+    const double *left = block.samples, *right = left + block.row, *end = left + block.frames;
+    for (double *figures = hops.samples; left < end; figures += hops.row) {
+        const Py_ssize_t frames = end - left < hop - at ? end - left : hop - at;
+        in_lanes()->stereo(left, right, frames, figures);
+        left += frames, right += frames;
+        at = 0;
+    }
     Py_END_ALLOW_THREADS
     let_go(&held);
     Py_RETURN_NONE;
+}
+
+/* The first and the last row of which some channel's maximum is above a level. */
+PyObject *loud_rows(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar maxima;
+    if (arguments("loud_rows", count, 2) < 0) return NULL;
+    const double level = PyFloat_AsDouble(args[1]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &maxima, 0) < 0) {
+        let_go(&held);
+        return NULL;
+    }
+    Py_ssize_t first = maxima.frames, last = -1;
+    for (Py_ssize_t channel = 0; channel < maxima.channels; channel++) {
+        const double *rows = maxima.samples + channel * maxima.row;
+        Py_ssize_t from = 0, until = maxima.frames - 1;
+        while (from < first && rows[from] <= level) from++;
+        while (until > last && rows[until] <= level) until--;
+        first = from < first ? from : first;
+        last = until > last ? until : last;
+    }
+    let_go(&held);
+    return Py_BuildValue("nn", last < 0 ? -1 : first, last);
 }

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.maxima import ROW_FRAMES, Maxima
 
@@ -67,17 +68,17 @@ class Cuts:
         if not len(block):
             return
         planar = block.T
-        maxima = self._maxima.of(block).max(axis=0)
+        maxima = self._maxima.of(block)
         self._peak = max(self._peak, float(maxima.max()))
-        loud = np.flatnonzero(maxima > self._silent)  # rows
+        first_row, last_row = kernel.loud_rows(maxima, self._silent)
         if self._head_at < 0:
-            if len(loud):
-                first = self._loud_frames(planar, int(loud[0]))[0]
+            if first_row >= 0:
+                first = self._loud_frames(planar, first_row)[0]
                 self._head_at = self._seen + first
                 self._head = planar[:, first : first + self._length].copy()
         elif self._head.shape[1] < self._length:
             self._head = np.concatenate((self._head, planar[:, : self._length - self._head.shape[1]]), axis=1)
-        last = self._loud_frames(planar, int(loud[-1]))[-1] if len(loud) else -1
+        last = self._loud_frames(planar, last_row)[-1] if last_row >= 0 else -1
         if last >= 0:
             before = (
                 np.concatenate((self._tail, *self._after), axis=1) if last + 1 < self._length else self._tail[:, :0]

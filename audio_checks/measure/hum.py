@@ -26,6 +26,7 @@ NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
 LINES = 3  # of these multiples must be there, one of the first three among them
 FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
+AT_ONCE = 8_192  # cells that are looked at together
 KEPT = 512  # windows; of a long file, or of many channels, every second, fourth, ... window is kept
 
 
@@ -46,6 +47,9 @@ class Hum:
 
     def __init__(self, channels: int, cells_per_s: float, cells: int, cell_frames: int) -> None:
         self._windows: list[_Windows] = []
+        self._channels = channels
+        self._pending: list[NDArray[np.float64]] = []  # sums that wait to be looked at
+        self._waiting = 0  # how many
         if cells >= SHORTEST_S * cells_per_s:
             # Whole sixteens: transforms of 2,005 would take five times as long as those of 2,000.
             lengths = (min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S)
@@ -53,8 +57,12 @@ class Hum:
 
     def add(self, cells: Cells) -> None:
         """Take the next cells."""
-        for windows in self._windows:
-            windows.add(cells.sums)
+        if not self._windows:
+            return
+        self._pending.append(cells.sums)
+        self._waiting += cells.sums.shape[1]
+        if self._waiting >= AT_ONCE:
+            self._look()
 
     def result(self) -> dict[str, Any]:
         """Return `hum_dbfs`, the RMS of the lines in the channel with most of them, and `hum_hz`, 50 or 60.
@@ -63,11 +71,18 @@ class Hum:
         """
         if not self._windows:
             return {"hum_dbfs": None, "hum_hz": None}
+        self._look()
         for windows in self._windows:
             power, mains_hz = windows.loudest()
             if power:
                 return {"hum_dbfs": power_decibels(power), "hum_hz": mains_hz}
         return {"hum_dbfs": -math.inf, "hum_hz": None}
+
+    def _look(self) -> None:
+        sums = np.concatenate(self._pending, axis=1) if self._pending else np.empty((self._channels, 0))
+        self._pending, self._waiting = [], 0
+        for windows in self._windows:
+            windows.add(sums)
 
 
 class _Windows:

@@ -46,13 +46,9 @@ class Phase:
             kernel.products(rows, self._products)
         if len(rows) != 2:
             return
-        at = 0
-        while at < len(block):
-            hop = self._seen // self._hop
-            until = min(len(block), at + (hop + 1) * self._hop - self._seen)
-            kernel.stereo_products(rows[:, at:until], self._energies[hop])
-            self._seen += until - at
-            at = until
+        first = self._seen // self._hop
+        kernel.stereo_products(rows, self._seen - first * self._hop, self._hop, self._energies[first:])
+        self._seen += len(block)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name.

@@ -1,6 +1,7 @@
 """Peaks, sums and products, held to numpy."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -59,13 +60,31 @@ def test_the_same_block_gives_the_same_bits():
     assert len(answers) == 1
 
 
-@given(signals(most_channels=2), st.integers(0, 99))
-def test_products_of_stereo(samples: Samples, seed: int):
+@given(signals(most_channels=2), st.integers(1, 200), st.integers(0, 99))
+def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
     if samples.shape[1] != 2:
         samples = np.hstack((samples, samples[::-1]))
-    figures = np.zeros(4)
+    hops = np.zeros((-(-len(samples) // hop) + 1, 4))
+    seen = 0
     for block in cut(samples, np.random.default_rng(seed)):
-        kernel.stereo_products(kernel.by_channel(block), figures)
+        kernel.stereo_products(kernel.by_channel(block), seen % hop, hop, hops[seen // hop :])
+        seen += len(block)
     left, right = samples.T
-    wanted = [left @ left, right @ right, left @ right, (left - right) @ (left - right)]
-    np.testing.assert_allclose(figures, wanted, rtol=1e-11, atol=1e-9 * (1 + np.square(samples).max(initial=0)))
+    figures = np.stack((left * left, right * right, left * right, (left - right) ** 2), axis=1)
+    loudest = np.square(samples).max(initial=0)
+    for number, found in enumerate(hops):
+        wanted = figures[number * hop : (number + 1) * hop].sum(axis=0)
+        np.testing.assert_allclose(found, wanted, rtol=1e-11, atol=1e-9 * (1 + loudest))
+
+
+@given(signals(), st.sampled_from([0.0, 1e-3, 0.5]))
+def test_the_first_and_the_last_loud_row(samples: Samples, level: float):
+    maxima = Maxima().of(samples)
+    loud = np.flatnonzero((maxima > level).any(axis=0)).tolist()
+    assert kernel.loud_rows(maxima, level) == ((loud[0], loud[-1]) if loud else (-1, -1))
+
+
+@pytest.mark.parametrize(("at", "hop", "room"), [(0, 10, 9), (10, 10, 11), (-1, 10, 11), (0, 0, 11), (5, 10, 10)])
+def test_room_for_every_hop_is_wanted(at: int, hop: int, room: int):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.stereo_products(np.zeros((2, 100)), at, hop, np.zeros((room, 4)))

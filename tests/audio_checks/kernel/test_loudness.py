@@ -59,6 +59,35 @@ def test_loudness_is_that_of_the_serial_recursion():
     assert meter.result()["max_momentary_lufs"] == pytest.approx(-0.691 + 10 * np.log10(loudest), abs=1e-7)
 
 
+@pytest.mark.parametrize("channels", [1, 2, 3])
+@pytest.mark.parametrize("rate", [44_100, 48_000, 96_000])
+def test_parts_filtered_at_the_same_time_are_those_of_the_serial_recursion(channels: int, rate: int):
+    # Loud and then 100 dB quieter, so that a part would show what it lacks of the one before.
+    rng = np.random.default_rng(rate + channels)
+    samples = rng.standard_normal((rate * 6 // 5 + 77, channels))
+    samples[len(samples) * 3 // 10 :] *= 1e-5
+    even = channels + channels % 2
+    weights = np.append(np.linspace(0.5, 1.5, channels), 0.0)[:even]
+
+    def hops_of(blocks: list[Samples]) -> list[float]:
+        memory, open_energies, found, seen = np.zeros(6 * even), np.zeros(even), [], 0
+        for block in blocks:
+            hops = np.empty(len(block) * 100 // rate + 2)
+            rows = kernel.by_channel(block)
+            whole = kernel.hop_energies(
+                rows, recursion(rate), weights, memory, open_energies, hops, rate, seen, len(found)
+            )
+            found += hops[:whole].tolist()
+            seen += len(block)
+        return found
+
+    serial = hops_of(np.split(samples, range(0, len(samples), rate // 4)))  # too short to be cut into parts
+    at_once = hops_of(np.split(samples, [33]))
+    np.testing.assert_allclose(at_once, serial, rtol=1e-9)
+    wanted = hop_energies(samples, rate, weights[:channels])
+    np.testing.assert_allclose(at_once, wanted, rtol=1e-7, atol=1e-11 * wanted.max())
+
+
 def test_after_the_sound_the_filter_comes_to_rest():
     # Numbers near the smallest that there are would make it a hundred times slower.
     memory, open_energies, hops = np.zeros(12), np.zeros(2), np.zeros(600)

@@ -1,4 +1,4 @@
-"""Renders are the same to the last bit however the kernel was compiled: other compilers, levels, registers."""
+"""Figures and renders are the same to the last bit, whatever compiler, level and registers made the kernel."""
 
 import shutil
 import subprocess
@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 
 import audio_checks.kernel
+from audio_checks.measure.loudness import _recursion
 from audio_checks.render import resample
 
 SOURCES = sorted(str(path) for path in Path(audio_checks.kernel.__file__).parent.glob("*.c"))
 KEPT = ["-std=c11", "-ffp-contract=off", "-shared", "-fPIC", "-I", sysconfig.get_path("include")]
 BUILDS = {
-    "not optimised, plain registers": ["cc", "-O0", "-DCLONES="],
-    "optimised, plain registers": ["cc", "-O2", "-DCLONES="],
+    "not optimised, plain registers": ["cc", "-O0", "-DPLAIN_REGISTERS"],
+    "optimised, plain registers": ["cc", "-O2", "-DPLAIN_REGISTERS"],
     "another compiler": ["clang", "-O2"],
 }
 
@@ -34,16 +35,48 @@ def built(folder: Path, compiler: str, flags: list[str]) -> ModuleType:
     return module
 
 
-@pytest.mark.parametrize("build", BUILDS)
-def test_a_render_is_the_same_to_the_last_bit(build, tmp_path, monkeypatch):
-    compiler, *flags = BUILDS[build]
+@pytest.fixture(scope="module", params=BUILDS)
+def other(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    compiler, *flags = BUILDS[request.param]
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
+    return built(tmp_path_factory.mktemp("kernel"), compiler, flags)
+
+
+def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.ndarray]:
+    """What every loop that looks at all samples makes of them."""
+    channels, frames = samples.shape
+    rows, sums, products = np.empty((channels, -(-frames // 32))), np.zeros((channels, 2)), np.zeros((channels,) * 2)
+    kernel.maxima(samples, rows)
+    kernel.sums(samples, sums)
+    kernel.products(samples, products)
+    cells = [np.empty((5 * channels, (frames - 6) // size)) for size in (1, 3, 22, 24, 48)]
+    for figures, size in zip(cells, (1, 3, 22, 24, 48), strict=True):
+        kernel.cells(samples, 6, size, figures)
+    stereo = np.zeros((frames // 1_000 + 1, 4))
+    kernel.stereo_products(samples[:2], 0, 1_000, stereo)
+    unforeseen = np.empty(20)
+    kernel.unforeseen(np.ascontiguousarray(samples[0]), 40, np.hanning(3_001), 20, 150, unforeseen)
+    even = channels + channels % 2
+    hops = np.empty(frames * 100 // rate + 2)
+    kernel.hop_energies(samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), hops, rate, 0, 0)
+    return [rows, sums, products, *cells, stereo, unforeseen, hops]
+
+
+@pytest.mark.parametrize("channels", [2, 3])
+def test_figures_are_the_same_to_the_last_bit(other, channels):
+    samples = np.random.Generator(np.random.Philox(6)).uniform(-1, 1, (channels, 48_017))
+    samples[:, 9_000:15_000] *= 1e-5
+    samples[0, 20_000:30_000] = 0.0
+    wanted, got = (figures_of(kernel, samples, 48_000) for kernel in (audio_checks.kernel, other))
+    assert all(one.tobytes() == two.tobytes() for one, two in zip(wanted, got, strict=True))
+
+
+def test_a_render_is_the_same_to_the_last_bit(other, monkeypatch):
     noise = np.random.Generator(np.random.Philox(5)).uniform(-1, 1, (30_001, 3))
     noise[9_000:15_000, 1] = 0.0
     pairs = [(96_000, 44_100), (48_000, 32_000), (44_100, 16_000), (8_192, 8_009)]
     wanted = [resample.resample(noise, high, low, loop=loop) for high, low in pairs for loop in (False, True)]
-    other = built(tmp_path, compiler, flags)
     for name in ("convert", "fourier", "hush"):
         monkeypatch.setattr(resample, name, getattr(other, name))
     resample._laid_plan.cache_clear()
