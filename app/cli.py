@@ -232,6 +232,9 @@ def list_jobs(
 def retry_job(job_id: Annotated[str, typer.Argument(help="Id from `soundlist jobs list --failed`.")]) -> None:
     """Run a job again that gave up."""
     runtime = _opened(_settings())
-    runtime.queue.retry(job_id)
+    is_found = runtime.queue.retry(job_id)
     runtime.close()
+    if not is_found:
+        typer.echo(f"no job {job_id} gave up; `soundlist jobs list --failed` lists those that did", err=True)
+        raise typer.Exit(1)
     typer.echo(f"{job_id} waits for a worker")

@@ -8,6 +8,7 @@ from app.conformance.endpoints import router as conformance
 from app.dashboards.endpoints import router as dashboards
 from app.deliveries.endpoints import router as deliveries
 from app.notifications.endpoints import router as notifications
+from app.operations.endpoints import router as operations
 from app.projects.endpoints import router as projects
 from app.renders.endpoints import router as renders
 from app.reviews.endpoints import router as reviews
@@ -24,6 +25,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     builds,
     dashboards,
     notifications,
+    operations,
 )
 JOB_MODULES = ("app.deliveries.jobs", "app.conformance.jobs", "app.renders.jobs", "app.notifications.jobs")
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {

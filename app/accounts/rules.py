@@ -116,6 +116,7 @@ class Sight(StrEnum):
     TEAM = "team"  # the team; engaged designers are told 403
     DECIDER = "decider"  # the project's decider; everyone else with sight is told 403
     DESIGNER = "designer"  # engaged designers; the team is told 403
+    OPERATOR = "operator"  # who runs the server; everyone else is told 403
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from fastapi import APIRouter, Query
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.dashboards import schemas, service, standing
-from app.kit.http import BadCursor, DbSession, Route, problems
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
@@ -17,9 +17,9 @@ router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
 @router.get("/me")
-def read_me(session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
+def read_me(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
-    return service.me(session, actor)
+    return service.me(session, actor, operators=runtime.settings.operators)
 
 
 @router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound, BadCursor))

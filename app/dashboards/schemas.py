@@ -4,6 +4,8 @@ from datetime import datetime
 from typing import Any, Literal
 from uuid import UUID
 
+from pydantic import Field
+
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
 from app.dashboards.rules import CueStatus
@@ -40,6 +42,7 @@ class Me(Schema):
 
     person: PersonBrief
     email: str
+    is_operator: bool = Field(description="Whether the caller runs this server.")
     studios: list[MyStudio]
     projects: list[MyProject]
 

@@ -1,7 +1,7 @@
 """Joins what the rooms know into the screens that people start from."""
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import datetime
 from typing import Any
 from uuid import UUID
@@ -33,7 +33,7 @@ UNFINISHED = frozenset(
 )  # what a designer could begin now
 
 
-def me(session: Session, actor: Actor) -> schemas.Me:
+def me(session: Session, actor: Actor, *, operators: Collection[str]) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
@@ -45,6 +45,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     return schemas.Me(
         person=PersonBrief(id=person.id, name=person.name),
         email=person.email,
+        is_operator=person.email in operators,
         studios=[
             schemas.MyStudio(id=studio_id, name=named[studio_id], roles=sorted(roles))
             for studio_id, roles in actor.roles.items()

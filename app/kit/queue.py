@@ -13,7 +13,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from uuid import UUID
@@ -40,6 +40,8 @@ RUN_JOB = "soundlist.run_job"
 PAUSES_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
 RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
 URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones get the turns of one normal one
+URGENCY_WORDS = {URGENT: "urgent", NORMAL: "normal", BULK: "bulk"}
+NOBODY = "nobody"  # in place of a studio
 LAST_PLACE = 2**31 - 1
 AWAY_PAUSE_S = 1.0
 BEATS_WHILE_SILENT = 3
@@ -52,7 +54,13 @@ STATE_WORDS = {
     "PENDING": "running",
     "CANCELLED": "parked",
     "MAX_RECOVERY_ATTEMPTS_EXCEEDED": "parked",
-    "ERROR": "broken",
+    "ERROR": "broken",  # none of ours ends so: what fails is tried again, then parked
+}
+
+NOT_DONE = {  # conditions of DBOS's partial indices, and the states that each is for
+    "status in ('ENQUEUED', 'PENDING')": ("ENQUEUED", "PENDING"),
+    "status = 'DELAYED'": ("DELAYED",),
+    "status in ('ERROR', 'CANCELLED', 'MAX_RECOVERY_ATTEMPTS_EXCEEDED')": FAILED_STATES,
 }
 
 Payload = dict[str, Any]
@@ -104,6 +112,7 @@ class UnfinishedJob:
     tries: int
     since: datetime
     reason: str | None
+    cursor: str  # where a list goes on after it
 
 
 @dataclass(frozen=True)
@@ -114,6 +123,18 @@ class JobCount:
     state: str
     jobs: int
     oldest_at: datetime
+
+
+@dataclass(frozen=True)
+class Lane:
+    """The jobs of one studio and one urgency, which take turns with those of every other lane."""
+
+    studio_id: UUID | None
+    urgency: str
+    waiting: int = 0
+    running: int = 0
+    delayed: int = 0
+    oldest_at: datetime | None = None  # of those that wait
 
 
 class JobQueue:
@@ -142,7 +163,7 @@ class JobQueue:
         delay_s: float = 0,
     ) -> None:
         """Write one job, to be run after the delay; a second with the same key is the same job."""
-        lane = f"{studio_id or 'nobody'}:{priority}"
+        lane = f"{studio_id or NOBODY}:{priority}"
         self._write(session, key, Work(name, payload, logs.cause(), lane), delay_s=delay_s)
 
     def _write(
@@ -155,7 +176,7 @@ class JobQueue:
             "workflow_id": key,
             "app_version": STEPS_VERSION,
             "queue_partition_key": work.lane,
-            "attributes": {"job": work.name, "studio": None if studio == "nobody" else studio, "reason": reason},
+            "attributes": {"job": work.name, "studio": None if studio == NOBODY else studio, "reason": reason},
         }
         with beyond_reach(session):  # the jobs are the server's own
             if delay_s:
@@ -196,39 +217,93 @@ class JobQueue:
             self._write(session, key, work._replace(attempt=attempt), delay_s=PAUSES_S[work.attempt - 1], reason=reason)
         return True
 
-    def unfinished(self, *, only_failed: bool = False) -> list["UnfinishedJob"]:
-        """Return the jobs that wait, run or gave up, oldest first."""
-        states = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
-        found = self._client.list_workflows(status=states, sort_desc=False, limit=1000, load_output=False)
-        return [
-            UnfinishedJob(
-                id=workflow.workflow_id,
-                name=str(workflow.input["args"][0]) if workflow.input else workflow.name,
-                studio_id=UUID(studio) if (studio := (workflow.attributes or {}).get("studio")) else None,
-                state=STATE_WORDS[workflow.status],
-                tries=_attempt(workflow.workflow_id) - 1 + (workflow.recovery_attempts or 0),
-                since=_instant(workflow.created_at),
-                reason=(workflow.attributes or {}).get("reason"),
-            )
-            for workflow in found
-        ]
+    def unfinished(
+        self,
+        *,
+        only_failed: bool = False,
+        state: str | None = None,
+        studio_id: UUID | None = None,
+        after: tuple[int, str] | None = None,
+        limit: int = 1000,
+    ) -> list[UnfinishedJob]:
+        """Return the jobs that wait, run or gave up, oldest first; in one state or of one studio where it is given.
+
+        `after` is the cursor of the last one read: its instant in milliseconds, and its id.
+        """
+        shown = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
+        jobs = self._not_done([one for one in shown if state in (None, STATE_WORDS[one])], studio_id)
+        # A sum: SQLite would rather walk through all jobs in the order of their index than sort a few.
+        order = (jobs.c.created_at + 0, jobs.c.workflow_uuid)
+        query = sa.select(jobs).order_by(*order).limit(limit)
+        if after is not None:
+            query = query.where(sa.tuple_(*order) > sa.tuple_(*after))
+        with self._database.reading() as session:
+            return [_unfinished(row) for row in session.execute(query)]
+
+    def unfinished_job(self, job_id: str) -> UnfinishedJob | None:
+        """Return one job that waits, runs or gave up; None for one that is done."""
+        jobs = self._workflows
+        query = sa.select(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(STATE_WORDS))
+        with self._database.reading() as session:
+            row = session.execute(query.where(jobs.c.name == RUN_JOB)).one_or_none()
+        return _unfinished(row) if row else None
 
     def counts(self, studio_id: UUID | None = None) -> list[JobCount]:
         """Return how many jobs wait, run or gave up, by name; those of one studio where it is given."""
-        jobs = self._workflows
+        jobs = self._not_done(OPEN_STATES + FAILED_STATES, studio_id)
         name, state = jobs.c.attributes["job"].as_string(), sa.case(STATE_WORDS, value=jobs.c.status)
         counted = (
             sa.select(name, state, sa.func.count(), sa.func.min(jobs.c.created_at))
-            .where(jobs.c.status.in_([*OPEN_STATES, *FAILED_STATES]))
             .group_by(name, state)
             .order_by(name, state)
         )
-        if studio_id is not None:
-            counted = counted.where(jobs.c.attributes["studio"].as_string() == str(studio_id))
         with self._database.reading() as session:
             return [
                 JobCount(name or RUN_JOB, word, jobs, _instant(ms)) for name, word, jobs, ms in session.execute(counted)
             ]
+
+    def lanes(self, studio_id: UUID | None = None) -> list[Lane]:
+        """Return how many jobs wait and run in each lane that has any, the longest first."""
+        jobs = self._not_done(OPEN_STATES, studio_id)
+        lane, state = jobs.c.queue_partition_key, jobs.c.status
+        counted = sa.select(lane, state, sa.func.count(), sa.func.min(jobs.c.created_at)).group_by(lane, state)
+        found: dict[str, Lane] = {}
+        with self._database.reading() as session:
+            for key, status, count, oldest_ms in session.execute(counted.where(lane.is_not(None))):
+                known = found.get(key) or _empty_lane(key)
+                changed: dict[str, Any] = {STATE_WORDS[status]: count}
+                if status == "ENQUEUED":
+                    changed["oldest_at"] = _instant(oldest_ms)
+                found[key] = replace(known, **changed)
+        return sorted(
+            found.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
+        )
+
+    def in_hand(self) -> dict[str, int]:
+        """Return how many jobs each worker runs that runs any."""
+        jobs = self._workflows
+        running = sa.select(jobs.c.executor_id, sa.func.count()).where(
+            jobs.c.queue_name == JOB_QUEUE, sa.literal_column("status = 'PENDING'")
+        )
+        with self._database.reading() as session:
+            return {worker: count for worker, count in session.execute(running.group_by(jobs.c.executor_id)) if worker}
+
+    def _not_done(self, states: Sequence[str], studio_id: UUID | None) -> sa.Subquery:
+        """Return the jobs in these states; each part says its condition as an index of DBOS does.
+
+        What is done is kept for a month: a read that no index answers would go through all of it.
+        """
+        jobs, parts = self._workflows, []
+        for condition, some in NOT_DONE.items():
+            if not set(some) & set(states):
+                continue
+            part = sa.select(jobs).where(
+                sa.literal_column(condition), jobs.c.status.in_(states), jobs.c.name == RUN_JOB
+            )
+            if studio_id is not None:
+                part = part.where(jobs.c.attributes["studio"].as_string() == str(studio_id))
+            parts.append(part)
+        return sa.union_all(*parts).subquery()
 
     def heartbeats(self, *, within: timedelta) -> Sequence[Heartbeat]:
         """Return the workers that said lately that they live, in order of their ids."""
@@ -237,12 +312,15 @@ class JobQueue:
                 sa.select(Heartbeat).where(Heartbeat.beat_at > clock.now() - within).order_by(Heartbeat.worker_id)
             ).all()
 
-    def retry(self, job_id: str) -> None:
-        """Let a job run again that gave up, at the head of the line."""
-        jobs = self._workflows
+    def retry(self, job_id: str) -> bool:
+        """Let a job run again that gave up, at the head of the line; return False where it does not lie parked."""
+        jobs, parked = self._workflows, [state for state, word in STATE_WORDS.items() if word == "parked"]
+        found = sa.update(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(parked))
         with self._database.writing() as session:
-            session.execute(sa.update(jobs).where(jobs.c.workflow_uuid == job_id).values(priority=URGENT))
+            if not session.execute(found.values(priority=URGENT).returning(jobs.c.workflow_uuid)).all():
+                return False
         self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
+        return True
 
     def forget_done(self, before: datetime) -> int:
         """Clear away jobs that were done before an instant; return how many went."""
@@ -257,13 +335,6 @@ class JobQueue:
                 return gone
             self._client.delete_workflows(ids)
             gone += len(ids)
-
-    def owners(self) -> set[str]:
-        """Return the workers that have jobs in hand."""
-        jobs = self._workflows
-        running = sa.select(jobs.c.executor_id).where(jobs.c.queue_name == JOB_QUEUE, jobs.c.status == "PENDING")
-        with self._database.reading() as session:
-            return {owner for owner in session.scalars(running.distinct()) if owner}
 
     def close(self) -> None:
         """Close the client's own connections."""
@@ -282,15 +353,36 @@ def _workflows(database: Database) -> sa.TableClause:
         "workflow_status",
         sa.column("workflow_uuid", sa.Text),
         sa.column("status", sa.Text),
-        sa.column("queue_name", sa.Text),
+        sa.column("name", sa.Text),
+        sa.column("queue_name", sa.Text),  # null once a job is parked
         sa.column("queue_partition_key", sa.Text),
         sa.column("priority", sa.Integer),
         sa.column("executor_id", sa.Text),
         sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
         sa.column("created_at", sa.BigInteger),
         sa.column("completed_at", sa.BigInteger),
+        sa.column("recovery_attempts", sa.BigInteger),
         schema=None if database.is_sqlite else "dbos",
     )
+
+
+def _unfinished(row: sa.Row[Any]) -> UnfinishedJob:
+    said = row.attributes or {}
+    return UnfinishedJob(
+        id=row.workflow_uuid,
+        name=said.get("job") or RUN_JOB,
+        studio_id=UUID(said["studio"]) if said.get("studio") else None,
+        state=STATE_WORDS[row.status],
+        tries=_attempt(row.workflow_uuid) - 1 + (row.recovery_attempts or 0),
+        since=_instant(row.created_at),
+        reason=said.get("reason"),
+        cursor=f"{row.created_at or 0}.{row.workflow_uuid}",
+    )
+
+
+def _empty_lane(key: str) -> Lane:
+    studio, _, cost = key.partition(":")
+    return Lane(None if studio == NOBODY else UUID(studio), URGENCY_WORDS[int(cost)])
 
 
 def _attempt(job_id: str) -> int:
@@ -334,7 +426,7 @@ class Work(NamedTuple):
 
 
 def _run_job(
-    name: str, payload: Payload, cause: logs.Cause | None = None, lane: str = f"nobody:{NORMAL}", attempt: int = 1
+    name: str, payload: Payload, cause: logs.Cause | None = None, lane: str = f"{NOBODY}:{NORMAL}", attempt: int = 1
 ) -> None:
     work, job_id = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id)
     begun, outcome = time.perf_counter(), "failed"
@@ -445,7 +537,7 @@ class Worker:
         """Return the others whose beat has stood still, by this process's own clock, for too long."""
         with self._database.reading() as session:
             beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
-        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.owners()) | beats
+        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.in_hand()) | beats
         heard.pop(self.id, None)
         now = time.monotonic()
         self._watched = {

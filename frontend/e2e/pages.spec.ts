@@ -55,6 +55,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'import', path: `${project}/sound-list/import`, shows: 'The sheet' },
         { name: 'spec', path: `${project}/spec`, shows: /TOML/ },
         { name: 'new-project', path: '/projects/new', shows: '48 kHz game' },
+        { name: 'operations', path: '/operations', shows: 'Jobs and storage' },
         { name: 'nowhere', path: '/no/such/page', shows: 'Nothing stands at this address.' },
       ]
     case 'decider':

@@ -20,6 +20,7 @@ from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import new_id
+from app.kit.queue import queue_of
 from app.kit.uploads import Upload, Uploads
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Project, ProjectInvitation
@@ -156,7 +157,16 @@ class House(World):
             "invitation_id": self._invitation_id,
             "studio_invitation_id": self._studio_invitation_id,
             "token_id": token[0].id,
+            "job_id": str(new_id()),
         }
+        queue_of(session).enqueue(
+            session,
+            "house.rest",
+            {},
+            key=self.ids["job_id"],
+            studio_id=self.studio_id,
+            delay_s=TOMORROW.total_seconds(),
+        )
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
@@ -232,6 +242,15 @@ class House(World):
     def rival(self) -> TestClient:
         """The browser of a designer who is engaged on the same project, and made none of it."""
         return self.signed_in(self.rival_id)
+
+    @cached_property
+    def operator(self) -> TestClient:
+        """The browser of who runs the server, and belongs to no studio."""
+        with self.server.runtime.database.writing() as session:
+            person_id = self._person(session, "Operator")
+        settings = self.server.runtime.settings
+        settings.operators = settings.operators | {f"{person_id}@example.test"}
+        return self.signed_in(person_id)
 
     @cached_property
     def guest(self) -> TestClient:

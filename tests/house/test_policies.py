@@ -33,6 +33,8 @@ def names_in(operation: Operation) -> set[str]:
 
 def is_about_something(operation: Operation) -> bool:
     """Whether a request names an object that somebody might not see."""
+    if operation.policy.sight is Sight.OPERATOR:
+        return False  # who runs the server sees every studio's; anybody else is told so, whatever the address names
     return any(name.endswith("_id") for name in names_in(operation))
 
 
@@ -144,6 +146,12 @@ def test_a_reviewer_neither_runs_nor_decides_nor_delivers(house: House, operatio
     assert ask(house.reviewer, house, operation).status_code == (404 if is_unseen else 403)
 
 
+@each(lambda operation: operation.policy.sight is Sight.OPERATOR)
+def test_only_who_runs_the_server_sees_the_whole_of_it(house: House, operation: Operation) -> None:
+    for client in (house.producer, house.decider, house.reviewer, house.designer, house.stranger):
+        assert refusal(client, house, operation) == refused(operation, 403, "operator-needed")
+
+
 @each(lambda operation: operation.policy.sight in (Sight.DECIDER, Sight.DESIGNER))
 def test_a_producer_neither_decides_nor_delivers(house: House, operation: Operation) -> None:
     assert ask(house.producer, house, operation).status_code == 403
@@ -158,6 +166,7 @@ ADMITTED = {
     Sight.TEAM: ("producer",),
     Sight.DECIDER: ("decider",),
     Sight.DESIGNER: ("designer",),
+    Sight.OPERATOR: ("operator",),
 }
 ONLY_IN_DEMO = {"play_demo_part"}  # tests/app/accounts/test_demo_door.py
 

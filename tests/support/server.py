@@ -22,7 +22,7 @@ from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.kit import clock
 from app.kit.db import new_id
-from app.kit.queue import HEARTBEAT
+from app.kit.queue import HEARTBEAT, Worker
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -41,6 +41,7 @@ class RunningServer:
     runtime: Runtime
     application: Any
     portal: BlockingPortal
+    worker: Worker | None = None  # where one runs
 
     def browser(self) -> TestClient:
         """Return a client without credentials; all share one event loop, where each request would start its own."""
@@ -94,7 +95,7 @@ def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
     worker = start_worker(runtime)
     try:
         with start_blocking_portal() as portal:
-            yield RunningServer(runtime, application, portal)
+            yield RunningServer(runtime, application, portal, worker)
     finally:
         worker.stop(wait_s=2)
         runtime.close()

@@ -1,6 +1,7 @@
 """Blobs in a folder of this machine, each synced to disk before anybody is told."""
 
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -80,6 +81,11 @@ class FolderStore(Store):
                 f"the store cannot be written to ({error.strerror}); give the folder that SOUNDLIST_STORE_URL or "
                 "SOUNDLIST_DATA_DIR names room and write permission"
             ) from error
+
+    def free_bytes(self) -> int:
+        """Return what the folder's disk has left for this process."""
+        self.root.mkdir(parents=True, exist_ok=True)
+        return shutil.disk_usage(self.root).free
 
     def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> None:
         """Offer none: only this process reaches the folder."""

@@ -91,6 +91,10 @@ class Store(ABC):
     def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> str | None:
         """Return a link to a blob that works for a while without credentials; None where none is offered."""
 
+    def free_bytes(self) -> int | None:
+        """Return what the store's disk has left; None where no disk of this machine bounds it."""
+        return None
+
     def sweep(self, before: datetime) -> int:  # noqa: ARG002
         """Delete what dead processes left half-stored before an instant; return how much went."""
         return 0

@@ -2127,6 +2127,166 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/studios/{studio_id}/operations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Studio Operations
+         * @description Return how much of the studio's work waits, runs or gave up, and whether somebody does it.
+         */
+        get: operations["read_studio_operations"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/storage": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Studio Storage
+         * @description Return what the studio keeps.
+         */
+        get: operations["read_studio_storage"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Studio Jobs
+         * @description Return the studio's jobs that wait, run or gave up, the oldest first.
+         */
+        get: operations["list_studio_jobs"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/jobs/{job_id}/retry": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Retry Studio Job
+         * @description Let a job of the studio run again that gave up.
+         */
+        post: operations["retry_studio_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/operations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Operations
+         * @description Return the whole server's jobs and workers.
+         */
+        get: operations["read_operations"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/operations/storage": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Storage
+         * @description Return what every studio keeps.
+         */
+        get: operations["read_storage"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/operations/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Jobs
+         * @description Return every job that waits, runs or gave up, the oldest first.
+         */
+        get: operations["list_jobs"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/operations/jobs/{job_id}/retry": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Retry Job
+         * @description Let any job run again that gave up.
+         */
+        post: operations["retry_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -3808,6 +3968,61 @@ export interface components {
             accepted_at: string | null;
         };
         /**
+         * JobCountRead
+         * @description How many jobs of one name are in one state.
+         */
+        JobCountRead: {
+            /** Job */
+            job: string;
+            state: components["schemas"]["JobState"];
+            /** Jobs */
+            jobs: number;
+            /**
+             * Oldest At
+             * Format: date-time
+             */
+            oldest_at: string;
+        };
+        /**
+         * JobRead
+         * @description One job that waits, runs or gave up.
+         */
+        JobRead: {
+            /** Id */
+            id: string;
+            /**
+             * Job
+             * @example conformance.check_take
+             */
+            job: string;
+            /**
+             * Studio Id
+             * @description Whose work it is; null for what concerns one person's account alone.
+             */
+            studio_id: string | null;
+            /** Studio Name */
+            studio_name: string | null;
+            state: components["schemas"]["JobState"];
+            /** Tries */
+            tries: number;
+            /**
+             * Since
+             * Format: date-time
+             */
+            since: string;
+            /**
+             * Reason
+             * @description Why it failed last. A producer is told the kind of failure, an operator all of it.
+             */
+            reason: string | null;
+        };
+        /**
+         * JobState
+         * @description Where an unfinished job stands; done ones are not listed.
+         * @enum {string}
+         */
+        JobState: "parked" | "running" | "waiting" | "delayed" | "broken";
+        /**
          * JoinedStudio
          * @description Who joined which studio.
          */
@@ -3831,6 +4046,34 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * LaneRead
+         * @description The jobs of one studio and one urgency; lanes take turns.
+         */
+        LaneRead: {
+            /**
+             * Studio Id
+             * @description Null for what is done on no studio's behalf.
+             */
+            studio_id: string | null;
+            /** Studio Name */
+            studio_name: string | null;
+            urgency: components["schemas"]["Urgency"];
+            /** Waiting */
+            waiting: number;
+            /** Running */
+            running: number;
+            /**
+             * Delayed
+             * @description Failed, and to be tried again later.
+             */
+            delayed: number;
+            /**
+             * Oldest At
+             * @description Since when the one waits that has waited longest.
+             */
+            oldest_at: string | null;
         };
         /**
          * LeftRead
@@ -3978,6 +4221,11 @@ export interface components {
             person: components["schemas"]["PersonBrief"];
             /** Email */
             email: string;
+            /**
+             * Is Operator
+             * @description Whether the caller runs this server.
+             */
+            is_operator: boolean;
             /** Studios */
             studios: components["schemas"]["MyStudio"][];
             /** Projects */
@@ -4370,6 +4618,13 @@ export interface components {
         Page_DeliveryRead_: {
             /** Items */
             items: components["schemas"]["DeliveryRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[JobRead] */
+        Page_JobRead_: {
+            /** Items */
+            items: components["schemas"]["JobRead"][];
             /** Next */
             next?: string | null;
         };
@@ -5234,6 +5489,40 @@ export interface components {
             held_back: components["schemas"]["HeldBack"][];
         };
         /**
+         * ServerOperations
+         * @description The whole server's jobs and workers.
+         */
+        ServerOperations: {
+            /** Counts */
+            counts: components["schemas"]["JobCountRead"][];
+            /**
+             * Lanes
+             * @description The longest first, fifty at most.
+             */
+            lanes: components["schemas"]["LaneRead"][];
+            /**
+             * Workers
+             * @description Those that said within the hour that they live.
+             */
+            workers: components["schemas"]["WorkerRead"][];
+        };
+        /**
+         * ServerStorage
+         * @description What the whole server keeps.
+         */
+        ServerStorage: {
+            /**
+             * Studios
+             * @description The largest first.
+             */
+            studios: components["schemas"]["StorageRead"][];
+            /**
+             * Free Bytes
+             * @description What the disk of the store has left; null where the store is a bucket.
+             */
+            free_bytes: number | null;
+        };
+        /**
          * SessionRead
          * @description Whether somebody is signed in, and whether this is the demo, which needs no sign-in.
          */
@@ -5532,6 +5821,27 @@ export interface components {
             status: components["schemas"]["CueStatus"];
         };
         /**
+         * StorageRead
+         * @description What a studio keeps; the same bytes delivered twice are kept once.
+         */
+        StorageRead: {
+            /**
+             * Studio Id
+             * Format: uuid
+             */
+            studio_id: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Masters */
+            masters: number;
+            /** Master Bytes */
+            master_bytes: number;
+            /** Renders */
+            renders: number;
+            /** Render Bytes */
+            render_bytes: number;
+        };
+        /**
          * StudioAdd
          * @description A new studio.
          */
@@ -5608,6 +5918,21 @@ export interface components {
              * Format: date-time
              */
             expires_at: string;
+        };
+        /**
+         * StudioOperations
+         * @description A studio's jobs, and whether somebody does the work.
+         */
+        StudioOperations: {
+            /** Counts */
+            counts: components["schemas"]["JobCountRead"][];
+            /** Lanes */
+            lanes: components["schemas"]["LaneRead"][];
+            /**
+             * Workers
+             * @description Worker processes that live.
+             */
+            workers: number;
         };
         /**
          * TakeAdd
@@ -5925,6 +6250,12 @@ export interface components {
              */
             sha256: string | null;
         };
+        /**
+         * Urgency
+         * @description How soon a lane's jobs want to be done: what people wait for goes before a re-render of thousands.
+         * @enum {string}
+         */
+        Urgency: "urgent" | "normal" | "bulk";
         /** ValidationError */
         ValidationError: {
             /** Location */
@@ -6112,6 +6443,26 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * WorkerRead
+         * @description A worker process, when it last said that it lives, and how many jobs it has in hand.
+         */
+        WorkerRead: {
+            /** Id */
+            id: string;
+            /**
+             * Beat At
+             * Format: date-time
+             */
+            beat_at: string;
+            /**
+             * Is Alive
+             * @description Whether it said so lately; the jobs of one that is silent others take over.
+             */
+            is_alive: boolean;
+            /** Running */
+            running: number;
         };
     };
     responses: never;
@@ -12466,6 +12817,372 @@ export interface operations {
             };
             /** @description `mail-not-found` */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_studio_operations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudioOperations"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_studio_storage: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StorageRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_studio_jobs: {
+        parameters: {
+            query?: {
+                state?: components["schemas"]["JobState"] | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_JobRead_"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    retry_studio_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                job_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `job-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `job-not-parked` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_operations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ServerOperations"];
+                };
+            };
+            /** @description `operator-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_storage: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ServerStorage"];
+                };
+            };
+            /** @description `operator-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_jobs: {
+        parameters: {
+            query?: {
+                state?: components["schemas"]["JobState"] | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_JobRead_"];
+                };
+            };
+            /** @description `operator-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    retry_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                job_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobRead"];
+                };
+            };
+            /** @description `operator-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `job-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `job-not-parked` */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -6,6 +6,7 @@ import { createSession } from '@/features/accounts/session'
 import { checkRoutes } from '@/features/checks/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
+import { operationRoutes } from '@/features/operations/routes'
 import { projectRoutes } from '@/features/projects/routes'
 import { reviewRoutes } from '@/features/review/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
@@ -27,6 +28,7 @@ const pages = [
     ...deskRoutes,
     ...takeRoutes,
     ...accountRoutes,
+    ...operationRoutes,
     nowhereRoute,
   ]),
 ] as const

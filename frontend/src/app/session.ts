@@ -15,6 +15,8 @@ export interface ShellData {
   projects: ShellProject[]
   /** What waits for this person, beside the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number }
+  /** Whether jobs and storage are this person's to see: a producer's, or whoever runs the server. */
+  operates: boolean
   signOut: () => void
   /** A row of the menu that changes who one is: in the demo only. */
   switcher?: ReactNode
@@ -34,6 +36,7 @@ export const NOBODY: ShellData = {
   project: null,
   projects: [],
   counts: {},
+  operates: false,
   signOut: () => undefined,
 }
 

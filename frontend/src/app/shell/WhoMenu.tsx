@@ -20,7 +20,7 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
   const router = useRouter()
   const scheme = useScheme()
   const go = (path: string) => void router.navigate({ href: path })
-  const { person, side, switcher, signOut } = data
+  const { person, side, operates, switcher, signOut } = data
   return (
     <Menu position="bottom-end" width={232} transitionProps={{ duration: 0 }} closeOnItemClick>
       <Menu.Target>
@@ -55,6 +55,7 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
         {person && (
           <>
             {side === 'studio' && <Menu.Item onClick={() => go('/studio')}>Studio, people, outbox</Menu.Item>}
+            {operates && <Menu.Item onClick={() => go('/operations')}>Jobs and storage</Menu.Item>}
             <Menu.Item onClick={() => go('/account')}>Account</Menu.Item>
             <Menu.Divider />
             <Menu.Item onClick={signOut}>Sign out</Menu.Item>

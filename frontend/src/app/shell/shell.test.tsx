@@ -20,6 +20,7 @@ const PRODUCER: ShellData = {
     { id: 'p2', name: 'Deep Field' },
   ],
   counts: { review: 4 },
+  operates: true,
   signOut: vi.fn(),
 }
 const DESIGNER: ShellData = {
@@ -27,6 +28,7 @@ const DESIGNER: ShellData = {
   person: { name: 'Sound designer', role: 'Sound designer' },
   side: 'designer',
   counts: { desk: 3 },
+  operates: false,
 }
 
 function Page({ name }: { name: string }) {

@@ -63,6 +63,7 @@ function useShell(): ShellData {
     project: project ? { id: project.id, name: project.name } : null,
     projects: me.projects.map(({ id, name }) => ({ id, name })),
     counts: { review: queue?.length, desk: desk && desk.came_back.length + desk.unmatched },
+    operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,
   }

@@ -1,0 +1,105 @@
+"""The endpoints of this room."""
+
+from uuid import UUID
+
+from fastapi import APIRouter
+
+from app.accounts.endpoints import allows
+from app.accounts.errors import ProducerNeeded, StudioNotFound
+from app.accounts.rules import Actor, Sight
+from app.kit.health import WORKER_SILENT_AFTER
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, problems
+from app.operations import service
+from app.operations.errors import JobNotFound, JobNotParked, OperatorNeeded
+from app.operations.schemas import (
+    JobRead,
+    JobState,
+    ServerOperations,
+    ServerStorage,
+    StorageRead,
+    StudioOperations,
+)
+
+router = APIRouter(prefix="/v1", tags=["operations"], route_class=Route)
+
+
+@router.get("/studios/{studio_id}/operations", responses=problems(StudioNotFound, ProducerNeeded))
+def read_studio_operations(
+    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+) -> StudioOperations:
+    """Return how much of the studio's work waits, runs or gave up, and whether somebody does it."""
+    return service.studio_operations(session, actor, studio_id, queue=runtime.queue, alive_within=WORKER_SILENT_AFTER)
+
+
+@router.get("/studios/{studio_id}/storage", responses=problems(StudioNotFound, ProducerNeeded))
+def read_studio_storage(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> StorageRead:
+    """Return what the studio keeps."""
+    return service.studio_storage(session, actor, studio_id)
+
+
+@router.get("/studios/{studio_id}/jobs", responses=problems(StudioNotFound, ProducerNeeded, BadCursor))
+def list_studio_jobs(
+    studio_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    state: JobState | None = None,
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.PRODUCER),
+) -> Page[JobRead]:
+    """Return the studio's jobs that wait, run or gave up, the oldest first."""
+    return service.studio_jobs(session, actor, studio_id, queue=runtime.queue, state=state, cursor=cursor)
+
+
+@router.post(
+    "/studios/{studio_id}/jobs/{job_id}/retry",
+    responses=problems(StudioNotFound, ProducerNeeded, JobNotFound, JobNotParked),
+)
+def retry_studio_job(
+    studio_id: UUID, job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+) -> JobRead:
+    """Let a job of the studio run again that gave up."""
+    with runtime.database.reading(actor.reach) as session:
+        job = service.parked_studio_job(session, actor, studio_id, job_id, queue=runtime.queue)
+    return service.retry(runtime.queue, job)
+
+
+@router.get("/operations", responses=problems(OperatorNeeded))
+def read_operations(
+    session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)
+) -> ServerOperations:
+    """Return the whole server's jobs and workers."""
+    return service.server_operations(
+        session,
+        actor,
+        queue=runtime.queue,
+        operators=runtime.settings.operators,
+        alive_within=WORKER_SILENT_AFTER,
+    )
+
+
+@router.get("/operations/storage", responses=problems(OperatorNeeded))
+def read_storage(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> ServerStorage:
+    """Return what every studio keeps."""
+    return service.server_storage(session, actor, store=runtime.store, operators=runtime.settings.operators)
+
+
+@router.get("/operations/jobs", responses=problems(OperatorNeeded, BadCursor))
+def list_jobs(
+    session: DbSession,
+    runtime: CurrentRuntime,
+    state: JobState | None = None,
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.OPERATOR),
+) -> Page[JobRead]:
+    """Return every job that waits, runs or gave up, the oldest first."""
+    return service.server_jobs(
+        session, actor, queue=runtime.queue, operators=runtime.settings.operators, state=state, cursor=cursor
+    )
+
+
+@router.post("/operations/jobs/{job_id}/retry", responses=problems(OperatorNeeded, JobNotFound, JobNotParked))
+def retry_job(job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> JobRead:
+    """Let any job run again that gave up."""
+    with runtime.database.reading(actor.reach) as session:
+        job = service.parked_job(session, actor, job_id, queue=runtime.queue, operators=runtime.settings.operators)
+    return service.retry(runtime.queue, job)

@@ -1,0 +1,15 @@
+"""Refusals of this room."""
+
+from app.kit.errors import Conflict, Forbidden, NotFound
+
+
+class OperatorNeeded(Forbidden):
+    """Only who runs the server sees the whole of it."""
+
+
+class JobNotFound(NotFound):
+    """No unfinished job of that id within the caller's sight."""
+
+
+class JobNotParked(Conflict):
+    """The job waits or runs already, so there is nothing to try again."""

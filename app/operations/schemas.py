@@ -1,0 +1,106 @@
+"""The bodies of this room."""
+
+from datetime import datetime
+from enum import StrEnum
+from uuid import UUID
+
+from pydantic import Field
+
+from app.kit.http import Schema
+
+
+class JobState(StrEnum):
+    """Where an unfinished job stands; done ones are not listed."""
+
+    PARKED = "parked"
+    RUNNING = "running"
+    WAITING = "waiting"
+    DELAYED = "delayed"
+    BROKEN = "broken"  # ended where it could not even be parked; it cannot be tried again
+
+
+class JobRead(Schema):
+    """One job that waits, runs or gave up."""
+
+    id: str
+    job: str = Field(examples=["conformance.check_take"])
+    studio_id: UUID | None = Field(description="Whose work it is; null for what concerns one person's account alone.")
+    studio_name: str | None
+    state: JobState
+    tries: int
+    since: datetime
+    reason: str | None = Field(
+        description="Why it failed last. A producer is told the kind of failure, an operator all of it."
+    )
+
+
+class JobCountRead(Schema):
+    """How many jobs of one name are in one state."""
+
+    job: str
+    state: JobState
+    jobs: int
+    oldest_at: datetime
+
+
+class Urgency(StrEnum):
+    """How soon a lane's jobs want to be done: what people wait for goes before a re-render of thousands."""
+
+    URGENT = "urgent"
+    NORMAL = "normal"
+    BULK = "bulk"
+
+
+class LaneRead(Schema):
+    """The jobs of one studio and one urgency; lanes take turns."""
+
+    studio_id: UUID | None = Field(description="Null for what is done on no studio's behalf.")
+    studio_name: str | None
+    urgency: Urgency
+    waiting: int
+    running: int
+    delayed: int = Field(description="Failed, and to be tried again later.")
+    oldest_at: datetime | None = Field(description="Since when the one waits that has waited longest.")
+
+
+class StorageRead(Schema):
+    """What a studio keeps; the same bytes delivered twice are kept once."""
+
+    studio_id: UUID
+    studio_name: str
+    masters: int
+    master_bytes: int
+    renders: int
+    render_bytes: int
+
+
+class WorkerRead(Schema):
+    """A worker process, when it last said that it lives, and how many jobs it has in hand."""
+
+    id: str
+    beat_at: datetime
+    is_alive: bool = Field(description="Whether it said so lately; the jobs of one that is silent others take over.")
+    running: int
+
+
+class StudioOperations(Schema):
+    """A studio's jobs, and whether somebody does the work."""
+
+    counts: list[JobCountRead]
+    lanes: list[LaneRead]
+    workers: int = Field(description="Worker processes that live.")
+
+
+class ServerOperations(Schema):
+    """The whole server's jobs and workers."""
+
+    counts: list[JobCountRead]
+    lanes: list[LaneRead] = Field(description="The longest first, fifty at most.")
+    workers: list[WorkerRead] = Field(description="Those that said within the hour that they live.")
+
+
+class ServerStorage(Schema):
+    """What the whole server keeps."""
+
+    studios: list[StorageRead] = Field(description="The largest first.")
+    free_bytes: int | None = Field(description="What the disk of the store has left; null where the store is a bucket.")

@@ -1,0 +1,208 @@
+"""What waits, runs and gave up; what is kept; who works. A producer sees their studio's, an operator the server's."""
+
+from collections.abc import Collection, Mapping, Sequence
+from datetime import timedelta
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.accounts.service import ensure_producer_of
+from app.kit.db import beyond_reach
+from app.kit.http import BadCursor, Page
+from app.kit.queue import JobCount, JobQueue, Lane, UnfinishedJob
+from app.kit.storage import Store
+from app.operations import queries
+from app.operations.errors import JobNotFound, JobNotParked, OperatorNeeded
+from app.operations.schemas import (
+    JobCountRead,
+    JobRead,
+    JobState,
+    LaneRead,
+    ServerOperations,
+    ServerStorage,
+    StorageRead,
+    StudioOperations,
+    Urgency,
+    WorkerRead,
+)
+
+WORKERS_SHOWN = timedelta(hours=1)
+LANES_SHOWN = 50
+PAGE_JOBS = 50
+
+
+def is_operator(session: Session, actor: Actor, operators: Collection[str]) -> bool:
+    """Whether the caller is one of those who run the server."""
+    return actor.person_id is not None and bool(operators) and queries.address_of(session, actor.person_id) in operators
+
+
+def ensure_operator(session: Session, actor: Actor, operators: Collection[str]) -> None:
+    """Raise OperatorNeeded unless the caller runs the server."""
+    if not is_operator(session, actor, operators):
+        raise OperatorNeeded(
+            "only an operator of this server can do this",
+            fix="whoever runs it names operators by their addresses in SOUNDLIST_OPERATORS",
+        )
+
+
+def studio_operations(
+    session: Session, actor: Actor, studio_id: UUID, *, queue: JobQueue, alive_within: timedelta
+) -> StudioOperations:
+    """Return a studio's jobs to its producer."""
+    studio = ensure_producer_of(session, actor, studio_id)
+    return StudioOperations(
+        counts=_counts_read(queue.counts(studio_id)),
+        lanes=_lanes_read(queue.lanes(studio_id), {studio_id: studio.name}),
+        workers=len(queue.heartbeats(within=alive_within)),
+    )
+
+
+def studio_storage(session: Session, actor: Actor, studio_id: UUID) -> StorageRead:
+    """Return what a studio keeps to its producer."""
+    ensure_producer_of(session, actor, studio_id)
+    (storage,) = queries.storage(session, studio_id)
+    return StorageRead.model_validate(storage)
+
+
+def studio_jobs(
+    session: Session, actor: Actor, studio_id: UUID, *, queue: JobQueue, state: JobState | None, cursor: str | None
+) -> Page[JobRead]:
+    """Return a studio's unfinished jobs to its producer, the oldest first."""
+    studio = ensure_producer_of(session, actor, studio_id)
+    jobs, following = _page(queue, studio_id, state, cursor)
+    return Page(items=[_job_read(job, studio.name, whole=False) for job in jobs], next=following)
+
+
+def parked_studio_job(session: Session, actor: Actor, studio_id: UUID, job_id: str, *, queue: JobQueue) -> JobRead:
+    """Return a job of a studio that gave up, for its producer to try again."""
+    studio = ensure_producer_of(session, actor, studio_id)
+    return _job_read(_parked(queue, job_id, studio_id), studio.name, whole=False)
+
+
+def server_operations(
+    session: Session, actor: Actor, *, queue: JobQueue, operators: Collection[str], alive_within: timedelta
+) -> ServerOperations:
+    """Return the whole server's jobs and workers to its operator."""
+    ensure_operator(session, actor, operators)
+    lanes, in_hand = queue.lanes()[:LANES_SHOWN], queue.in_hand()
+    alive = {beat.worker_id for beat in queue.heartbeats(within=alive_within)}
+    return ServerOperations(
+        counts=_counts_read(queue.counts()),
+        lanes=_lanes_read(lanes, _names_of(session, lanes)),
+        workers=[
+            WorkerRead(
+                id=beat.worker_id,
+                beat_at=beat.beat_at,
+                is_alive=beat.worker_id in alive,
+                running=in_hand.get(beat.worker_id, 0),
+            )
+            for beat in queue.heartbeats(within=WORKERS_SHOWN)
+        ],
+    )
+
+
+def server_storage(session: Session, actor: Actor, *, store: Store, operators: Collection[str]) -> ServerStorage:
+    """Return what every studio keeps to the operator."""
+    ensure_operator(session, actor, operators)
+    with beyond_reach(session):  # sums over every studio, and no row of any
+        storage = queries.storage(session)
+    return ServerStorage(studios=[StorageRead.model_validate(each) for each in storage], free_bytes=store.free_bytes())
+
+
+def server_jobs(
+    session: Session,
+    actor: Actor,
+    *,
+    queue: JobQueue,
+    operators: Collection[str],
+    state: JobState | None,
+    cursor: str | None,
+) -> Page[JobRead]:
+    """Return every unfinished job to the operator, the oldest first."""
+    ensure_operator(session, actor, operators)
+    jobs, following = _page(queue, None, state, cursor)
+    names = _names_of(session, jobs)
+    items = [_job_read(job, names.get(job.studio_id) if job.studio_id else None, whole=True) for job in jobs]
+    return Page(items=items, next=following)
+
+
+def parked_job(session: Session, actor: Actor, job_id: str, *, queue: JobQueue, operators: Collection[str]) -> JobRead:
+    """Return any job that gave up, for the operator to try again."""
+    ensure_operator(session, actor, operators)
+    job = _parked(queue, job_id, None)
+    return _job_read(job, _names_of(session, [job]).get(job.studio_id) if job.studio_id else None, whole=True)
+
+
+def retry(queue: JobQueue, job: JobRead) -> JobRead:
+    """Let a job that gave up run again; the queue writes for itself, so no session may be open for writing."""
+    if not queue.retry(job.id):
+        raise JobNotParked("somebody else has just let this job run again")
+    return job.model_copy(update={"state": JobState.WAITING})
+
+
+def _names_of(session: Session, works: Sequence[UnfinishedJob | Lane]) -> dict[UUID, str]:
+    with beyond_reach(session):  # an operator need not be a member of the studios whose jobs these are
+        return queries.studio_names(session, {work.studio_id for work in works if work.studio_id})
+
+
+def _page(
+    queue: JobQueue, studio_id: UUID | None, state: JobState | None, cursor: str | None
+) -> tuple[list[UnfinishedJob], str | None]:
+    after = None
+    if cursor is not None:
+        instant_ms, _, job_id = cursor.partition(".")
+        if not (instant_ms.isdecimal() and len(instant_ms) <= len(str(2**63)) and job_id):
+            raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
+        after = (int(instant_ms), job_id)
+    found = queue.unfinished(
+        state=state.value if state else None, studio_id=studio_id, after=after, limit=PAGE_JOBS + 1
+    )
+    page = found[:PAGE_JOBS]
+    return page, page[-1].cursor if len(found) > PAGE_JOBS else None
+
+
+def _parked(queue: JobQueue, job_id: str, studio_id: UUID | None) -> UnfinishedJob:
+    job = queue.unfinished_job(job_id)
+    if job is None or (studio_id is not None and job.studio_id != studio_id):
+        raise JobNotFound(f"no unfinished job {job_id}")
+    if job.state != JobState.PARKED:
+        raise JobNotParked(f"this job is {job.state}; only one that gave up can be tried again")
+    return job
+
+
+def _counts_read(counts: Sequence[JobCount]) -> list[JobCountRead]:
+    return [
+        JobCountRead(job=count.name, state=JobState(count.state), jobs=count.jobs, oldest_at=count.oldest_at)
+        for count in counts
+    ]
+
+
+def _lanes_read(lanes: Sequence[Lane], names: Mapping[UUID, str]) -> list[LaneRead]:
+    return [
+        LaneRead(
+            studio_id=lane.studio_id,
+            studio_name=names.get(lane.studio_id) if lane.studio_id else None,
+            urgency=Urgency(lane.urgency),
+            waiting=lane.waiting,
+            running=lane.running,
+            delayed=lane.delayed,
+            oldest_at=lane.oldest_at,
+        )
+        for lane in lanes
+    ]
+
+
+def _job_read(job: UnfinishedJob, studio_name: str | None, *, whole: bool) -> JobRead:
+    # What follows the kind of a failure may name what is not the studio's: paths, hosts, addresses.
+    reason = job.reason if whole or job.reason is None else job.reason.partition(":")[0]
+    return JobRead(
+        id=job.id,
+        job=job.name,
+        studio_id=job.studio_id,
+        studio_name=studio_name,
+        state=JobState(job.state),
+        tries=job.tries,
+        since=job.since,
+        reason=reason,
+    )

@@ -1,0 +1,97 @@
+import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { FilterChip } from '@/ui/FilterChip'
+import { ago, plural } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import { type Job, jobsQuery, type JobState, operationsQuery, type Scope, useRetry } from './api'
+import classes from './Operations.module.css'
+import { Refusal } from './Refusal'
+import { jobsIn, jobWords, NOBODYS, STATE_FACES, STATES_SHOWN } from './words'
+
+/** The jobs that are not done, the oldest first; one that gave up can be tried again. */
+export function JobsCard({ scope }: { scope: Scope }) {
+  const [state, setState] = useState<JobState | undefined>(undefined)
+  const { data: sums } = useQuery(operationsQuery(scope))
+  const jobs = useInfiniteQuery(jobsQuery(scope, state))
+  const retry = useRetry(scope)
+  const counts = sums?.counts ?? []
+  const all = STATES_SHOWN.reduce((sum, one) => sum + jobsIn(counts, one), 0)
+  const rows = jobs.data?.pages.flatMap(({ items }) => items) ?? []
+  const again = (job: Job) =>
+    retry.mutate(job.id, { onSuccess: () => showToast(`${jobWords(job.job)}: waits for a worker.`) })
+  return (
+    <Card aria-labelledby="jobs">
+      <CardHead id="jobs" title="Jobs" count={all} note="what is done is not listed" />
+      <div role="group" aria-label="Filter by state" className={classes.chips}>
+        <FilterChip count={all} pressed={state === undefined} onPress={() => setState(undefined)}>
+          All
+        </FilterChip>
+        {STATES_SHOWN.filter((one) => one !== 'broken' || jobsIn(counts, one) > 0).map((one) => (
+          <FilterChip
+            key={one}
+            kind={STATE_FACES[one].kind}
+            count={jobsIn(counts, one)}
+            pressed={state === one}
+            onPress={() => setState(one)}
+          >
+            {STATE_FACES[one].word}
+          </FilterChip>
+        ))}
+      </div>
+      {(jobs.error ?? retry.error) && (
+        <div className={classes.inside}>
+          <Refusal error={retry.error ?? jobs.error} />
+        </div>
+      )}
+      {jobs.isSuccess && rows.length === 0 && (
+        <div className={classes.inside}>
+          <EmptyState head={state === 'parked' ? 'Nothing gave up.' : 'Nothing to do.'} level={3}>
+            What is delivered, changed or approved makes new jobs, and they are done within seconds.
+          </EmptyState>
+        </div>
+      )}
+      <Rows aria-label="Jobs">
+        {rows.map((job) => (
+          <JobRow key={job.id} job={job} scope={scope} busy={retry.isPending} onRetry={() => again(job)} />
+        ))}
+      </Rows>
+      {jobs.hasNextPage && (
+        <div className={classes.inside}>
+          <Button onClick={() => void jobs.fetchNextPage()}>Show more</Button>
+        </div>
+      )}
+    </Card>
+  )
+}
+
+function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: boolean; onRetry: () => void }) {
+  const { kind, word } = STATE_FACES[job.state]
+  const whose = scope === 'server' ? (job.studio_name ?? NOBODYS) : null
+  return (
+    <Row className={classes.job}>
+      <span className="grow">
+        <span className="strong">{jobWords(job.job)}</span>
+        {whose !== null && <span className="mid"> {whose}</span>}
+        <br />
+        <span className="small dim">
+          asked for {ago(job.since)}
+          {job.tries > 0 && `, ${plural(job.tries, 'try', 'tries')}`}
+        </span>
+        {job.reason !== null && <span className={`small ${classes.reason}`}>{job.reason}</span>}
+      </span>
+      <State kind={kind}>{word}</State>
+      {job.state === 'parked' && (
+        <Button aria-label={`Try again: ${jobWords(job.job)}`} disabled={busy} onClick={onRetry}>
+          Try again
+        </Button>
+      )}
+    </Row>
+  )
+}

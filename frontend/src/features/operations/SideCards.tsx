@@ -1,0 +1,108 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { Card, CardHead } from '@/ui/Card'
+import { ago, bytes, plural } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import { keptQuery, operationsQuery, type Scope, type Storage } from './api'
+import classes from './Operations.module.css'
+import { Refusal } from './Refusal'
+import { laneKey, laneLine, laneWords } from './words'
+
+const sizeOf = ({ master_bytes, render_bytes }: Storage) => master_bytes + render_bytes
+
+/** What is kept: masters as they came, game files as they were made. */
+export function StorageCard({ scope }: { scope: Scope }) {
+  const { data, error } = useQuery(keptQuery(scope))
+  const studios = data?.studios ?? []
+  const whole = studios.reduce((sum, one) => sum + sizeOf(one), 0)
+  const free = data?.freeBytes ?? null
+  return (
+    <Card aria-labelledby="storage">
+      <CardHead
+        id="storage"
+        title="Storage"
+        note={data && `${bytes(whole)}${free === null ? '' : `, ${bytes(free)} free on the disk`}`}
+      />
+      {error && (
+        <div className={classes.inside}>
+          <Refusal error={error} />
+        </div>
+      )}
+      <Rows aria-labelledby="storage">
+        {studios.map((one) => (
+          <Row key={one.studio_id} className={classes.kept}>
+            <span className="grow">
+              <span className="strong">{one.studio_name}</span>
+              <br />
+              <span className="small dim">
+                {plural(one.masters, 'master')} {bytes(one.master_bytes)}, {plural(one.renders, 'game file')}{' '}
+                {bytes(one.render_bytes)}
+              </span>
+            </span>
+            <span className="num">{bytes(sizeOf(one))}</span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+/** Who waits in which lane: studios take turns, and what people wait for goes before thousands of re-renders. */
+export function LanesCard({ scope }: { scope: Scope }) {
+  const { data } = useQuery(operationsQuery(scope))
+  if (data === undefined) return null
+  return (
+    <Card aria-labelledby="lanes">
+      <CardHead id="lanes" title="Lanes" count={data.lanes.length} note="they take turns" />
+      {data.lanes.length === 0 ? (
+        <p className={`mid ${classes.inside}`}>Nothing is in line.</p>
+      ) : (
+        <Rows aria-labelledby="lanes">
+          {data.lanes.map((lane) => (
+            <Row key={laneKey(lane)}>
+              <span className="grow">
+                <span className="strong">{laneWords(lane, scope)}</span>
+                <br />
+                <span className="small dim">{laneLine(lane)}</span>
+              </span>
+            </Row>
+          ))}
+        </Rows>
+      )}
+    </Card>
+  )
+}
+
+/** The processes that do the jobs: each for an operator, their number for a producer. */
+export function WorkersCard({ scope }: { scope: Scope }) {
+  const { data } = useQuery(operationsQuery(scope))
+  if (data === undefined) return null
+  return (
+    <Card aria-labelledby="workers">
+      <CardHead id="workers" title="Workers" count={data.alive} />
+      {data.workers.length === 0 ? (
+        <p className={`mid ${classes.inside}`}>
+          {data.alive > 0
+            ? 'They check, render and mail for every studio in turn.'
+            : 'None has said within 20 seconds that it lives. Whoever runs the server starts one with: soundlist worker'}
+        </p>
+      ) : (
+        <Rows aria-labelledby="workers">
+          {data.workers.map(({ id, beat_at, is_alive, running }) => (
+            <Row key={id} dense>
+              <span className={`grow ${classes.worker}`}>{id}</span>
+              <span className="small dim">
+                {is_alive
+                  ? running > 0
+                    ? `${plural(running, 'job')} in hand`
+                    : 'free'
+                  : `silent since ${ago(beat_at)}`}
+              </span>
+            </Row>
+          ))}
+        </Rows>
+      )}
+    </Card>
+  )
+}

@@ -1,0 +1,107 @@
+import { infiniteQueryOptions, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Job = Schemas['JobRead']
+export type JobState = Schemas['JobState']
+export type JobCount = Schemas['JobCountRead']
+export type Lane = Schemas['LaneRead']
+export type Storage = Schemas['StorageRead']
+export type Worker = Schemas['WorkerRead']
+
+/** The whole server, or one studio by its id. */
+export type Scope = 'server' | { studioId: string }
+
+const ALIVE_MS = 5000
+const KEPT_FOR_MS = 60_000
+
+const keyOf = (scope: Scope) => (scope === 'server' ? 'server' : scope.studioId)
+const ofStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
+
+/** What both views show of jobs and workers. */
+export interface Operations {
+  counts: JobCount[]
+  lanes: Lane[]
+  /** How many worker processes live; an operator is shown each. */
+  alive: number
+  workers: Worker[]
+}
+
+async function readServer(): Promise<Operations> {
+  const { counts, lanes, workers } = await answered(api.GET('/v1/operations'))
+  return { counts, lanes, workers, alive: workers.filter(({ is_alive }) => is_alive).length }
+}
+
+async function readStudio(studioId: string): Promise<Operations> {
+  const { counts, lanes, workers } = await answered(api.GET('/v1/studios/{studio_id}/operations', ofStudio(studioId)))
+  return { counts, lanes, workers: [], alive: workers }
+}
+
+/** What is kept, and what the disk has left where one bounds it and an operator asks. */
+export interface Kept {
+  studios: Storage[]
+  freeBytes: number | null
+}
+
+async function readKept(scope: Scope): Promise<Kept> {
+  if (scope !== 'server') {
+    return {
+      studios: [await answered(api.GET('/v1/studios/{studio_id}/storage', ofStudio(scope.studioId)))],
+      freeBytes: null,
+    }
+  }
+  const { studios, free_bytes } = await answered(api.GET('/v1/operations/storage'))
+  return { studios, freeBytes: free_bytes }
+}
+
+/** Summed up over everything delivered, so asked for once a visit and not every few seconds. */
+export const keptQuery = (scope: Scope) =>
+  queryOptions({
+    queryKey: ['operations', keyOf(scope), 'kept'],
+    queryFn: () => readKept(scope),
+    staleTime: KEPT_FOR_MS,
+  })
+
+export const operationsQuery = (scope: Scope) =>
+  queryOptions({
+    queryKey: ['operations', keyOf(scope), 'sums'],
+    queryFn: () => (scope === 'server' ? readServer() : readStudio(scope.studioId)),
+    refetchInterval: ALIVE_MS,
+  })
+
+export const jobsQuery = (scope: Scope, state: JobState | undefined) =>
+  infiniteQueryOptions({
+    queryKey: ['operations', keyOf(scope), 'jobs', state],
+    queryFn: ({ pageParam: cursor }) =>
+      scope === 'server'
+        ? answered(api.GET('/v1/operations/jobs', { params: { query: { state, cursor } } }))
+        : answered(
+            api.GET('/v1/studios/{studio_id}/jobs', {
+              params: { path: { studio_id: scope.studioId }, query: { state, cursor } },
+            }),
+          ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+    refetchInterval: ALIVE_MS,
+  })
+
+/** Let a job run again that gave up. */
+export function useRetry(scope: Scope) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (jobId: string) =>
+      scope === 'server'
+        ? answered(api.POST('/v1/operations/jobs/{job_id}/retry', { params: { path: { job_id: jobId } } }))
+        : answered(
+            api.POST('/v1/studios/{studio_id}/jobs/{job_id}/retry', {
+              params: { path: { studio_id: scope.studioId, job_id: jobId } },
+            }),
+          ),
+    onSettled: () =>
+      Promise.all(
+        ['sums', 'jobs'].map((what) => client.invalidateQueries({ queryKey: ['operations', keyOf(scope), what] })),
+      ),
+  })
+}

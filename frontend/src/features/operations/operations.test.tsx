@@ -1,0 +1,191 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { beforeEach, expect, test } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Answers, refusal, serve } from '@/test/server'
+
+import type { JobState, Lane } from './api'
+import { inOneLine, laneLine, laneWords } from './words'
+
+const AT = '2026-11-21T12:00:00Z'
+const NOW = new Date('2026-11-21T12:05:00Z')
+const STUDIO = { id: 's1', name: 'Shield Wing studio', roles: ['producer'] }
+const ME = {
+  person: { id: 'x1', name: 'Producer' },
+  email: 'producer@studio.example',
+  is_operator: false,
+  studios: [STUDIO],
+  projects: [],
+}
+const KEPT = {
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  masters: 1,
+  master_bytes: 864_044,
+  renders: 2,
+  render_bytes: 1_152_088,
+}
+const STUCK = {
+  id: 'e1:conformance.check_take',
+  job: 'conformance.check_take',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  state: 'parked',
+  tries: 6,
+  since: AT,
+  reason: 'BlobMissing',
+}
+const LANE: Lane = {
+  studio_id: null,
+  studio_name: null,
+  urgency: 'bulk',
+  waiting: 40,
+  running: 2,
+  delayed: 0,
+  oldest_at: AT,
+}
+const counted = (state: JobState, jobs: number, job = 'conformance.check_take') => ({ job, state, jobs, oldest_at: AT })
+
+const as = (me: typeof ME, more: Answers): Answers => ({
+  'GET /v1/session': { signed_in: true, demo: false, person: me.person },
+  'GET /v1/me': me,
+  ...more,
+})
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+})
+
+test('a producer sees what gave up and tries it again', async () => {
+  let stuck = true
+  const { asked } = serve(
+    as(ME, {
+      'GET /v1/studios/s1/operations': () => ({
+        counts: stuck ? [counted('parked', 1)] : [],
+        lanes: [],
+        workers: 1,
+      }),
+      'GET /v1/studios/s1/storage': KEPT,
+      'GET /v1/studios/s1/jobs': () => ({ items: stuck ? [STUCK] : [], next: null }),
+      [`POST /v1/studios/s1/jobs/${encodeURIComponent(STUCK.id)}/retry`]: () => {
+        stuck = false
+        return { ...STUCK, state: 'waiting' }
+      },
+    }),
+  )
+  openApp('/operations')
+  expect(await screen.findByText(/1 job gave up. Nothing waits. 1 worker works./)).toBeVisible()
+  const row = within(screen.getByRole('list', { name: 'Jobs' })).getByRole('listitem')
+  expect(row).toHaveTextContent('Check a version')
+  expect(row).toHaveTextContent('6 tries')
+  expect(row).toHaveTextContent('BlobMissing')
+  await userEvent.click(within(row).getByRole('button', { name: 'Try again: Check a version' }))
+  expect(await screen.findByText('Check a version: waits for a worker.')).toBeVisible()
+  expect(await screen.findByText('Nothing to do.')).toBeVisible()
+  expect(asked.filter(({ method }) => method === 'POST')).toHaveLength(1)
+  expect(screen.getByText(/1 master 864.0 kB, 2 game files 1.2 MB/)).toBeVisible()
+})
+
+test('a refused try is said in the card, and the job stays', async () => {
+  serve(
+    as(ME, {
+      'GET /v1/studios/s1/operations': { counts: [counted('parked', 1)], lanes: [], workers: 1 },
+      'GET /v1/studios/s1/storage': KEPT,
+      'GET /v1/studios/s1/jobs': { items: [STUCK], next: null },
+      [`POST /v1/studios/s1/jobs/${encodeURIComponent(STUCK.id)}/retry`]: refusal(
+        409,
+        'job-not-parked',
+        'this job is running; only one that gave up can be tried again',
+      ),
+    }),
+  )
+  openApp('/operations')
+  await userEvent.click(await screen.findByRole('button', { name: 'Try again: Check a version' }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('only one that gave up can be tried again.')
+})
+
+test('an operator sees the whole server, and each studio that they produce for', async () => {
+  const { asked } = serve(
+    as(
+      { ...ME, is_operator: true },
+      {
+        'GET /v1/operations': {
+          counts: [counted('waiting', 3)],
+          lanes: [{ ...LANE, studio_id: 's2', studio_name: 'Deep Field studio' }, LANE],
+          workers: [
+            { id: 'host-12-ab', beat_at: AT, is_alive: true, running: 2 },
+            { id: 'host-13-cd', beat_at: AT, is_alive: false, running: 0 },
+          ],
+        },
+        'GET /v1/operations/storage': {
+          studios: [KEPT, { ...KEPT, studio_id: 's2', studio_name: 'Deep Field studio' }],
+          free_bytes: 42_000_000_000,
+        },
+        'GET /v1/operations/jobs': { items: [{ ...STUCK, studio_id: null, studio_name: null }], next: null },
+        'GET /v1/studios/s1/operations': { counts: [], lanes: [], workers: 1 },
+        'GET /v1/studios/s1/storage': KEPT,
+        'GET /v1/studios/s1/jobs': { items: [], next: null },
+      },
+    ),
+  )
+  openApp('/operations')
+  const lanes = within(await screen.findByRole('list', { name: /Lanes/ })).getAllByRole('listitem')
+  expect(lanes[0]).toHaveTextContent('Deep Field studio, in bulk')
+  expect(lanes[1]).toHaveTextContent('the server itself, in bulk')
+  const workers = within(screen.getByRole('list', { name: /Workers/ })).getAllByRole('listitem')
+  expect(workers[0]).toHaveTextContent('host-12-ab2 jobs in hand')
+  expect(workers[1]).toHaveTextContent('silent since')
+  expect(screen.getByText(/1 worker works/)).toBeVisible()
+  expect(await screen.findByText(/42.0 GB free on the disk/)).toBeVisible()
+  const jobs = await screen.findByRole('list', { name: 'Jobs' })
+  expect(within(jobs).getByText('the server itself')).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Shield Wing studio' }))
+  await waitFor(() => expect(asked.some(({ path }) => path === '/v1/studios/s1/jobs')).toBe(true))
+  expect(await screen.findByText('Nothing to do.')).toBeVisible()
+})
+
+test('the states filter what is asked for', async () => {
+  const { asked } = serve(
+    as(ME, {
+      'GET /v1/studios/s1/operations': {
+        counts: [counted('parked', 1), counted('waiting', 2)],
+        lanes: [],
+        workers: 1,
+      },
+      'GET /v1/studios/s1/storage': KEPT,
+      'GET /v1/studios/s1/jobs': { items: [], next: null },
+    }),
+  )
+  openApp('/operations')
+  await userEvent.click(await screen.findByRole('button', { name: /Gave up/ }))
+  expect(await screen.findByText('Nothing gave up.')).toBeVisible()
+  expect(asked.some(({ path, query }) => path.endsWith('/jobs') && query.get('state') === 'parked')).toBe(true)
+})
+
+test('who neither produces nor runs the server is told whose it is', async () => {
+  serve(as({ ...ME, studios: [{ ...STUDIO, roles: ['reviewer'] }] }, {}))
+  openApp('/operations')
+  expect(await screen.findByText('Jobs and storage are a producer’s to see.')).toBeVisible()
+})
+
+test('one line says whether all is well', () => {
+  expect(inOneLine([], 2, NOW)).toBe('Nothing gave up. Nothing waits. 2 workers work.')
+  const waiting = counted('waiting', 3)
+  expect(inOneLine([waiting, counted('delayed', 9)], 1, NOW)).toBe(
+    'Nothing gave up. 3 jobs wait, the oldest for 5 min. 1 worker works.',
+  )
+  expect(inOneLine([counted('parked', 1), counted('broken', 1), waiting], 0, new Date(AT))).toBe(
+    '2 jobs gave up. 3 jobs wait. No worker lives: what is delivered waits.',
+  )
+})
+
+test('a lane says how much of what it has, and nothing of what it has not', () => {
+  expect(laneLine(LANE, NOW)).toBe('2 run, 40 wait, the oldest for 5 min')
+  expect(laneLine({ ...LANE, waiting: 1, running: 1, delayed: 3, oldest_at: AT }, new Date(AT))).toBe(
+    '1 runs, 1 waits, 3 later',
+  )
+  expect(laneLine({ ...LANE, waiting: 0, running: 0, delayed: 3, oldest_at: null }, NOW)).toBe('3 later')
+  expect(laneWords(LANE, 'server')).toBe('the server itself, in bulk')
+  expect(laneWords({ ...LANE, urgency: 'urgent' }, { studioId: 's1' })).toBe('What people wait for')
+})
