@@ -8,7 +8,7 @@ SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit frontend-test e2e kill fuzz bench docs openapi clean
+.PHONY: help setup run test check fix unit frontend-test e2e kill false-alarms fuzz bench docs openapi clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -43,6 +43,9 @@ e2e: setup .make/browser  ## Walk the product in a real browser as its users
 
 kill: setup .make/postgresql  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest tests/kill --kill-runs 20
+
+false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
+	$(BIN)/python -m tests.audio_checks.faults
 
 fuzz: setup  ## Feed the reader a million mutants
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000

@@ -189,7 +189,7 @@ class AudioFile:
     Unreadable
         When a rule of structure is broken. R7 (finite samples) shows only when the file streams.
     SandboxFailed
-        When a FLAC could not be unpacked for want of time, memory or disk.
+        When a FLAC could not be unpacked: for want of time, memory or disk, or because its decoder broke.
     """
 
     def __init__(self, path: str | os.PathLike[str], *, name: str | None = None, flac: bool = True) -> None:

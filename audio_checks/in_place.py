@@ -158,9 +158,8 @@ def _right_header(path: str, *, keep: bool) -> tuple[str, ...]:
     """Write a copy with right sizes beside a file, and move it over the file if it is to be kept."""
     copy = Path(path).with_name(f".audio-checks-{secrets.token_hex(8)}.part")
     try:
-        words = with_right_sizes(path, copy)
-        cut_bytes = os.path.getsize(path) - os.path.getsize(copy)
-        if cut_bytes > 0 and not _ends_in_zeros(path, cut_bytes):
+        words, cut_bytes = with_right_sizes(path, copy)
+        if cut_bytes and not _ends_in_zeros(path, cut_bytes):
             raise CannotBePutRight(
                 "what follows its end is not only zeros; `audio-checks mend` makes a copy without it"
             )

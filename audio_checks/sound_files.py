@@ -79,7 +79,7 @@ def open_sound(path: str | os.PathLike[str], *, name: str | None = None, flac: b
     Unreadable
         When a rule of structure is broken, or a FLAC does not decode.
     SandboxFailed
-        When a FLAC could not be unpacked for want of time, memory or disk.
+        When a FLAC could not be unpacked: for want of time, memory or disk, or because its decoder broke.
     """
     original = wav.open_regular(path)
     try:

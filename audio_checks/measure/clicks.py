@@ -21,8 +21,9 @@ BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothi
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
-STEADY = 3.2  # peak over RMS of the sixth differences; below that tones hide small clicks in them
+STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide small clicks in them
 SEGMENT = 64  # cells of steady sound that are looked at together
+CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: the click itself must not
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
 MAX_KEPT = 1_000
@@ -123,9 +124,12 @@ class Clicks:
         place = self._segment - self._first
         shape = (len(samples), count, SEGMENT)
         inner = slice(place, place + count * SEGMENT)
-        sharpest = recent.sharpness[:, inner].reshape(shape).max(axis=2)
-        power = recent.edges[:, inner].reshape(shape).sum(axis=2) / (SEGMENT * self._cell)
-        steady = (sharpest > self._least) & (sharpest**2 < STEADY**2 * power)
+        rest = SEGMENT - CLICKED
+        sharpness = np.partition(recent.sharpness[:, inner].reshape(shape), (rest - 1, SEGMENT - 1), axis=2)
+        power = np.partition(recent.edges[:, inner].reshape(shape), rest - 1, axis=2)[:, :, :rest].mean(axis=2)
+        steady = (sharpness[:, :, -1] > self._least) & (
+            np.square(sharpness[:, :, rest - 1]) < STEADY**2 / self._cell * power
+        )
         for channel, number in np.argwhere(steady).tolist():
             before = at + (number * SEGMENT - REACH) * self._cell
             if before < ORDER:  # of many channels less is kept

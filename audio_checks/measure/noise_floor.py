@@ -16,6 +16,7 @@ PAUSE = 20  # steps: a pause lasts 0.2 s
 DEEP = 16.0  # in power: a pause lies 12 dB under the loudest 0.2 s
 STEADY_DB = 6.0  # by which the steps of a pause may differ between their lower and upper quarter
 LEVEL_DB = 1.2  # by which the halves of a pause may differ
+PLATEAU_DB = 0.6  # a pause whose neighbour before or after is no louder than that is a floor
 FALL_DB = 0.4  # what falls by more from pause to pause,
 FALLS_ALIKE = 2.5  # and evenly, up to so many times, dies away
 
@@ -72,7 +73,10 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
     quieter, louder = sorted((float(pause[: PAUSE // 2].mean()), float(pause[PAUSE // 2 :].mean())))
     if upper > lower * 10 ** (STEADY_DB / 10) or louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
-    return None if _dies_away(means, quietest) else floor
+    beside = [means[place] for place in (quietest - PAUSE, quietest + PAUSE) if 0 <= place < len(means)]
+    if min(beside) <= floor * 10 ** (PLATEAU_DB / 10) or not _dies_away(means, quietest):
+        return floor
+    return None
 
 
 def _dies_away(means: NDArray[np.float64], quietest: int) -> bool:

@@ -7,11 +7,11 @@ Sources: RIFF and RF64 (EBU Tech 3306), rules R2, R4, R11 and R12.
 """
 
 import os
-import shutil
 import struct
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 from audio_checks import wav
 
@@ -29,9 +29,20 @@ SIZES = frozenset(
 )
 """Codes of findings that a right header can answer."""
 MOST_BYTES = 0xFFFFFFFF + 8  # of a file without ds64
+PIECE_BYTES = 1 << 20
 
 
-def with_right_sizes(path: str | os.PathLike[str], copy: Path) -> tuple[str, ...]:
+class Corrected(NamedTuple):
+    """What was put right in a header, in words, and how many bytes after the sound's file were left out.
+
+    No words for a header that was right: its copy is the same byte for byte.
+    """
+
+    words: tuple[str, ...]
+    cut_bytes: int
+
+
+def with_right_sizes(path: str | os.PathLike[str], copy: Path) -> Corrected:
     """Write a copy whose header tells what is there; return what was put right, in words.
 
     Parameters
@@ -41,25 +52,22 @@ def with_right_sizes(path: str | os.PathLike[str], copy: Path) -> tuple[str, ...
 
     Returns
     -------
-    tuple of str
-        Empty for a header that was right, byte for byte.
+    Corrected
 
     Raises
     ------
     Unreadable
         What the strict reader says of the copy: no size puts this file right.
     """
-    with wav.open_regular(path) as file:
-        found = _Sizes(file)
-    shutil.copyfile(path, copy)
     try:
-        words = found.write(copy)
+        with wav.open_regular(path) as file:
+            corrected = _Sizes(file).write(copy)
         with wav.open_regular(copy) as file:
             wav.read_layout(file)
     except BaseException:
         copy.unlink(missing_ok=True)
         raise
-    return words
+    return corrected
 
 
 @dataclass(frozen=True)
@@ -76,6 +84,7 @@ class _Sizes:
         self._file = file
         self._size = file.seek(0, os.SEEK_END)
         self._patches: list[_Patch] = []
+        self._pads: list[int] = []  # where a pad byte is missing between two chunks
         self._frame_bytes = 0
         self._end = self._size
         head = self._read(0, 12)
@@ -84,21 +93,34 @@ class _Sizes:
             self._end = self._walk(told)
             self._correct_riff_size(told)
 
-    def write(self, copy: Path) -> tuple[str, ...]:
+    def write(self, copy: Path) -> Corrected:
         words = [patch.words for patch in self._patches]
-        with copy.open("r+b") as file:
+        kept = min(self._end, self._size)
+        with copy.open("wb") as file:
+            for start, stop in pairwise((0, *self._pads, kept)):
+                self._copy(file, start, stop)
+                if stop < kept or self._end > self._size:
+                    file.write(b"\0")
             for patch in self._patches:
-                file.seek(patch.offset)
+                file.seek(patch.offset + sum(pad <= patch.offset for pad in self._pads))
                 file.write(patch.content)
-            if self._end < self._size:
-                words.append(f"{self._size - self._end} bytes after the sound's file cut off")
-                file.truncate(self._end)
-            elif self._end > self._size:
-                words.append("the missing pad byte added")
-                file.truncate(self._end)
             file.flush()
             os.fsync(file.fileno())
-        return tuple(words)
+        missing = len(self._pads) + (self._end > self._size)
+        if missing:
+            words.append("the missing pad byte added" if missing == 1 else f"{missing} missing pad bytes added")
+        if self._size > kept:
+            words.append(f"{self._size - kept} bytes after the sound's file cut off")
+        return Corrected(tuple(words), self._size - kept)
+
+    def _copy(self, target: BinaryIO, start: int, stop: int) -> None:
+        self._file.seek(start)
+        while start < stop:
+            piece = self._file.read(min(PIECE_BYTES, stop - start))
+            if not piece:
+                raise OSError("the file became shorter while it was copied")
+            target.write(piece)
+            start += len(piece)
 
     def _read(self, offset: int, count: int) -> bytes:
         self._file.seek(offset)
@@ -106,12 +128,17 @@ class _Sizes:
 
     def _walk(self, told: int) -> int:
         """Return where the last chunk ends, pad byte included."""
-        position, seen_data = 12, False
+        position, seen_data, odd = 12, False, False
         # A told end is believed only where a chunk ends there; some writers leave the last pad byte uncounted.
         while position + 8 <= self._size and not (seen_data and position - told - 8 in (0, 1)):
             head = self._read(position, 8)
             name, size = head[:4], int.from_bytes(head[4:], "little")
-            if not (name.isascii() and name.decode("ascii").isprintable()):
+            if odd and not self._is_head(position) and self._is_head(position - 1):
+                position -= 1
+                self._pads.append(position)
+                head = self._read(position, 8)
+                name, size = head[:4], int.from_bytes(head[4:], "little")
+            if not _lawful(name):
                 break
             if name == b"data" and not seen_data:
                 size, seen_data = self._data_size(position, size, told), True
@@ -119,8 +146,15 @@ class _Sizes:
                 break
             if name == b"fmt ":
                 self._correct_format(position + 8, size)
-            position += 8 + size + size % 2
+            odd = size % 2 == 1
+            position += 8 + size + odd
         return position
+
+    def _is_head(self, position: int) -> bool:
+        """Tell whether a chunk may begin here: its name is lawful, and it ends in the file or is the sound."""
+        head = self._read(position, 8)
+        name, size = head[:4], int.from_bytes(head[4:], "little")
+        return len(head) == 8 and _lawful(name) and (name == b"data" or position + 8 + size <= self._size)
 
     def _data_size(self, position: int, told: int, riff_told: int) -> int:
         """Return the bytes of sound: as told, or all that follow where the size was left open."""
@@ -144,6 +178,11 @@ class _Sizes:
             )
 
     def _correct_riff_size(self, told: int) -> None:
-        if told + 8 != self._end and self._end <= MOST_BYTES:
-            true = self._end - 8
+        end = self._end + len(self._pads)
+        if told + 8 != end <= MOST_BYTES:
+            true = end - 8
             self._patches.append(_Patch(4, struct.pack("<I", true), f"RIFF size set to {true} bytes"))
+
+
+def _lawful(name: bytes) -> bool:
+    return name.isascii() and name.decode("ascii").isprintable()

@@ -369,7 +369,7 @@ class _Work:
             return None
         whole = self._scratch()
         try:
-            self._header_words = header.with_right_sizes(self._path, whole)
+            self._header_words = header.with_right_sizes(self._path, whole).words
         except Unreadable:
             return None
         return whole

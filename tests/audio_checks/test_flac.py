@@ -196,11 +196,13 @@ def test_without_a_checksum_it_is_read(tmp_path, inside):
     assert check_file(path, ACCEPTS).verdict == "conforming"
 
 
-def test_a_decoder_that_dies_takes_only_its_file_with_it(tmp_path, monkeypatch):
-    path = write(tmp_path / "a.flac", GOOD)
+def test_a_decoder_that_dies_takes_only_its_file_with_it_and_is_our_fault(tmp_path, monkeypatch):
+    broken, whole = write(tmp_path / "a.flac", GOOD), write_wav(tmp_path / "b.wav", noise(seconds=0.2))
     monkeypatch.setattr(flac, "unpack", die)
-    entry = check_file(path, ACCEPTS)
-    assert (entry.verdict, entry.findings[0].code) == ("unreadable", "container:flac-decoder")
+    first, second = check_files([broken, whole], ACCEPTS).files
+    assert (first.verdict, first.findings[0].code) == ("unjudged", "audio-checks:crashed")
+    assert "SIGSEGV" in first.findings[0].message
+    assert second.verdict == "conforming"
 
 
 def die(_path, _out):

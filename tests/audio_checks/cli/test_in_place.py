@@ -23,15 +23,15 @@ HEADERS = {
     "stream": WHOLE[:4] + OPEN + WHOLE[8:40] + OPEN + WHOLE[44:],
     "byte-rate": riff(chunk(b"fmt ", fmt(bits=24, byte_rate=1)), chunk(b"data", pcm_bytes(GOOD))),
     "pad-byte": riff(chunk(b"fmt ", fmt(bits=24)), chunk(b"data", pcm_bytes(GOOD)[:-3], pad=False)),
+    "pad-byte-amid": riff(
+        chunk(b"fmt ", fmt(bits=24)), chunk(b"data", pcm_bytes(GOOD)[:-3], pad=False), chunk(b"LIST", b"INFO")
+    ),
 }
 LOST = {
     "cut-short": WHOLE[:-100],
     "trailing": WHOLE + b"not zero",
     "no-fmt": riff(chunk(b"data", pcm_bytes(GOOD))),
     "text": b"hello",
-    "pad-byte-amid": riff(  # a right size would cut the chunk off that follows
-        chunk(b"fmt ", fmt(bits=24)), chunk(b"data", pcm_bytes(GOOD)[:-3], pad=False), chunk(b"LIST", b"INFO")
-    ),
 }
 
 

@@ -16,7 +16,7 @@ OPEN = struct.pack("<I", 0xFFFFFFFF)
 def put_right(tmp_path, content):
     master, copy = tmp_path / "a.wav", tmp_path / "b.wav"
     master.write_bytes(content)
-    words = with_right_sizes(master, copy)
+    words, _ = with_right_sizes(master, copy)
     assert master.read_bytes() == content
     with wav.open_regular(copy) as file:
         layout = wav.read_layout(file)
@@ -57,6 +57,47 @@ def test_chunks_around_the_sound_stay(tmp_path):
     _, sound, copy = put_right(tmp_path, riff(FMT, INFO, DATA, INFO, size=7) + b"")
     assert copy == riff(FMT, INFO, DATA, INFO)
     assert sound == SOUND
+
+
+NOTE = chunk(b"note", b"odd")
+UNPADDED = NOTE[:-1]
+
+
+@pytest.mark.parametrize(
+    ("parts", "whole", "words"),
+    [
+        pytest.param(
+            (FMT, DATA, UNPADDED, INFO),
+            (FMT, DATA, NOTE, INFO),
+            "the missing pad byte added",
+            id="after the sound",
+        ),
+        pytest.param(
+            (FMT, UNPADDED, INFO, UNPADDED, DATA, INFO),
+            (FMT, NOTE, INFO, NOTE, DATA, INFO),
+            "2 missing pad bytes added",
+            id="before it, twice",
+        ),
+        pytest.param(
+            (FMT, UNPADDED, DATA, UNPADDED),
+            (FMT, NOTE, DATA, NOTE),
+            "2 missing pad bytes added",
+            id="at the end too",
+        ),
+    ],
+)
+def test_a_missing_pad_byte_costs_no_chunk(tmp_path, parts, whole, words):
+    found, sound, copy = put_right(tmp_path, riff(*parts))
+    assert copy == riff(*whole)
+    assert sound == SOUND
+    assert list(found) == [f"RIFF size set to {len(copy) - 8} bytes", words]
+
+
+def test_sizes_are_written_where_they_stand_after_a_pad_byte(tmp_path):
+    found, sound, copy = put_right(tmp_path, riff(UNPADDED, FMT, b"data" + OPEN + SOUND, size=0xFFFFFFFF))
+    assert copy == riff(NOTE, FMT, DATA)
+    assert sound == SOUND
+    assert found[0] == "data size set to 960 bytes"
 
 
 def test_a_right_header_is_copied_byte_for_byte(tmp_path):

@@ -1,0 +1,221 @@
+"""Writes docs/false-alarms.md: `SOUNDS_DIR=... make false-alarms`.
+
+The unseen half is looked at here alone, and each look is written down in looks.csv.
+"""
+
+import argparse
+import csv
+import sys
+from collections import Counter, defaultdict
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from pathlib import Path
+
+from audio_checks.measure import clicks, cuts, dropouts, flat_tops, hum, noise_floor, repeats
+from audio_checks.measure.decibels import decibels, power_decibels
+from tests.audio_checks.faults import injuries, sounds, unseen_injuries, unseen_sounds
+from tests.audio_checks.faults.masters import MOST, NAMED, flagged_masters, masters_folder
+from tests.audio_checks.faults.trial import AUDIBLE, CHECKS, NO_PLACE, Trial, counts, false_alarms, trials
+
+PAGE = Path("docs/false-alarms.md")
+LOOKS = Path(__file__).with_name("looks.csv")
+FOUND = 0.95  # of the faults at levels that count
+MUST = f"{100 * FOUND:.0f} %"
+
+
+def main() -> int:
+    """Look, write the page, and return 1 where a promise is not kept."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seeds", type=int, default=10, help="sounds of each family")
+    parser.add_argument("--only-known", action="store_true", help="leave the unseen half alone, and write no page")
+    arguments = parser.parse_args()
+    seeds = range(arguments.seeds)
+    known = list(trials(injuries.FAULTS, sounds.FAMILIES, seeds))
+    if arguments.only_known:
+        sys.stdout.write(_found_table(known))
+        return 0
+    folder = masters_folder()
+    if folder is None:
+        sys.stderr.write("SOUNDS_DIR does not name a folder with masters/ in it; their table cannot be made\n")
+        return 2
+    unseen = list(trials(unseen_injuries.FAULTS, unseen_sounds.FAMILIES, seeds))
+    whole = (false_alarms(sounds.FAMILIES, seeds), false_alarms(unseen_sounds.FAMILIES, seeds))
+    count, flagged = flagged_masters(folder)
+    _write_down(unseen)
+    PAGE.write_text(_page(known, unseen, whole, count, flagged, len(seeds)), encoding="utf-8")
+    too_many = [check for check, names in flagged.items() if len(names) > MOST]
+    missed = [check for check in CHECKS for half in (known, unseen) if _share(half, check) < FOUND]
+    sys.stdout.write(
+        f"{PAGE} written; too many masters flagged: {too_many or 'none'}; below 95 %: {missed or 'none'}\n"
+    )
+    return 1 if too_many or missed else 0
+
+
+def _write_down(unseen: list[Trial]) -> None:
+    """Add a line to the list of looks at the unseen half: when, and the share found of each check's faults."""
+    with LOOKS.open("a", encoding="utf-8", newline="") as file:
+        shares = (f"{100 * _share(unseen, check):.1f}" for check in CHECKS)
+        csv.writer(file, lineterminator="\n").writerow([f"{datetime.now(UTC):%Y-%m-%d %H:%M}", *shares])
+
+
+def _looks() -> str:
+    with LOOKS.open(encoding="utf-8", newline="") as file:
+        head, *looks = csv.reader(file)
+    rows = "".join(f"| {' | '.join(look)} |\n" for look in looks)
+    return f"| {' | '.join(head)} |\n|{'---|' * len(head)}\n{rows}"
+
+
+def _page(
+    known: list[Trial],
+    unseen: list[Trial],
+    whole: tuple[tuple[int, Counter[tuple[str, str]]], ...],
+    masters: int,
+    flagged: dict[str, set[str]],
+    seeds: int,
+) -> str:
+    return f"""<!-- Made by `SOUNDS_DIR=... make false-alarms`. Change it there. -->
+
+# False alarms
+
+A detector that cries wolf is switched off, and then finds nothing. So each one is held to two figures: how
+many of {masters} real, accepted game sounds it flags ({MOST} at most, each named below), and how many of the faults
+that were put into whole sounds on purpose it finds ({MUST} at audible levels). One half of the families of sounds
+and of faults was used to set the thresholds; the other half was never run while they were set, and is looked
+at for this page alone.
+
+## Thresholds
+{_thresholds()}
+
+## Real masters
+| check | flagged of {masters} | what is there |
+|---|---|---|
+{_masters_rows(flagged)}
+## Faults found
+Found at the levels that count, of all that were put in:
+
+| check | known families | unseen families |
+|---|---|---|
+{_summary_rows(known, unseen)}
+Click levels are told by how far a click stands out of the sound in its most audible Bark band above 1 kHz, with
+masking spread over the bands by 10 dB a Bark upwards and 27 dB downwards; and it is as sharp as one sample 40 dB
+under the sound's peak, or sharper. From {AUDIBLE["click"]:g} dB on it counts. Clicks and dropouts are put where a
+sound goes on: within 35 dB of its peak, and as loud, within 10 dB, in the 10 ms before as after. Clipping counts
+where five crests are cut off for three samples each. Hum is told by its third strongest line, against what the
+sound has in the 100 Hz around it in its quietest quarter. Noise lies 15 dB or more under the sound.
+
+### Known families: {", ".join(sounds.FAMILIES)}
+{seeds} sounds of each, of 44.1, 48 and 96 kHz, mono and stereo.
+
+{_found_table(known)}
+### Unseen families: {", ".join(unseen_sounds.FAMILIES)}
+{_found_table(unseen)}
+### Looks at the unseen half
+Per cent found of each check's faults, at the levels that count. What lies between two looks was changed on what
+the known half showed.
+
+{_looks()}
+Left out of both halves, because the sound has by its nature what the fault would leave: {_left_out()}.
+
+## Whole sounds of these families
+| check | known: flagged of {whole[0][0]} | unseen: flagged of {whole[1][0]} |
+|---|---|---|
+{_alarm_rows(whole)}"""
+
+
+def _thresholds() -> str:
+    lines = {
+        "click": f"the sixth difference of a half-millisecond is {clicks.STANDS_OUT:g} times, or its largest step"
+        f" {clicks.STEPS_OUT:g} times, the largest within {clicks.REACH / 2:g} ms before and after. Steady sounds (the"
+        f" peak of their sixth differences, but for the {clicks.CLICKED} sharpest of {clicks.SEGMENT} cells,"
+        f" under {clicks.STEADY:g} times the RMS) are foretold from {clicks.ORDER} samples"
+        f" first. What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
+        "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
+        f" {dropouts.STILL * 2**15:.1f} units of 16 bit, with sound up to both its edges; a repeat is a buffer of"
+        f" {1000 * repeats.SHORTEST_S:g} to {1000 * repeats.LONGEST_S:g} ms that comes again, bit by bit, up to"
+        f" {repeats.MOST_TIMES:g} times.",
+        "cut-start, cut-tail": f"the outermost sample reaches {cuts.EDGE_SHARE:g} of the largest within"
+        f" {1000 * cuts.NEAR_S:g} ms, lies less than {-decibels(cuts.BELOW_PEAK):.0f} dB under the file's peak, and the"
+        " wave, followed on, does not pass through zero.",
+        "clipping": f"{flat_tops.SHORTEST_RUN} samples in a row at full scale; or {flat_tops.FEWEST} crests at the"
+        f" file's own ceiling (within {100 * flat_tops.CEILING:g} %), each with {flat_tops.SHORTEST_RUN} samples or"
+        f" more on one level and a corner at both ends; or {100 * flat_tops.SOFT_SHARE:.0f} % of the highest crests of"
+        f" a channel's side, {flat_tops.SOFT_FEWEST} at least, less than {flat_tops.SOFT_RATIO:g} times as wide"
+        f" at {flat_tops.SOFT_WIDE:g} of their height as at {flat_tops.SOFT_FLAT:g}.",
+        "dc-offset": "the limit of the spec, here 1 % of full scale.",
+        "hum": f"{hum.LINES} multiples of 50 or 60 Hz, within {100 * hum.OFF:g} %, in tune within"
+        f" {100 * hum.IN_TUNE:.2g} %, {power_decibels(hum.PROMINENT):.0f} dB over what lies beside them in the quietest"
+        f" quarter of windows of {hum.WINDOWS_S[0]:g} or {hum.WINDOWS_S[1]:g} s, {power_decibels(hum.LEAST):.0f} dBFS"
+        " or more together.",
+        "noise-floor": "the limit of the spec, here -60 dBFS, on the quietest"
+        f" {noise_floor.PAUSE / 100:g} s, where it is steady, does not die away and lies"
+        f" {power_decibels(noise_floor.DEEP):.0f} dB or more under the loudest; what stays within"
+        f" {noise_floor.PLATEAU_DB:g} dB for {2 * noise_floor.PAUSE / 100:g} s does not die away.",
+    }
+    return "\n".join(f"- **{check}**: {text}" for check, text in lines.items())
+
+
+def _masters_rows(flagged: dict[str, set[str]]) -> str:
+    rows = ""
+    for check in CHECKS:
+        names = sorted(flagged[check])
+        there = "; ".join(f"`{name}`: {NAMED[check].get(name, 'not yet looked at')}" for name in names) or "nothing"
+        rows += f"| {check} | {len(names)} | {there} |\n"
+    return rows
+
+
+def _counts(half: Iterable[Trial], check: str) -> tuple[int, int]:
+    counted = [one for one in half if one.fault.check == check and counts(one.fault, one.level)]
+    return sum(one.found for one in counted), len(counted)
+
+
+def _share(half: Iterable[Trial], check: str) -> float:
+    found, tried = _counts(half, check)
+    return found / tried if tried else 0.0
+
+
+def _summary_rows(known: list[Trial], unseen: list[Trial]) -> str:
+    rows = ""
+    for check in CHECKS:
+        cells = (_counts(half, check) for half in (known, unseen))
+        rows += f"| {check} | " + " | ".join(f"{found} of {tried}, {_percent(found, tried)}" for found, tried in cells)
+        rows += " |\n"
+    return rows
+
+
+def _found_table(half: Iterable[Trial]) -> str:
+    counts: dict[tuple[str, str, float, str], list[Trial]] = defaultdict(list)
+    for one in half:
+        counts[one.fault.check, one.fault.name, one.level, one.fault.unit].append(one)
+    order = {check: place for place, check in enumerate(CHECKS)}
+    rows = "| check | fault | level | found | missed in |\n|---|---|---|---|---|\n"
+    for (check, name, level, unit), tries in sorted(counts.items(), key=lambda item: (order[item[0][0]], item[0])):
+        found = sum(one.found for one in tries)
+        missed = Counter(one.family for one in tries if not one.found)
+        where = ", ".join(f"{family} {times}" for family, times in sorted(missed.items()))
+        share = f"{found} of {len(tries)}, {_percent(found, len(tries))}"
+        rows += f"| {check} | {name} | {level:g} {unit} | {share} | {where} |\n"
+    return rows
+
+
+def _alarm_rows(whole: tuple[tuple[int, Counter[tuple[str, str]]], ...]) -> str:
+    rows = ""
+    for check in CHECKS:
+        cells = []
+        for _, flagged in whole:
+            families = {family: times for (one, family), times in sorted(flagged.items()) if one == check}
+            told = ", ".join(f"{family} {times}" for family, times in families.items())
+            cells.append(f"{sum(families.values())}" + (f" ({told})" if told else ""))
+        rows += f"| {check} | {' | '.join(cells)} |\n"
+    return rows
+
+
+def _percent(found: int, tried: int) -> str:
+    return f"{100 * found / tried:.1f} %" if tried else "none"
+
+
+def _left_out() -> str:
+    return "; ".join(f"{check} in {', '.join(sorted(families))}" for check, families in NO_PLACE.items())
+
+
+if __name__ == "__main__":
+    sys.exit(main())
