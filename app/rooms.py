@@ -5,6 +5,7 @@ from fastapi import APIRouter
 from app.accounts.endpoints import router as accounts
 from app.builds.endpoints import router as builds
 from app.conformance.endpoints import router as conformance
+from app.contracts.money_endpoints import router as money
 from app.dashboards.endpoints import router as dashboards
 from app.deliveries.endpoints import router as deliveries
 from app.notifications.endpoints import router as notifications
@@ -18,6 +19,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     projects,
     sound_lists,
+    money,
     deliveries,
     conformance,
     renders,

@@ -20,7 +20,9 @@ from app.kit.runtime import Runtime
 POLICY = "within_reach"
 UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
 ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, under a hash of the credentials
-NEVER_ALTERED = frozenset({"contracts_events", "contracts_acceptances"})  # what was said stands
+NEVER_ALTERED = frozenset(  # what was said and owed stands
+    {"contracts_events", "contracts_acceptances", "contracts_ledger_lines", "contracts_invoice_lines"}
+)
 SERVERS_OWN = frozenset({"kit_heartbeats"})
 PERSONAL = frozenset({"accounts_sign_ins", "accounts_password_resets"})
 

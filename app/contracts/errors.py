@@ -1,7 +1,67 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import NotFound
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
 
 
 class ContractNotFound(NotFound):
     """No contract of that id within the caller's sight."""
+
+
+class PlanLocked(Conflict):
+    """Milestones and prices stand as they were sent or agreed; a draft's can be changed."""
+
+
+class BadPlan(Invalid):
+    """The plan cannot be kept; its problems say why, milestone by milestone."""
+
+
+class UnderContract(Conflict):
+    """Another contract that runs covers the same cue."""
+
+
+class NothingToSplit(Invalid):
+    """A milestone has an amount and no cues to share it."""
+
+
+class NotAgreed(Conflict):
+    """Money is invoiced, paid and logged under an agreed contract only."""
+
+
+class NothingToInvoice(Conflict):
+    """Nothing is due that is not on an invoice already."""
+
+
+class InvoiceNotFound(NotFound):
+    """No invoice of that id within the caller's sight."""
+
+
+class PaymentNotFound(NotFound):
+    """No payment of that id within the caller's sight."""
+
+
+class PaysTooMuch(Invalid):
+    """A payment is none, or more than what is open on its invoice."""
+
+
+class RefundsTooMuch(Invalid):
+    """A refund is none, or more than what is left of its payment."""
+
+
+class ExtraRoundNotFound(NotFound):
+    """No round of that id beyond the included ones within the caller's sight."""
+
+
+class RoundSettled(Conflict):
+    """The extra round was agreed or dropped already."""
+
+
+class CueNotInContract(NotFound):
+    """The contract does not cover that cue."""
+
+
+class OtherPartyNeeded(Forbidden):
+    """Only the other party of the contract can do this."""
+
+
+class CalendarNotFound(NotFound):
+    """No calendar behind this link; it may have been withdrawn."""

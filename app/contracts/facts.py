@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
+from app.contracts import money_queries
 from app.contracts.models import Contract
 from app.contracts.rules import ReleaseClause
 from app.contracts.text import literal
@@ -36,9 +37,18 @@ class PlannedMilestone:
     amount_minor: int
 
 
-def plan_of(session: Session, contract: Contract) -> Sequence[PlannedMilestone]:  # noqa: ARG001
+def plan_of(session: Session, contract: Contract) -> Sequence[PlannedMilestone]:
     """Return the milestones of a contract, in order."""
-    return ()
+    cues = money_queries.cues_of(session, contract.id)
+    return [
+        PlannedMilestone(
+            name=milestone.name,
+            due_on=milestone.due_on,
+            cue_ids=[cue.cue_id for cue in cues if cue.milestone_id == milestone.id],
+            amount_minor=milestone.amount_minor,
+        )
+        for milestone in money_queries.milestones_of(session, contract.id)
+    ]
 
 
 def facts_of(session: Session, contract: Contract) -> dict[str, str]:

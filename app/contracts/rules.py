@@ -33,3 +33,27 @@ class Party(StrEnum):
 
     STUDIO = "studio"
     DESIGNER = "designer"
+
+
+class LineKind(StrEnum):
+    """Why a line of the ledger was written."""
+
+    DEPOSIT = "deposit"
+    ACCEPTED = "accepted"
+    HELD_BACK = "held_back"  # what of an accepted cue's share waited for the last cue
+    CUT = "cut"
+    EXTRA_ROUND = "extra_round"
+    WORKED_DAY = "worked_day"
+    TAX = "tax"
+    REVERSED = "reversed"  # takes back a line of any kind above
+    PAID = "paid"
+    REFUNDED = "refunded"  # takes back a line of a payment
+
+
+class WorkState(StrEnum):
+    """How far the work on a cue was when it was cut."""
+
+    NOT_BEGUN = "not_begun"
+    IN_WORK = "in_work"
+    DELIVERED = "delivered"  # every variation conforms and waits for the decider
+    ACCEPTED = "accepted"

@@ -217,6 +217,21 @@ def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUI
     return found
 
 
+def approved_takes(session: Session, cue_id: UUID) -> Sequence[Take]:
+    """Return the approved takes of a cue, one of each variation that has one."""
+    return session.scalars(
+        select(Take).where(Take.cue_id == cue_id, Take.state == TakeState.APPROVED).order_by(Take.variation)
+    ).all()
+
+
+def variation_states(session: Session, cue_id: UUID) -> dict[int, set[TakeState]]:
+    """Return in which states the takes of a cue are, by variation; what was set aside counts as work too."""
+    states: dict[int, set[TakeState]] = defaultdict(set)
+    for variation, state in session.execute(select(Take.variation, Take.state).where(Take.cue_id == cue_id)):
+        states[variation].add(state)
+    return dict(states)
+
+
 def accepted_takes(session: Session, project_id: UUID) -> list[tuple[Cue, int, Take]]:
     """Return the picked take of every variation of every accepted cue, in list order, each take with its cue."""
     takes = session.scalars(

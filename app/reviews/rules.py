@@ -1,9 +1,11 @@
 """What a verdict does and what counts as a round, stated without a database."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime, timedelta
 from enum import StrEnum
 
+from app.contracts.rules import WorkState
+from app.deliveries.rules import TakeState
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 
 
@@ -85,3 +87,18 @@ def queue_kind(variations: int, waiting: Sequence[int]) -> QueueKind:
 def why_not_counted(reversals: Sequence[bool]) -> str | None:
     """Return why a sending is no round for a cue, given which of its requests reverse an approval; None: it is."""
     return REVERSAL if all(reversals) else None
+
+
+def work_state(variations: int, states: Mapping[int, Collection[TakeState]]) -> WorkState:
+    """Return how far the work on a cue is, from the states of each variation's takes.
+
+    A file that the checks returned shows work, and is not delivered yet; one that a change was asked of is work again.
+    """
+    if not any(states.values()):
+        return WorkState.NOT_BEGUN
+    of_each = [states.get(variation, ()) for variation in range(1, variations + 1)]
+    if all(TakeState.APPROVED in of_it for of_it in of_each):
+        return WorkState.ACCEPTED
+    if all({TakeState.APPROVED, TakeState.CONFORMING} & set(of_it) for of_it in of_each):
+        return WorkState.DELIVERED
+    return WorkState.IN_WORK

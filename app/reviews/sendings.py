@@ -6,6 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.contracts.settlement import price_round
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state
 from app.kit.db import new_id
@@ -16,10 +17,12 @@ from app.projects.service import standing_in
 from app.reviews import queries
 from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
 from app.reviews.models import ChangeRequest, Round, Sending
+from app.reviews.owed import settle_acceptance
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
 from app.reviews.schemas import ChangeRequestRead, HeldBack, RoundRead, SendingRead
 from app.reviews.service import new_verdict
+from app.sound_lists.models import Cue
 
 PAGE_CHANGE_REQUESTS = 200
 
@@ -82,6 +85,10 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
         draft.sending_id = sending.id
     rounds = _count_rounds(session, sending, reversals)
     session.flush()
+    for one in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
+        if one.number is not None:
+            price_round(session, one.cue_id, number=one.number, person_id=actor.person)
+        settle_acceptance(session, session.get_one(Cue, one.cue_id), person_id=actor.person)
     session.expire_all()
     publish(session, "changes.sent", studio_id=sending.studio_id, sending_id=sending.id)
     sent = queries.change_requests_of(session, ChangeRequest.sending_id == sending.id)

@@ -6,6 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.contracts.settlement import settle_cut
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state, take_for
@@ -25,6 +26,7 @@ from app.reviews.errors import (
     SetIncomplete,
 )
 from app.reviews.models import ChangeRequest, Verdict
+from app.reviews.owed import settle_acceptance, state_of_work
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import (
     STATE_WORDS,
@@ -136,9 +138,8 @@ class _Decision:
         self._session.flush()
 
     def finish(self, cue: Cue) -> bool:
-        """Tell of the approvals, and return whether the cue is accepted now."""
-        approved = queries.approved_variations(self._session, [cue.id]).get(cue.id, [])
-        accepted = not missing_variations(cue.variations, approved)
+        """Settle what is owed, tell of the approvals, and return whether the cue is accepted now."""
+        accepted = settle_acceptance(self._session, cue, person_id=self._standing.actor.person)
         for take in self.approved:
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
@@ -223,7 +224,7 @@ def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone
     """Take back what the last click on a take decided, within a minute and while nothing later stands on it."""
     take, standing = take_for(session, actor, take_id)
     standing.ensure_decider()
-    _cue_to_judge(session, take)
+    cue = _cue_to_judge(session, take)
     draft = queries.draft_of(session, take.id)
     if draft is not None:
         ensure_undoable(draft.created_at, clock.now())
@@ -240,6 +241,7 @@ def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone
     takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])
     _ensure_nothing_since(session, decided, takes)
     restored = _take_back(session, standing, decided, takes)
+    settle_acceptance(session, cue, person_id=actor.person)
     return VerdictUndone(takes=restored, draft_dropped=False)
 
 
@@ -347,10 +349,13 @@ def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue
     lock_list(session, cue.project_id)  # before the cue, as everybody does who changes the list
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state", "edition"])
+    if cue.state is CueState.CUT:
+        raise CueIsCut("this cue was cut already")
     for draft in queries.change_requests_of(
         session, ChangeRequest.cue_id == cue.id, ChangeRequest.sending_id.is_(None)
     ):
         session.delete(draft)
+    settle_cut(session, cue.id, state=state_of_work(session, cue), person_id=actor.person)
     cut_from_list(session, actor, cue, reason)
     publish(session, "cue.cut", studio_id=cue.studio_id, cue_id=cue.id)
     return cue

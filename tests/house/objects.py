@@ -16,6 +16,17 @@ from app.accounts.rules import Role, Scope
 from app.accounts.service import add_token
 from app.builds.models import Build
 from app.conformance.models import CheckRun
+from app.contracts.models import (
+    Contract,
+    ContractCue,
+    ExtraRound,
+    Invoice,
+    InvoiceLine,
+    LedgerLine,
+    Milestone,
+    Payment,
+)
+from app.contracts.rules import ContractKind, ContractState, LineKind
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
@@ -24,7 +35,7 @@ from app.kit.queue import queue_of
 from app.kit.uploads import Upload, Uploads
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Project, ProjectInvitation
-from app.projects.queries import current_spec
+from app.projects.queries import current_spec, engagement_of
 from app.projects.rules import EngagementKind
 from app.projects.service import open_project
 from app.renders.models import Batch, Picture, Render, RenderSet
@@ -134,6 +145,7 @@ class House(World):
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
         session.add_all([picture, render, draft, comment, build, batch, mail, run, sets])
         self._add_links(session)
+        money = self._add_money(session, cue)
         token = self._token(session, self.project_id, list(Scope))
         session.flush()
         self.ids: dict[str, Any] = {
@@ -158,6 +170,7 @@ class House(World):
             "studio_invitation_id": self._studio_invitation_id,
             "token_id": token[0].id,
             "job_id": str(new_id()),
+            **money,
         }
         queue_of(session).enqueue(
             session,
@@ -167,6 +180,83 @@ class House(World):
             studio_id=self.studio_id,
             delay_s=TOMORROW.total_seconds(),
         )
+
+    def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID]:
+        """Add a contract that both agreed to, with an invoice that was paid in part."""
+        engagement = engagement_of(session, self.project_id, self.designer_id)
+        assert engagement is not None
+        of = {"studio_id": self.studio_id, "project_id": self.project_id}
+        contract = Contract(
+            **of,
+            engagement_id=engagement.id,
+            designer_id=self.designer_id,
+            number=1,
+            title="Effects",
+            kind=ContractKind.SINGLE,
+            state=ContractState.AGREED,
+            agreed_at=clock.now(),
+            currency="USD",
+            created_by=self.producer_id,
+        )
+        session.add(contract)
+        session.flush()
+        of_it = {**of, "contract_id": contract.id}
+        milestone = Milestone(**of_it, position=1, name="Alpha", amount_minor=18_000)
+        session.add(milestone)
+        session.flush()
+        covered = ContractCue(**of_it, milestone_id=milestone.id, cue_id=cue.id, position=1, amount_minor=18_000)
+        extra = ExtraRound(**of_it, cue_id=cue.id, number=3, proposed_by=self.decider_id)
+        invoice = Invoice(
+            **of_it,
+            designer_id=self.designer_id,
+            number=1,
+            issued_on=clock.now().date(),
+            due_on=clock.now().date(),
+            seller="Sound designer",
+            buyer="Studio",
+            issued_by=self.designer_id,
+        )
+        session.add_all([covered, extra, invoice])
+        session.flush()
+        payment = Payment(
+            **of_it,
+            invoice_id=invoice.id,
+            amount_minor=9_000,
+            reference="T-1",
+            paid_on=clock.now().date(),
+            recorded_by=self.producer_id,
+        )
+        session.add(payment)
+        session.flush()
+        due = LedgerLine(
+            **of_it,
+            kind=LineKind.ACCEPTED,
+            amount_minor=18_000,
+            clause="acceptance",
+            cue_id=cue.id,
+            milestone_id=milestone.id,
+            person_id=self.decider_id,
+        )
+        session.add(due)
+        session.flush()
+        paid = LedgerLine(
+            **of_it,
+            kind=LineKind.PAID,
+            amount_minor=9_000,
+            clause="payment",
+            cue_id=cue.id,
+            milestone_id=milestone.id,
+            about_id=due.id,
+            payment_id=payment.id,
+            person_id=self.producer_id,
+        )
+        session.add_all([paid, InvoiceLine(**of, ledger_line_id=due.id, invoice_id=invoice.id, text="Shield hit")])
+        return {
+            "contract_id": contract.id,
+            "extra_round_id": extra.id,
+            "invoice_id": invoice.id,
+            "payment_id": payment.id,
+        }
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}

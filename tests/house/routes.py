@@ -96,6 +96,8 @@ EXAMPLES: dict[str, Any] = {
     "tables": {"format": 1},
     "cues": [{"name": "Radar ping"}],
     "report": report(),
+    "paid_on": "2026-11-20",
+    "worked_on": "2026-11-20",
 }
 
 

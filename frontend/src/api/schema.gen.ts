@@ -981,6 +981,234 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/milestones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Plan
+         * @description Return the milestones of a contract with what became of them, and what is unwise about the plan.
+         */
+        get: operations["read_plan"];
+        /**
+         * Save Plan
+         * @description Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it.
+         */
+        put: operations["save_plan"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ledger": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Ledger
+         * @description Return a contract's ledger line by line, and what it comes to.
+         */
+        get: operations["read_ledger"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/extra-rounds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Extra Rounds
+         * @description Return the rounds beyond the included ones, with their prices.
+         */
+        get: operations["read_extra_rounds"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/extra-rounds/{extra_round_id}/agree": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Agree Extra Round
+         * @description Agree to the price of a further round; it is due at once.
+         */
+        post: operations["agree_extra_round"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/extra-rounds/{extra_round_id}/drop": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Drop Extra Round
+         * @description Let a further round go without its price.
+         */
+        post: operations["drop_extra_round"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/invoice-draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Invoice Draft
+         * @description Return what an invoice would say if it were issued now.
+         */
+        get: operations["read_invoice_draft"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/invoices": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Invoices
+         * @description Return the invoices of a contract, the oldest first.
+         */
+        get: operations["list_invoices"];
+        put?: never;
+        /**
+         * Issue Invoice
+         * @description Issue an invoice over everything that is due and on none yet.
+         */
+        post: operations["issue_invoice"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invoices/{invoice_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Invoice
+         * @description Return an invoice with its lines and payments.
+         */
+        get: operations["read_invoice"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invoices/{invoice_id}/invoice.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Invoice Pdf
+         * @description Return an invoice as PDF; the same invoice is the same bytes.
+         */
+        get: operations["read_invoice_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invoices/{invoice_id}/payments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Record Payment
+         * @description Record what was paid on an invoice, in part or whole.
+         */
+        post: operations["record_payment"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/payments/{payment_id}/refunds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Refund Payment
+         * @description Record that a payment went back, in part or whole.
+         */
+        post: operations["refund_payment"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/uploads": {
         parameters: {
             query?: never;
@@ -2311,6 +2539,18 @@ export interface components {
             duration_s: components["schemas"]["RangeRead"];
         };
         /**
+         * AdviceRead
+         * @description One thing that is unwise about a plan.
+         */
+        AdviceRead: {
+            /** Code */
+            code: string;
+            /** Message */
+            message: string;
+            /** Why */
+            why: string;
+        };
+        /**
          * AnswerAdd
          * @description The answer, which joins the cue's description unless told not to.
          */
@@ -2939,6 +3179,27 @@ export interface components {
             created_at: string;
             /** Resolved At */
             resolved_at: string | null;
+        };
+        /**
+         * ContractState
+         * @description How far the parties are.
+         * @enum {string}
+         */
+        ContractState: "draft" | "sent" | "agreed" | "ended";
+        /**
+         * ContractedCue
+         * @description A cue of the list as contracts name it.
+         */
+        ContractedCue: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
         };
         /**
          * CueAdd
@@ -3581,6 +3842,41 @@ export interface components {
             adds: string[];
         };
         /**
+         * ExtraRoundRead
+         * @description A round beyond the included ones, and its price.
+         */
+        ExtraRoundRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            cue: components["schemas"]["ContractedCue"];
+            /** Number */
+            number: number;
+            /** Included */
+            included: number;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Currency */
+            currency: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "proposed" | "agreed" | "dropped";
+            /**
+             * Proposed At
+             * Format: date-time
+             */
+            proposed_at: string;
+        };
+        /**
          * FieldChange
          * @description One fact before and after.
          */
@@ -3601,6 +3897,24 @@ export interface components {
             where: string;
             /** Message */
             message: string;
+        };
+        /**
+         * FiguresRead
+         * @description What a contract comes to without tax; paid, due, open and saved add up to agreed.
+         */
+        FiguresRead: {
+            /** Agreed Minor */
+            agreed_minor: number;
+            /** Accepted Minor */
+            accepted_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+            /** Due Minor */
+            due_minor: number;
+            /** Open Minor */
+            open_minor: number;
+            /** Saved Minor */
+            saved_minor: number;
         };
         /**
          * FindResult
@@ -3968,6 +4282,135 @@ export interface components {
             accepted_at: string | null;
         };
         /**
+         * InvoiceDraft
+         * @description What an invoice would say if it were issued now.
+         */
+        InvoiceDraft: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Currency */
+            currency: string;
+            /** Number */
+            number: number;
+            /** Seller */
+            seller: string;
+            /** Buyer */
+            buyer: string;
+            /** Po Number */
+            po_number: string;
+            /** Reverse Charge */
+            reverse_charge: boolean;
+            /** Payment Days */
+            payment_days: number;
+            /** Lines */
+            lines: components["schemas"]["InvoiceLineRead"][];
+            /** Taxes */
+            taxes: components["schemas"]["TaxRead"][];
+            /** Net Minor */
+            net_minor: number;
+            /** Total Minor */
+            total_minor: number;
+        };
+        /**
+         * InvoiceIssue
+         * @description Who asks whom; the lines are everything that is due and on no invoice yet.
+         */
+        InvoiceIssue: {
+            /** Seller */
+            seller: string;
+            /**
+             * Buyer
+             * @default
+             */
+            buyer: string;
+            /**
+             * Po Number
+             * @default
+             */
+            po_number: string;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * InvoiceLineRead
+         * @description One line of an invoice.
+         */
+        InvoiceLineRead: {
+            /** Text */
+            text: string;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Tax Bp */
+            tax_bp: number | null;
+        };
+        /**
+         * InvoiceRead
+         * @description An invoice with its lines and what was paid on it.
+         */
+        InvoiceRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Number */
+            number: number;
+            /** Currency */
+            currency: string;
+            /**
+             * Issued On
+             * Format: date
+             */
+            issued_on: string;
+            /**
+             * Due On
+             * Format: date
+             */
+            due_on: string;
+            /** Seller */
+            seller: string;
+            /** Buyer */
+            buyer: string;
+            /** Po Number */
+            po_number: string;
+            /** Note */
+            note: string;
+            /** Reverse Charge */
+            reverse_charge: boolean;
+            /** Lines */
+            lines: components["schemas"]["InvoiceLineRead"][];
+            /** Taxes */
+            taxes: components["schemas"]["TaxRead"][];
+            /** Net Minor */
+            net_minor: number;
+            /** Total Minor */
+            total_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+            /** Open Minor */
+            open_minor: number;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "open" | "partly_paid" | "paid" | "late";
+            /** Days To Pay */
+            days_to_pay: number | null;
+            /** Payments */
+            payments: components["schemas"]["PaymentRead"][];
+        };
+        /**
          * JobCountRead
          * @description How many jobs of one name are in one state.
          */
@@ -4076,6 +4519,62 @@ export interface components {
             oldest_at: string | null;
         };
         /**
+         * LedgerLineRead
+         * @description One line of a ledger: why, how much, by which clause, for which cue, and whose act it follows.
+         */
+        LedgerLineRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            kind: components["schemas"]["LineKind"];
+            /** Amount Minor */
+            amount_minor: number;
+            /** Clause */
+            clause: string;
+            cue: components["schemas"]["ContractedCue"] | null;
+            /** Milestone */
+            milestone: string | null;
+            /** Round Number */
+            round_number: number | null;
+            /** Tax Bp */
+            tax_bp: number | null;
+            /** By */
+            by: string;
+            /** About Id */
+            about_id: string | null;
+            /** Invoice Number */
+            invoice_number: number | null;
+            /** Reference */
+            reference: string | null;
+        };
+        /**
+         * LedgerRead
+         * @description A contract's ledger in the order of its writing, and what it comes to.
+         */
+        LedgerRead: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Currency */
+            currency: string;
+            figures: components["schemas"]["FiguresRead"];
+            /** Tax Minor */
+            tax_minor: number;
+            /** Open Tax Minor */
+            open_tax_minor: number;
+            /** Lines */
+            lines: components["schemas"]["LedgerLineRead"][];
+        };
+        /**
          * LeftRead
          * @description What is still found in a mended copy, and why no mend answers it.
          */
@@ -4119,6 +4618,12 @@ export interface components {
             /** Mono Loss Db */
             mono_loss_db: number | null;
         };
+        /**
+         * LineKind
+         * @description Why a line of the ledger was written.
+         * @enum {string}
+         */
+        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * ListComparison
          * @description What happened to the list between two revisions.
@@ -4368,6 +4873,82 @@ export interface components {
              * Format: date-time
              */
             used_at: string;
+        };
+        /**
+         * MilestoneCueRead
+         * @description A cue under contract: what was agreed for it and what became of it.
+         */
+        MilestoneCueRead: {
+            cue: components["schemas"]["ContractedCue"];
+            /** Price Minor */
+            price_minor: number | null;
+            /** Amount Minor */
+            amount_minor: number | null;
+            /** Estimate Min */
+            estimate_min: number | null;
+            /** Accepted At */
+            accepted_at: string | null;
+            cut_in: components["schemas"]["WorkState"] | null;
+            /** Owed Minor */
+            owed_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+        };
+        /**
+         * MilestoneRead
+         * @description A milestone; `left_minor` is its amount without what cuts saved.
+         */
+        MilestoneRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Is Deposit */
+            is_deposit: boolean;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Left Minor */
+            left_minor: number;
+            /** Owed Minor */
+            owed_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+            /** Due On */
+            due_on: string | null;
+            /** Tax Bp */
+            tax_bp: number | null;
+            /** Accepted */
+            accepted: number;
+            /** Wanted */
+            wanted: number;
+            /** Done At */
+            done_at: string | null;
+            /** Cues */
+            cues: components["schemas"]["MilestoneCueRead"][];
+        };
+        /**
+         * MilestoneSet
+         * @description A planned milestone; without an amount, the prices of its cues add up to it.
+         */
+        MilestoneSet: {
+            /** Name */
+            name: string;
+            /** Amount Minor */
+            amount_minor?: number | null;
+            /** Due On */
+            due_on?: string | null;
+            /**
+             * Is Deposit
+             * @default false
+             */
+            is_deposit: boolean;
+            /** Tax Bp */
+            tax_bp?: number | null;
+            /** Cues */
+            cues?: components["schemas"]["PlannedCueSet"][];
         };
         /**
          * Mine
@@ -4779,6 +5360,45 @@ export interface components {
             new: string;
         };
         /**
+         * PaymentAdd
+         * @description Money that changed hands; below zero on a credit note.
+         */
+        PaymentAdd: {
+            /** Amount Minor */
+            amount_minor: number;
+            /** Reference */
+            reference: string;
+            /**
+             * Paid On
+             * Format: date
+             */
+            paid_on: string;
+        };
+        /**
+         * PaymentRead
+         * @description A payment or, below zero, a refund.
+         */
+        PaymentRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Reference */
+            reference: string;
+            /**
+             * Paid On
+             * Format: date
+             */
+            paid_on: string;
+            /** Refund Of Id */
+            refund_of_id: string | null;
+            /** Left Minor */
+            left_minor: number;
+        };
+        /**
          * PeaksRead
          * @description The shape of a sound across a screen: ±1.0 is full scale.
          */
@@ -4835,6 +5455,47 @@ export interface components {
         PlaceholderSet: {
             /** Placeholder */
             placeholder: boolean;
+        };
+        /**
+         * PlanRead
+         * @description The milestones of a contract, and what is unwise about them.
+         */
+        PlanRead: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            state: components["schemas"]["ContractState"];
+            /** Currency */
+            currency: string;
+            /** Milestones */
+            milestones: components["schemas"]["MilestoneRead"][];
+            /** Advice */
+            advice: components["schemas"]["AdviceRead"][];
+        };
+        /**
+         * PlanSet
+         * @description The whole plan of a draft.
+         */
+        PlanSet: {
+            /** Milestones */
+            milestones: components["schemas"]["MilestoneSet"][];
+        };
+        /**
+         * PlannedCueSet
+         * @description A cue of a planned milestone; prices, where given, are the weights of its shares.
+         */
+        PlannedCueSet: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Price Minor */
+            price_minor?: number | null;
+            /** Estimate Min */
+            estimate_min?: number | null;
         };
         /**
          * PreviewCue
@@ -6108,6 +6769,16 @@ export interface components {
             over_peak: string;
         };
         /**
+         * TaxRead
+         * @description The tax of one rate on an invoice.
+         */
+        TaxRead: {
+            /** Tax Bp */
+            tax_bp: number;
+            /** Amount Minor */
+            amount_minor: number;
+        };
+        /**
          * ThumbRead
          * @description The shape of a sound in a row of a list: integers, ±127 is full scale.
          */
@@ -6444,6 +7115,12 @@ export interface components {
              */
             since: string;
         };
+        /**
+         * WorkState
+         * @description How far the work on a cue was when it was cut.
+         * @enum {string}
+         */
+        WorkState: "not_begun" | "in_work" | "delivered" | "accepted";
         /**
          * WorkerRead
          * @description A worker process, when it last said that it lives, and how many jobs it has in hand.
@@ -9212,6 +9889,650 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_plan: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlanRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_plan: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlanSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlanRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `plan-locked` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-plan` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_ledger: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LedgerRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_extra_rounds: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExtraRoundRead"][];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    agree_extra_round: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                extra_round_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExtraRoundRead"];
+                };
+            };
+            /** @description `other-party-needed`, `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `extra-round-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `round-settled` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    drop_extra_round: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                extra_round_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExtraRoundRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `extra-round-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `round-settled` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_invoice_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceDraft"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-agreed`, `nothing-to-invoice` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_invoices: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"][];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    issue_invoice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvoiceIssue"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-agreed`, `nothing-to-invoice` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_invoice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"];
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_invoice_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The invoice */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": unknown;
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    record_payment: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PaymentAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pays-too-much` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    refund_payment: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                payment_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PaymentAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `payment-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `refunds-too-much` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

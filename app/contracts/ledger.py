@@ -1,0 +1,138 @@
+"""A contract's ledger as it is kept: read as a book, written line by line, each line told to the record."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.contracts import money_queries, record
+from app.contracts.book import Book, Entry, Line, PayRules, PricedCue
+from app.contracts.models import Contract, ContractCue, LedgerLine, Milestone
+from app.contracts.rules import LineKind
+from app.contracts.terms import MoneyTerms
+from app.kit.money import money
+from app.projects.models import Project
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
+
+# What the record calls it when a line of this kind is written.
+EVENTS = {
+    LineKind.DEPOSIT: "due",
+    LineKind.ACCEPTED: "due",
+    LineKind.HELD_BACK: "due",
+    LineKind.CUT: "due",
+    LineKind.EXTRA_ROUND: "due",
+    LineKind.WORKED_DAY: "due",
+    LineKind.TAX: "due",
+    LineKind.REVERSED: "taken_back",
+    LineKind.PAID: "paid",
+    LineKind.REFUNDED: "refunded",
+}
+
+
+def book_of(session: Session, contract: Contract) -> Book:
+    """Return a contract's ledger with its sums."""
+    lines = [_line(line, invoice_id) for line, invoice_id in money_queries.ledger_of(session, contract.id)]
+    return Book(lines, contract.currency)
+
+
+def _line(line: LedgerLine, invoice_id: UUID | None) -> Line:
+    return Line(
+        kind=line.kind,
+        amount_minor=line.amount_minor,
+        clause=line.clause,
+        cue_id=line.cue_id,
+        milestone_id=line.milestone_id,
+        about_id=line.about_id,
+        round_number=line.round_number,
+        tax_bp=line.tax_bp,
+        id=line.id,
+        person_id=line.person_id,
+        invoice_id=invoice_id,
+        payment_id=line.payment_id,
+    )
+
+
+def priced(cues: Iterable[ContractCue]) -> list[PricedCue]:
+    """Return the cues of an agreed contract with their prices, and where they stand."""
+    return [
+        PricedCue(
+            cue_id=cue.cue_id,
+            milestone_id=cue.milestone_id,
+            amount_minor=cue.amount_minor or 0,
+            is_accepted=cue.accepted_at is not None,
+            cut_in=cue.cut_in,
+        )
+        for cue in cues
+    ]
+
+
+def terms_of(session: Session, contract: Contract) -> MoneyTerms:
+    """Return by which terms a contract's money is reckoned."""
+    return MoneyTerms.of(money_queries.agreed_terms(session, contract))
+
+
+def rules_of(contract: Contract, terms: MoneyTerms) -> PayRules:
+    """Return by which clauses a contract's shares become due."""
+    return PayRules(contract.release_clause, contract.holdback_bp, terms.kill_fees)
+
+
+def write(
+    session: Session,
+    contract: Contract,
+    entries: Sequence[Entry],
+    *,
+    person_id: UUID,
+    payment_id: UUID | None = None,
+) -> list[LedgerLine]:
+    """Add lines to a contract's ledger, and tell each to its record; callers hold the contract's lock."""
+    lines = [
+        LedgerLine(
+            studio_id=contract.studio_id,
+            project_id=contract.project_id,
+            contract_id=contract.id,
+            person_id=person_id,
+            payment_id=payment_id,
+            **asdict(entry),
+        )
+        for entry in entries
+    ]
+    session.add_all(lines)
+    session.flush()
+    if lines:
+        prefix = session.get_one(Project, contract.project_id).cue_prefix
+        by = session.get_one(Person, person_id).name
+        for line in lines:
+            record.append(session, contract.id, EVENTS[line.kind], _told(session, line, contract.currency, prefix, by))
+    return lines
+
+
+def _told(session: Session, line: LedgerLine, currency: str, cue_prefix: str, by: str) -> dict[str, object]:
+    told: dict[str, object] = {
+        "amount": money(line.amount_minor, currency),
+        "amount_minor": line.amount_minor,
+        "because": line.kind.value,
+        "clause": line.clause,
+        "line": str(line.id),
+        "by": by,
+    }
+    if line.cue_id is not None:
+        told["cue"] = called(session.get_one(Cue, line.cue_id), cue_prefix)
+    if line.milestone_id is not None:
+        told["milestone"] = session.get_one(Milestone, line.milestone_id).name
+    if line.round_number is not None:
+        told["round"] = line.round_number
+    if line.tax_bp is not None and line.cue_id is None and line.milestone_id is None:
+        told["tax_bp"] = line.tax_bp
+    if line.about_id is not None:
+        told["about_line"] = str(line.about_id)
+    if line.payment_id is not None:
+        told["payment"] = str(line.payment_id)
+    return told
+
+
+def called(cue: Cue, cue_prefix: str) -> str:
+    """Return a cue as people name it: SW-007 shield_hit."""
+    return f"{label(cue_prefix, cue.number)} {cue.name}"

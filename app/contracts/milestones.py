@@ -1,0 +1,207 @@
+"""A contract's plan: milestones with dates, cues and amounts; free in a draft, fixed when both have agreed."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import date
+from uuid import UUID
+
+from sqlalchemy import delete, select
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor, Role
+from app.contracts import money_queries, record
+from app.contracts.amounts import split
+from app.contracts.book import CLAUSES, Entry
+from app.contracts.errors import BadPlan, ContractNotFound, PlanLocked, UnderContract
+from app.contracts.ledger import terms_of, write
+from app.contracts.models import Contract, ContractCue, Milestone
+from app.contracts.plan_check import HOLDBACK_BP, Advice, PlannedPayment, check_plan
+from app.contracts.queries import contract_for, lock_contract
+from app.contracts.rules import ContractKind, ContractState, LineKind
+from app.contracts.terms import PriceMode
+from app.kit.errors import FieldProblem
+from app.kit.money import BASIS_POINTS, money
+from app.projects.errors import ProducerNeeded
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
+
+LARGEST_MINOR = 10**12  # of one milestone
+
+
+@dataclass(frozen=True)
+class PlannedCue:
+    """A cue of a planned milestone."""
+
+    cue_id: UUID
+    price_minor: int | None = None
+    estimate_min: int | None = None
+
+
+@dataclass(frozen=True)
+class PlannedMilestone:
+    """A milestone as it is planned; without an amount, its cues' prices add up to it."""
+
+    name: str
+    amount_minor: int | None
+    due_on: date | None
+    is_deposit: bool = False
+    tax_bp: int | None = None
+    cues: Sequence[PlannedCue] = field(default_factory=tuple)
+
+    @property
+    def whole_minor(self) -> int:
+        """What the milestone pays."""
+        if self.amount_minor is not None:
+            return self.amount_minor
+        return sum(cue.price_minor or 0 for cue in self.cues)
+
+
+def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:
+    """Put a plan in the place of a draft's plan; raise BadPlan with every problem that it has."""
+    contract = contract_in_sight(session, actor, contract_id)
+    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
+        raise ProducerNeeded("only a producer of the studio plans its payments")
+    lock_contract(session, contract.id)
+    if contract.state is not ContractState.DRAFT:
+        raise PlanLocked(
+            f"this contract is {contract.state.value}, and its plan stands in the text that both see",
+            fix="take it back into a draft first, or agree on another statement of work",
+        )
+    if contract.kind in (ContractKind.NDA, ContractKind.FRAMEWORK):
+        raise PlanLocked(f"a contract of the kind {contract.kind.value} has no milestones; its batches have")
+    if faults := _faults(session, contract, plan):
+        raise BadPlan("; ".join(fault["message"] for fault in faults[:5]), errors=faults)
+    session.execute(delete(ContractCue).where(ContractCue.contract_id == contract.id))
+    session.execute(delete(Milestone).where(Milestone.contract_id == contract.id))
+    position = 0
+    for place, planned in enumerate(plan, start=1):
+        of = {"studio_id": contract.studio_id, "project_id": contract.project_id, "contract_id": contract.id}
+        milestone = Milestone(
+            **of,
+            position=place,
+            name=planned.name,
+            is_deposit=planned.is_deposit,
+            amount_minor=planned.whole_minor,
+            due_on=planned.due_on,
+            tax_bp=planned.tax_bp,
+        )
+        session.add(milestone)
+        session.flush()
+        for cue in planned.cues:
+            position += 1
+            session.add(ContractCue(**of, milestone_id=milestone.id, position=position, **vars(cue)))
+    whole = sum(planned.whole_minor for planned in plan)
+    deposit = sum(planned.whole_minor for planned in plan if planned.is_deposit)
+    contract.deposit_bp = (2 * deposit * BASIS_POINTS + whole) // (2 * whole) if whole else 0
+    session.flush()
+    return contract
+
+
+def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> list[FieldProblem]:
+    faults: list[FieldProblem] = []
+
+    def tell(where: str, message: str) -> None:
+        faults.append(FieldProblem(where=where, message=message))
+
+    wanted = [cue.cue_id for planned in plan for cue in planned.cues]
+    known = {
+        cue.id: cue
+        for cue in session.scalars(select(Cue).where(Cue.id.in_(wanted), Cue.project_id == contract.project_id))
+    }
+    for place, planned in enumerate(plan):
+        at = f"milestones.{place}"
+        if planned.is_deposit and planned.cues:
+            tell(at, f"{planned.name} is a deposit, which is due at signing; move its cues into a milestone")
+        if not 0 <= planned.whole_minor <= LARGEST_MINOR:
+            tell(at, f"{planned.name} pays {planned.whole_minor}; wanted 0 to {LARGEST_MINOR} in whole minor units")
+        prices = [cue.price_minor for cue in planned.cues]
+        if planned.amount_minor is not None and None not in prices and prices:
+            added = sum(price or 0 for price in prices)
+            if added != planned.amount_minor:
+                tell(
+                    at,
+                    f"the cues of {planned.name} add up to {money(added, contract.currency)}, "
+                    f"and it pays {money(planned.amount_minor, contract.currency)}; leave one of them out",
+                )
+        elif planned.amount_minor is None and None in prices:
+            tell(at, f"{planned.name} has no amount, and a cue of it no price; give one of them")
+        for cue in planned.cues:
+            if cue.cue_id not in known:
+                tell(at, f"{planned.name}: there is no cue {cue.cue_id} in this project")
+            elif known[cue.cue_id].state is CueState.CUT:
+                tell(at, f"{planned.name}: {known[cue.cue_id].name} was cut")
+    for cue_id, times in Counter(wanted).items():
+        if times > 1 and cue_id in known:
+            tell("milestones", f"{known[cue_id].name} stands in the plan {times} times; a cue has one milestone")
+    return faults
+
+
+def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    """Return a contract that the caller may see; raise ContractNotFound otherwise."""
+    contract = contract_for(session, actor, contract_id)
+    if contract is None:
+        raise ContractNotFound(f"no contract {contract_id}")
+    return contract
+
+
+def advice_on(session: Session, contract: Contract) -> list[Advice]:
+    """Return what is unwise about a contract's plan, and why."""
+    cues = Counter(cue.milestone_id for cue in money_queries.cues_of(session, contract.id))
+    payments = [
+        PlannedPayment(
+            name=milestone.name,
+            amount_minor=milestone.amount_minor,
+            due_on=milestone.due_on,
+            cues=cues[milestone.id],
+            is_deposit=milestone.is_deposit,
+        )
+        for milestone in money_queries.milestones_of(session, contract.id)
+    ]
+    return check_plan(payments, contract.currency, HOLDBACK_BP)
+
+
+def fix_plan(session: Session, contract: Contract, *, person_id: UUID) -> None:
+    """Fix the price of every cue now that both have agreed, and make the deposit due.
+
+    Raises UnderContract where a cue is not settled under another contract, NothingToSplit for an amount without cues.
+    """
+    milestones = money_queries.milestones_of(session, contract.id)
+    cues = money_queries.cues_of(session, contract.id)
+    taken = money_queries.covered_elsewhere(session, contract.id, [cue.cue_id for cue in cues])
+    if taken:
+        named = ", ".join(f"{cue} ({title})" for cue, title in taken)
+        raise UnderContract(f"another contract covers {named}", fix="end that one, or take these cues out of this one")
+    by_day = terms_of(session, contract).price_mode is PriceMode.DAY_RATE
+    deposits: list[Entry] = []
+    for milestone in milestones:
+        own = [cue for cue in cues if cue.milestone_id == milestone.id]
+        if milestone.is_deposit:
+            deposits += _deposit(milestone)
+        elif own or (milestone.amount_minor and not by_day):
+            for cue, amount_minor in zip(own, _shares(milestone, own), strict=True):
+                cue.amount_minor = amount_minor
+    session.flush()
+    plan = [
+        {
+            "name": milestone.name,
+            "amount": money(milestone.amount_minor, contract.currency),
+            "due_on": milestone.due_on.isoformat() if milestone.due_on else "",
+            "cues": sum(cue.milestone_id == milestone.id for cue in cues),
+        }
+        for milestone in milestones
+    ]
+    if plan:
+        record.append(session, contract.id, "planned", {"milestones": plan})
+    write(session, contract, deposits, person_id=person_id)
+
+
+def _shares(milestone: Milestone, cues: Sequence[ContractCue]) -> list[int]:
+    return split(milestone.amount_minor, [cue.price_minor or 0 for cue in cues])
+
+
+def _deposit(milestone: Milestone) -> list[Entry]:
+    if not milestone.amount_minor:
+        return []
+    kind = LineKind.DEPOSIT
+    return [Entry(kind, milestone.amount_minor, CLAUSES[kind], milestone_id=milestone.id)]

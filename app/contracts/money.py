@@ -1,0 +1,186 @@
+"""A contract's plan, ledger and figures as people read them."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.contracts import money_queries
+from app.contracts import money_schemas as schemas
+from app.contracts.book import Book, PricedCue, price_of_round
+from app.contracts.figures import Figures, figures_of, open_tax_minor, tax_minor
+from app.contracts.ledger import book_of, priced, terms_of
+from app.contracts.milestones import advice_on, contract_in_sight
+from app.contracts.models import Contract, ContractCue, ExtraRound, Milestone
+from app.contracts.rules import LineKind
+from app.contracts.terms import MoneyTerms
+from app.projects.models import Project
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
+
+
+def brief(cue: Cue, cue_prefix: str) -> schemas.ContractedCue:
+    """Return a cue as contracts name it."""
+    return schemas.ContractedCue(id=cue.id, label=label(cue_prefix, cue.number), name=cue.name)
+
+
+def plan(session: Session, actor: Actor, contract_id: UUID) -> schemas.PlanRead:
+    """Return the milestones of a contract with what became of them, and what is unwise about the plan."""
+    contract = contract_in_sight(session, actor, contract_id)
+    return plan_of(session, contract)
+
+
+def plan_of(session: Session, contract: Contract) -> schemas.PlanRead:
+    """Return the milestones of a contract that the caller was found to see."""
+    return schemas.PlanRead(
+        contract_id=contract.id,
+        state=contract.state,
+        currency=contract.currency,
+        milestones=milestones_read(session, contract, book_of(session, contract)),
+        advice=[schemas.AdviceRead(**asdict(one)) for one in advice_on(session, contract)],
+    )
+
+
+def milestones_read(session: Session, contract: Contract, book: Book) -> list[schemas.MilestoneRead]:
+    """Return the milestones of a contract, each with its cues and sums."""
+    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
+    cues = money_queries.cues_of(session, contract.id)
+    owed, paid = _by_place(book, "owed"), _by_place(book, "paid")
+    return [
+        _milestone(milestone, [cue for cue in cues if cue.milestone_id == milestone.id], owed, paid, cue_prefix)
+        for milestone in money_queries.milestones_of(session, contract.id)
+    ]
+
+
+Place = tuple[UUID | None, UUID | None]  # milestone and cue
+
+
+def _by_place(book: Book, what: str) -> Mapping[Place, int]:
+    sums: Counter[Place] = Counter()
+    for line in book.owed:
+        if line.kind is not LineKind.TAX:
+            amount_minor = line.amount_minor if what == "owed" else book.paid_minor(line.id)
+            sums[line.milestone_id, line.cue_id] += amount_minor
+    return sums
+
+
+def _milestone(
+    milestone: Milestone,
+    cues: Sequence[ContractCue],
+    owed: Mapping[Place, int],
+    paid: Mapping[Place, int],
+    cue_prefix: str,
+) -> schemas.MilestoneRead:
+    wanted = [cue for cue in cues if cue.cut_at is None]
+    moments = [cue.accepted_at or cue.cut_at for cue in cues]
+    saved = sum((cue.amount_minor or 0) - owed.get((milestone.id, cue.cue_id), 0) for cue in cues if cue.cut_at)
+    return schemas.MilestoneRead(
+        id=milestone.id,
+        name=milestone.name,
+        is_deposit=milestone.is_deposit,
+        amount_minor=milestone.amount_minor,
+        left_minor=milestone.amount_minor - max(saved, 0),
+        owed_minor=sum(amount for (milestone_id, _), amount in owed.items() if milestone_id == milestone.id),
+        paid_minor=sum(amount for (milestone_id, _), amount in paid.items() if milestone_id == milestone.id),
+        due_on=milestone.due_on,
+        tax_bp=milestone.tax_bp,
+        accepted=sum(cue.accepted_at is not None for cue in wanted),
+        wanted=len(wanted),
+        done_at=max(moment for moment in moments if moment) if moments and all(moments) else None,
+        cues=[
+            schemas.MilestoneCueRead(
+                cue=brief(cue.cue, cue_prefix),
+                price_minor=cue.price_minor,
+                amount_minor=cue.amount_minor,
+                estimate_min=cue.estimate_min,
+                accepted_at=cue.accepted_at,
+                cut_in=cue.cut_in,
+                owed_minor=owed.get((milestone.id, cue.cue_id), 0),
+                paid_minor=paid.get((milestone.id, cue.cue_id), 0),
+            )
+            for cue in cues
+        ],
+    )
+
+
+def figures(session: Session, contract: Contract, book: Book) -> Figures:
+    """Return what an agreed contract comes to."""
+    milestones = money_queries.milestones_of(session, contract.id)
+    deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
+    days_minor = terms_of(session, contract).days_cap_minor
+    return figures_of(book, priced(money_queries.cues_of(session, contract.id)), deposit_minor + days_minor)
+
+
+def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerRead:
+    """Return a contract's ledger, line by line, and what it comes to."""
+    contract = contract_in_sight(session, actor, contract_id)
+    book = book_of(session, contract)
+    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
+    milestones = {one.id: one.name for one in money_queries.milestones_of(session, contract.id)}
+    numbers = {invoice.id: invoice.number for invoice in money_queries.invoices_of(session, contract.id)}
+    references = {payment.id: payment.reference for payment in money_queries.payments_of(session, contract.id)}
+    return schemas.LedgerRead(
+        contract_id=contract.id,
+        currency=contract.currency,
+        figures=schemas.FiguresRead(**asdict(figures(session, contract, book))),
+        tax_minor=tax_minor(book),
+        open_tax_minor=open_tax_minor(book),
+        lines=[
+            schemas.LedgerLineRead(
+                id=line.id,
+                at=line.created_at,
+                kind=line.kind,
+                amount_minor=line.amount_minor,
+                clause=line.clause,
+                cue=brief(line.cue, cue_prefix) if line.cue else None,
+                milestone=milestones[line.milestone_id] if line.milestone_id else None,
+                round_number=line.round_number,
+                tax_bp=line.tax_bp,
+                by=line.person.name,
+                about_id=line.about_id,
+                invoice_number=numbers[invoice_id] if invoice_id else None,
+                reference=references[line.payment_id] if line.payment_id else None,
+            )
+            for line, invoice_id in money_queries.ledger_of(session, contract.id)
+        ],
+    )
+
+
+def extra_rounds(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.ExtraRoundRead]:
+    """Return the rounds beyond the included ones, with their prices."""
+    contract = contract_in_sight(session, actor, contract_id)
+    terms, cues = terms_of(session, contract), _priced_by_cue(session, contract)
+    rounds = money_queries.extra_rounds_of(session, contract.id)
+    return [extra_round_read(session, contract, one, terms, cues[one.cue_id]) for one in rounds]
+
+
+def extra_round(session: Session, proposed: ExtraRound) -> schemas.ExtraRoundRead:
+    """Return one round beyond the included ones, with its price."""
+    contract = session.get_one(Contract, proposed.contract_id)
+    cue = _priced_by_cue(session, contract)[proposed.cue_id]
+    return extra_round_read(session, contract, proposed, terms_of(session, contract), cue)
+
+
+def extra_round_read(
+    session: Session, contract: Contract, proposed: ExtraRound, terms: MoneyTerms, cue: PricedCue
+) -> schemas.ExtraRoundRead:
+    """Return a round with its price by the terms."""
+    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
+    return schemas.ExtraRoundRead(
+        id=proposed.id,
+        contract_id=contract.id,
+        cue=brief(proposed.cue, cue_prefix),
+        number=proposed.number,
+        included=terms.rounds_included,
+        amount_minor=price_of_round(cue, terms.extra_round_bp),
+        currency=contract.currency,
+        state="agreed" if proposed.agreed_at else "dropped" if proposed.dropped_at else "proposed",
+        proposed_at=proposed.proposed_at,
+    )
+
+
+def _priced_by_cue(session: Session, contract: Contract) -> dict[UUID, PricedCue]:
+    return {cue.cue_id: cue for cue in priced(money_queries.cues_of(session, contract.id))}

@@ -1,0 +1,191 @@
+"""The endpoints of plans, ledgers, invoices and payments."""
+
+from typing import Any
+from uuid import UUID
+
+from fastapi import APIRouter, Response
+
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Sight
+from app.contracts import documents, invoice_text, invoices, milestones, money, payments, settlement
+from app.contracts import money_schemas as schemas
+from app.contracts.errors import (
+    BadPlan,
+    ContractNotFound,
+    ExtraRoundNotFound,
+    InvoiceNotFound,
+    NotAgreed,
+    NothingToInvoice,
+    OtherPartyNeeded,
+    PaymentNotFound,
+    PaysTooMuch,
+    PlanLocked,
+    RefundsTooMuch,
+    RoundSettled,
+)
+from app.contracts.milestones import PlannedCue, PlannedMilestone
+from app.kit.http import DbSession, Route, problems
+from app.projects.errors import ProducerNeeded
+
+router = APIRouter(prefix="/v1", tags=["money"], route_class=Route)
+PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
+
+
+@router.get("/contracts/{contract_id}/milestones", responses=problems(ContractNotFound))
+def read_plan(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.PlanRead:
+    """Return the milestones of a contract with what became of them, and what is unwise about the plan."""
+    return money.plan(session, actor, contract_id)
+
+
+@router.put(
+    "/contracts/{contract_id}/milestones", responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan)
+)
+def save_plan(
+    contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.PlanRead:
+    """Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it."""
+    plan = [
+        PlannedMilestone(
+            name=one.name,
+            amount_minor=one.amount_minor,
+            due_on=one.due_on,
+            is_deposit=one.is_deposit,
+            tax_bp=one.tax_bp,
+            cues=[PlannedCue(cue.cue_id, cue.price_minor, cue.estimate_min) for cue in one.cues],
+        )
+        for one in body.milestones
+    ]
+    return money.plan_of(session, milestones.save_plan(session, actor, contract_id, plan))
+
+
+@router.get("/contracts/{contract_id}/ledger", responses=problems(ContractNotFound))
+def read_ledger(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.LedgerRead:
+    """Return a contract's ledger line by line, and what it comes to."""
+    return money.ledger(session, actor, contract_id)
+
+
+@router.get("/contracts/{contract_id}/extra-rounds", responses=problems(ContractNotFound))
+def read_extra_rounds(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> list[schemas.ExtraRoundRead]:
+    """Return the rounds beyond the included ones, with their prices."""
+    return money.extra_rounds(session, actor, contract_id)
+
+
+@router.post(
+    "/extra-rounds/{extra_round_id}/agree",
+    responses=problems(ExtraRoundNotFound, OtherPartyNeeded, ProducerNeeded, RoundSettled),
+)
+def agree_extra_round(
+    extra_round_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ExtraRoundRead:
+    """Agree to the price of a further round; it is due at once."""
+    return money.extra_round(session, settlement.agree_extra_round(session, actor, extra_round_id))
+
+
+@router.post(
+    "/extra-rounds/{extra_round_id}/drop", responses=problems(ExtraRoundNotFound, OtherPartyNeeded, RoundSettled)
+)
+def drop_extra_round(
+    extra_round_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> schemas.ExtraRoundRead:
+    """Let a further round go without its price."""
+    return money.extra_round(session, settlement.drop_extra_round(session, actor, extra_round_id))
+
+
+@router.get(
+    "/contracts/{contract_id}/invoice-draft",
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
+)
+def read_invoice_draft(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> schemas.InvoiceDraft:
+    """Return what an invoice would say if it were issued now."""
+    return invoices.draft_invoice(session, actor, contract_id)
+
+
+@router.get("/contracts/{contract_id}/invoices", responses=problems(ContractNotFound))
+def list_invoices(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> list[schemas.InvoiceRead]:
+    """Return the invoices of a contract, the oldest first."""
+    return invoices.invoices(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/invoices",
+    status_code=201,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
+)
+def issue_invoice(
+    contract_id: UUID, body: schemas.InvoiceIssue, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> schemas.InvoiceRead:
+    """Issue an invoice over everything that is due and on none yet."""
+    issued = invoices.issue_invoice(
+        session,
+        actor,
+        contract_id,
+        seller=body.seller,
+        buyer=body.buyer,
+        po_number=body.po_number,
+        note=body.note,
+    )
+    return invoices.invoice(session, actor, issued.id)
+
+
+@router.get("/invoices/{invoice_id}", responses=problems(InvoiceNotFound))
+def read_invoice(invoice_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.InvoiceRead:
+    """Return an invoice with its lines and payments."""
+    return invoices.invoice(session, actor, invoice_id)
+
+
+@router.get(
+    "/invoices/{invoice_id}/invoice.pdf",
+    response_class=Response,
+    responses=PDF_ANSWER | problems(InvoiceNotFound),
+)
+def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> Response:
+    """Return an invoice as PDF; the same invoice is the same bytes."""
+    found = invoices.invoice(session, actor, invoice_id)
+    name = f'inline; filename="invoice-{found.number}.pdf"'
+    return Response(invoice_text.pdf_of(found), media_type=documents.PDF, headers={"Content-Disposition": name})
+
+
+@router.post(
+    "/invoices/{invoice_id}/payments",
+    status_code=201,
+    responses=problems(InvoiceNotFound, ProducerNeeded, PaysTooMuch),
+)
+def record_payment(
+    invoice_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.InvoiceRead:
+    """Record what was paid on an invoice, in part or whole."""
+    payments.record_payment(
+        session,
+        actor,
+        invoice_id,
+        amount_minor=body.amount_minor,
+        reference=body.reference,
+        paid_on=body.paid_on,
+    )
+    return invoices.invoice(session, actor, invoice_id)
+
+
+@router.post(
+    "/payments/{payment_id}/refunds",
+    status_code=201,
+    responses=problems(PaymentNotFound, ProducerNeeded, RefundsTooMuch),
+)
+def refund_payment(
+    payment_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.InvoiceRead:
+    """Record that a payment went back, in part or whole."""
+    refund = payments.refund_payment(
+        session,
+        actor,
+        payment_id,
+        amount_minor=body.amount_minor,
+        reference=body.reference,
+        paid_on=body.paid_on,
+    )
+    return invoices.invoice(session, actor, refund.invoice_id)

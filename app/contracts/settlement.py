@@ -1,0 +1,147 @@
+"""What acceptance, cuts and rounds do to money; called in the transaction of the verdict or cut itself."""
+
+from collections.abc import Collection
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.accounts.rules import Actor, Role
+from app.contracts import money_queries, record
+from app.contracts.book import CLAUSES, Entry, PricedCue, price_of_round, settle_shares
+from app.contracts.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundSettled
+from app.contracts.ledger import book_of, called, priced, rules_of, terms_of, write
+from app.contracts.models import Contract, ContractCue, ExtraRound
+from app.contracts.queries import contract_for, lock_contract
+from app.contracts.rules import LineKind, WorkState
+from app.kit import clock
+from app.projects.errors import ProducerNeeded
+from app.projects.models import Project
+
+
+def accept_cue(session: Session, cue_id: UUID, *, designer_ids: Collection[UUID], person_id: UUID) -> None:
+    """Make a cue's share due by the release clause, now that every variation is approved.
+
+    Without an agreed contract of one of the takes' designers nothing is owed; accepting twice is accepting once.
+    """
+    covered = _locked(session, cue_id, designer_ids)
+    if covered is None or covered.accepted_at is not None or covered.cut_at is not None:
+        return
+    covered.accepted_at = clock.now()
+    _tell(session, covered, "accepted", person_id)
+    _settle(session, covered.contract_id, person_id)
+
+
+def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
+    """Take a cue's share back by a reversing line, where a verdict was reversed or undone."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.accepted_at is None or covered.cut_at is not None:
+        return
+    covered.accepted_at = None
+    _tell(session, covered, "reopened", person_id)
+    _settle(session, covered.contract_id, person_id)
+
+
+def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: UUID) -> None:
+    """Settle a cut cue by the kill fee of the state that the work was in."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.cut_at is not None:
+        return
+    covered.cut_at = clock.now()
+    covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
+    _tell(session, covered, "cut", person_id, state=covered.cut_in.value)
+    _settle(session, covered.contract_id, person_id)
+
+
+def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID) -> ExtraRound | None:
+    """Propose the price of a round beyond the included ones; None where the contract includes it, or there is none."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.cut_at is not None:
+        return None
+    contract = session.get_one(Contract, covered.contract_id)
+    terms = terms_of(session, contract)
+    if number <= terms.rounds_included or not price_of_round(_priced(covered), terms.extra_round_bp):
+        return None
+    proposed = ExtraRound(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        cue_id=cue_id,
+        number=number,
+        proposed_by=person_id,
+    )
+    session.add(proposed)
+    session.flush()
+    _tell(session, covered, "round_proposed", person_id, round=number)
+    return proposed
+
+
+def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:
+    """Agree to a further round's price, as the studio; it is due at once."""
+    proposed, contract = _proposal(session, actor, extra_round_id)
+    if contract.designer_id == actor.person:
+        raise OtherPartyNeeded("the studio agrees to what it will pay; you can let the round go without a price")
+    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
+        raise ProducerNeeded("only a producer of the studio agrees to a price")
+    proposed.agreed_at, proposed.agreed_by = clock.now(), actor.person
+    covered = next(cue for cue in money_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
+    entry = Entry(
+        LineKind.EXTRA_ROUND,
+        price_of_round(_priced(covered), terms_of(session, contract).extra_round_bp),
+        CLAUSES[LineKind.EXTRA_ROUND],
+        cue_id=proposed.cue_id,
+        milestone_id=covered.milestone_id,
+        round_number=proposed.number,
+    )
+    write(session, contract, [entry], person_id=actor.person)
+    return proposed
+
+
+def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:
+    """Let a further round go without a price, as the designer."""
+    proposed, contract = _proposal(session, actor, extra_round_id)
+    if contract.designer_id != actor.person:
+        raise OtherPartyNeeded("only the designer can let a round go without its price")
+    proposed.dropped_at = clock.now()
+    covered = next(cue for cue in money_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
+    _tell(session, covered, "round_dropped", actor.person, round=proposed.number)
+    return proposed
+
+
+def _proposal(session: Session, actor: Actor, extra_round_id: UUID) -> tuple[ExtraRound, Contract]:
+    proposed = money_queries.extra_round_by_id(session, extra_round_id)
+    contract = contract_for(session, actor, proposed.contract_id) if proposed else None
+    if proposed is None or contract is None:
+        raise ExtraRoundNotFound(f"no extra round {extra_round_id}")
+    lock_contract(session, contract.id)
+    session.refresh(proposed, ["agreed_at", "dropped_at"])
+    if proposed.agreed_at is not None or proposed.dropped_at is not None:
+        raise RoundSettled("this round was agreed to or let go already; nothing was changed")
+    return proposed, contract
+
+
+def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | None) -> ContractCue | None:
+    covered = money_queries.running_cue(session, cue_id, designer_ids)
+    if covered is not None:
+        lock_contract(session, covered.contract_id)
+        session.refresh(covered, ["accepted_at", "cut_at", "cut_in"])
+    return covered
+
+
+def _settle(session: Session, contract_id: UUID, person_id: UUID) -> None:
+    session.flush()
+    contract = session.get_one(Contract, contract_id)
+    rules = rules_of(contract, terms_of(session, contract))
+    cues = priced(money_queries.cues_of(session, contract_id))
+    write(session, contract, settle_shares(book_of(session, contract), cues, rules), person_id=person_id)
+
+
+def _priced(covered: ContractCue) -> PricedCue:
+    (cue,) = priced([covered])
+    return cue
+
+
+def _tell(session: Session, covered: ContractCue, kind: str, person_id: UUID, **more: object) -> None:
+    prefix = session.get_one(Project, covered.project_id).cue_prefix
+    by = session.get_one(Person, person_id).name
+    record.append(session, covered.contract_id, kind, {"cue": called(covered.cue, prefix), "by": by, **more})
