@@ -25,12 +25,12 @@ from audio_checks.measure.flat_tops import FlatTop
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.likeness import Likeness
 from audio_checks.measure.loudness import Loudness, channel_weights
-from audio_checks.measure.maxima import Maxima
 from audio_checks.measure.phase import Phase
 from audio_checks.measure.repeats import Repeat
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.spectrum import Spectrum
 from audio_checks.measure.steps import Steps
+from audio_checks.measure.survey import Survey
 from audio_checks.measure.true_peak import TruePeak
 from audio_checks.metadata import Metadata
 from audio_checks.metadata.gather import Gathering
@@ -57,11 +57,11 @@ def _step(layout: wav.WavLayout) -> float:
     return 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
 
 
-def _loudness(layout: wav.WavLayout, maxima: Maxima) -> Accumulator:  # noqa: ARG001 - all are made alike
+def _loudness(layout: wav.WavLayout, survey: Survey) -> Accumulator:  # noqa: ARG001 - all are made alike
     return Loudness(*_size(layout), weights=channel_weights(layout.channels, layout.channel_mask))
 
 
-def _seam(layout: wav.WavLayout, maxima: Maxima) -> Accumulator:  # noqa: ARG001
+def _seam(layout: wav.WavLayout, survey: Survey) -> Accumulator:  # noqa: ARG001
     return Seam(*_size(layout), loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None)
 
 
@@ -80,30 +80,30 @@ FIGURES: dict[str, tuple[str, ...]] = {
 }
 """Families of figures; each family has one accumulator, but all that look for faults share one."""
 
-MAKERS: dict[str, Callable[[wav.WavLayout, Maxima], Accumulator]] = {
-    "levels": lambda layout, maxima: Levels(*_size(layout), maxima=maxima),
-    "true_peak": lambda layout, maxima: TruePeak(*_size(layout), maxima=maxima),
+MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
+    "levels": lambda layout, survey: Levels(*_size(layout), survey=survey),
+    "true_peak": lambda layout, survey: TruePeak(*_size(layout), survey=survey),
     "loudness": _loudness,
-    "edges": lambda layout, maxima: Edges(*_size(layout), maxima=maxima),
-    "cuts": lambda layout, maxima: Cuts(*_size(layout), step=_step(layout), maxima=maxima),
+    "edges": lambda layout, survey: Edges(*_size(layout), survey=survey),
+    "cuts": lambda layout, survey: Cuts(*_size(layout), step=_step(layout), survey=survey),
     "phase": lambda layout, _: Phase(*_size(layout)),
     "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
     "likeness": lambda layout, _: Likeness(*_size(layout)),
     "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
     "seam": _seam,
 }
-"""How each family's accumulator is made for a file; the maxima of its blocks are found once for all of them."""
+"""How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
 
 FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
 
 def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accumulator]:
     """Return new accumulators for what a file has, one for each family but one for all faults."""
-    maxima = Maxima()
+    survey = Survey()
     wanted = sorted(families)
-    accumulators = [MAKERS[family](layout, maxima) for family in wanted if family in MAKERS]
+    accumulators = [MAKERS[family](layout, survey) for family in wanted if family in MAKERS]
     if detectors := [family for family in wanted if family in DETECTORS]:
-        accumulators.append(Faults(*_size(layout), step=_step(layout), detectors=detectors))
+        accumulators.append(Faults(*_size(layout), step=_step(layout), detectors=detectors, survey=survey))
     return accumulators
 
 
@@ -314,14 +314,13 @@ class AudioFile:
             hashes.add_around(head)
             gathering.pass_by(at, head)
             at += len(head)
-        lender = next((one for one in accumulators if isinstance(one, Faults)), None)
+        decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
         while left:
-            room = lender.lend(left, most) if lender else None
-            raw = wav.read_frames(self._file, layout, min(left, most) if room is None else len(room))
+            raw = wav.read_frames(self._file, layout, min(left, decoder.room() if decoder else most))
             hashes.add_sound(raw)
-            block, bits = wav.decode(raw, layout, room)
+            block, bits = wav.decode(raw, layout, decoder)
             used |= bits
             left -= len(block)
             for accumulator in accumulators:

@@ -14,7 +14,7 @@ import struct
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO, Literal
+from typing import BinaryIO, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -695,29 +695,42 @@ def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAM
         left -= frames
 
 
-def decode(raw: bytes, layout: WavLayout, into: NDArray[np.float64] | None = None) -> tuple[NDArray[np.float64], int]:
+class Decoder(Protocol):
+    """Something that decodes to a place of its own; `measure.faults.Faults` is one."""
+
+    def decode(self, raw: bytes, container_bits: int, *, floats: bool) -> tuple[NDArray[np.float64], int, int]:
+        """Return the block, all PCM samples or-ed together, and the first channel that is not finite or 0."""
+
+
+def decode(raw: bytes, layout: WavLayout, decoder: Decoder | None = None) -> tuple[NDArray[np.float64], int]:
     """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
 
     The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are
-    signed integers of the container's width; of 24 bits, the upper three bytes of 32. `into` is room for
-    the samples, of their shape.
+    signed integers of the container's width; of 24 bits, the upper three bytes of 32. A `decoder` may put
+    the samples where it wants them.
 
     Raises
     ------
     Unreadable
         R7, for a float sample that is not a finite number.
     """
-    block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T if into is None else into
-    if layout.encoding == "pcm":
-        return block, kernel.decode_pcm(raw, layout.container_bits, block.T)
-    if channel := kernel.decode_float(raw, layout.container_bits, block.T):
+    used = broken = 0
+    if decoder is not None:
+        block, used, broken = decoder.decode(raw, layout.container_bits, floats=layout.encoding == "float")
+    else:
+        block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T
+        if layout.encoding == "pcm":
+            used = kernel.decode_pcm(raw, layout.container_bits, block.T)
+        else:
+            broken = kernel.decode_float(raw, layout.container_bits, block.T)
+    if broken:
         raise Unreadable(
-            f"channel {channel} holds samples that are not numbers (infinity or NaN)",
+            f"channel {broken} holds samples that are not numbers (infinity or NaN)",
             "R7",
             "structure:not-finite",
             "look for a broken plug-in in the session, then export again",
         )
-    return block, 0
+    return block, used
 
 
 def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:

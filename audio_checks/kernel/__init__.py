@@ -30,6 +30,7 @@ try:
         recurrences,
         stereo_products,
         sums,
+        survey,
         true_peak,
         unforeseen,
     )
@@ -62,6 +63,7 @@ __all__ = [
     "recurrences",
     "stereo_products",
     "sums",
+    "survey",
     "true_peak",
     "unforeseen",
 ]

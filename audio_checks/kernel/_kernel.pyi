@@ -72,6 +72,18 @@ def recurrences(
 ) -> int: ...
 def stereo_products(block: _Floats, at: int, hop: int, hops: _Floats, /) -> None: ...
 def sums(block: _Floats, figures: _Floats, /) -> None: ...
+def survey(
+    raw: bytes,
+    container_bits: int,
+    floats: bool,
+    samples: _Floats,
+    first: int,
+    maxima: _Floats,
+    sums: _Floats,
+    cells: _Floats | None,
+    cell: int,
+    /,
+) -> tuple[int, int]: ...
 def true_peak(
     block: _Floats,
     maxima: _Floats,

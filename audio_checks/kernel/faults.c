@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { CELL_FIGURES = 5, HISTORY = 6, LEAST_CELL = 4 };
+enum { LEAST_CELL = 4 };
 
 static inline double larger_of(double one, double other) { return one > other ? one : other; }
 
@@ -27,6 +27,10 @@ static void measure_small_cells(const double *samples, Py_ssize_t size, Py_ssize
     }
 }
 
+void measure_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row) {
+    (size < LEAST_CELL ? measure_small_cells : in_lanes()->cells)(samples, size, count, out, row);
+}
+
 PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
@@ -46,8 +50,7 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_BEGIN_ALLOW_THREADS
     for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
         const double *samples = block.samples + channel * block.row + first;
-        (size < LEAST_CELL ? measure_small_cells : in_lanes()->cells)(
-            samples, size, out.frames, out.samples + channel * out.row, block.channels * out.row);
+        measure_cells(samples, size, out.frames, out.samples + channel * out.row, block.channels * out.row);
     }
     Py_END_ALLOW_THREADS
     let_go(&held);

@@ -126,6 +126,16 @@ typedef struct {
 
 const loops *in_lanes(void);
 
+/* decode.c: `frames` frames to place `at` of each channel; all integers or-ed together, or the first channel with a
+ * number that is not finite (0: none). `sample_bytes` is -1 with an error set for bits that are no container's. */
+Py_ssize_t sample_bytes(PyObject *container_bits, int floats);
+int32_t decode_integers(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames);
+Py_ssize_t decode_floats(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames);
+
+/* faults.c */
+enum { CELL_FIGURES = 5, HISTORY = 6 }; /* of a channel's cell; samples that stand before the first */
+void measure_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+
 /* levels.c */
 Py_ssize_t rows_of(Py_ssize_t frames);
 Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
@@ -153,6 +163,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
+    EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
     EACH(unforeseen, "Foretell each sample from those before it; measure the largest error of each cell.")
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
-from audio_checks.measure.maxima import ROW_FRAMES, Maxima
+from audio_checks.measure.maxima import ROW_FRAMES
+from audio_checks.measure.survey import Survey
 
 SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
 GRAIN = 2.0  # steps of the bit depth that still are silence
@@ -36,7 +37,7 @@ class Cuts:
         Of the whole signal.
     step : float
         The smallest step of the file's bit depth; 0 for float.
-    maxima : Maxima, optional
+    survey : Survey, optional
         Shared with others that look at the same blocks.
     """
 
@@ -49,10 +50,10 @@ class Cuts:
         frames: int,  # noqa: ARG002 - all accumulators are made alike
         *,
         step: float = 0.0,
-        maxima: Maxima | None = None,
+        survey: Survey | None = None,
     ) -> None:
         self._rate = sample_rate_hz
-        self._maxima = maxima or Maxima()
+        self._survey = survey or Survey()
         self._silent = max(SILENT, GRAIN * step)
         self._length = max(1, round(NEAR_S * sample_rate_hz))
         self._head = np.empty((channels, 0))
@@ -68,7 +69,7 @@ class Cuts:
         if not len(block):
             return
         planar = block.T
-        maxima = self._maxima.of(block)
+        maxima = self._survey.maxima(block)
         self._peak = max(self._peak, float(maxima.max()))
         first_row, last_row = kernel.loud_rows(maxima, self._silent)
         if self._head_at < 0:

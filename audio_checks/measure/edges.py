@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import ratio
-from audio_checks.measure.maxima import Maxima
+from audio_checks.measure.survey import Survey
 
 BELOW_PEAK = 1e-3  # 60 dB
 BELOW_DBFS = -60.0
@@ -27,7 +27,7 @@ class Edges:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
-    maxima : Maxima, optional
+    survey : Survey, optional
         Shared with others that look at the same blocks.
     """
 
@@ -39,9 +39,9 @@ class Edges:
         channels: int,  # noqa: ARG002 - all accumulators are made alike
         frames: int,  # noqa: ARG002
         *,
-        maxima: Maxima | None = None,
+        survey: Survey | None = None,
     ) -> None:
-        self._maxima = maxima or Maxima()
+        self._survey = survey or Survey()
         self._rate = sample_rate_hz
         self._seen = 0
         self._peak = 0.0
@@ -57,7 +57,7 @@ class Edges:
             return
         rows = kernel.by_channel(block)
         loudest = float(self._head_levels[-1]) if len(self._head_levels) else 0.0
-        self._peak = max(self._peak, float(self._maxima.of(block).max()))
+        self._peak = max(self._peak, float(self._survey.maxima(block).max()))
         if loudest < CEILING:
             levels, places = self._records(rows, loudest, backward=False)
             self._head_levels = np.concatenate((self._head_levels, levels))

@@ -9,14 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.measure.cells import HISTORY, cell_frames, cells_of
+from audio_checks.measure.cells import HISTORY, Cells, cell_frames, cells_of
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
 from audio_checks.measure.flat_tops import FlatTops
 from audio_checks.measure.hum import Hum
-from audio_checks.measure.maxima import maxima_of
+from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
+from audio_checks.measure.survey import Survey
 
 STRETCH_FRAMES = 1 << 17  # samples that are looked at together
 MOST_SAMPLES = 1 << 21  # of all channels, so that a header of many channels cannot ask for much memory
@@ -48,6 +49,8 @@ class Faults:
         The smallest step of the file's bit depth; 0 for float.
     detectors : iterable of str
         Which of DETECTORS to ask; all without.
+    survey : Survey, optional
+        Shared with others that look at the same blocks.
     """
 
     def __init__(
@@ -58,18 +61,22 @@ class Faults:
         *,
         step: float = 0.0,
         detectors: Iterable[str] = tuple(DETECTORS),
+        survey: Survey | None = None,
     ) -> None:
         wanted = frozenset(detectors)
         self._cell = cell_frames(sample_rate_hz)
         cells_per_s = sample_rate_hz / self._cell
         most = MOST_SAMPLES // channels
         history_s = 0.0 if wanted <= CELLS_SUFFICE else HISTORY_S
-        self._history = max(HISTORY, min(math.ceil(history_s * sample_rate_hz), most // 2))
-        stretch = math.ceil(min(STRETCH_FRAMES, most // 2, frames) / self._cell)
+        self._history = _whole(max(HISTORY, min(math.ceil(history_s * sample_rate_hz), most // 2)), ROW_FRAMES)
         self._silence = Clicks.LATE * self._cell  # that follows the sound
-        self._stretch = max(stretch * self._cell, self._silence)
+        wanted_frames = max(min(STRETCH_FRAMES, most // 2, frames), self._silence)
+        self._stretch = _whole(wanted_frames, math.lcm(self._cell, ROW_FRAMES))
         self._samples = np.zeros((channels, self._history + self._stretch + self._cell))
-        self._lent: NDArray[np.float64] | None = None
+        self._maxima = np.zeros((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
+        self._survey = survey or Survey()
+        self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
+        self._known: tuple[NDArray[np.float64], Cells] | None = None  # a stretch that was measured while it was decoded
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
         self._peak = 0.0
@@ -80,26 +87,30 @@ class Faults:
         self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
         self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
 
-    def lend(self, left: int, most: int) -> NDArray[np.float64]:
-        """Return room for the next samples, shape (n, channels).
+    def room(self) -> int:
+        """Return for how many more samples there is room until the next look."""
+        return self._history + self._stretch - self._end
 
-        Whoever fills it and gives the same array to `add` saves a copy. It is used again for later samples.
+    def decode(self, raw: bytes, container_bits: int, *, floats: bool) -> tuple[NDArray[np.float64], int, int]:
+        """Decode the next samples to where `add` wants them; see `Survey.decode`.
 
-        Parameters
-        ----------
-        left : int
-            How many samples are to come.
-        most : int
-            How many are wanted together at most; a stretch is cut into equal parts.
+        Whoever gives the very array to `add` saves a copy, and a look at every sample. It holds others later.
         """
-        space = self._history + self._stretch - self._end
-        parts = -(-space // most)
-        self._lent = self._samples[:, self._end : self._end + min(left, -(-space // parts))].T
-        return self._lent
+        first, channels = self._end, len(self._samples)
+        frames = len(raw) // (channels * container_bits // 8)
+        self._samples[:, first + frames : first + frames + self._cell] = 0.0
+        count = frames // self._cell + (frames < self._stretch)  # a sound that ends is followed by silence
+        figures = np.empty((len(Cells._fields) * channels, count)) if first == self._history else None
+        block, used, broken = self._survey.decode(
+            raw, container_bits, floats, self._samples, first, figures, self._cell
+        )
+        self._known = None if figures is None else (block, Cells(*figures.reshape(len(Cells._fields), channels, count)))
+        self._decoded = block
+        return block, used, broken
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
-        if block is self._lent:
+        if block is self._decoded:
             self._take(len(block))
             return
         rows = block.T
@@ -108,10 +119,11 @@ class Faults:
             taken = min(count - at, self._history + self._stretch - self._end)
             self._samples[:, self._end : self._end + taken] = rows[:, at : at + taken]
             at += taken
+            self._known = None
             self._take(taken)
 
     def _take(self, count: int) -> None:
-        self._lent = None
+        self._decoded = None
         self._end += count
         if self._end == self._history + self._stretch:
             self._look()
@@ -135,13 +147,28 @@ class Faults:
                 figures |= detector.result()
         return figures
 
+    def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], Cells | None]:
+        """Return the maxima of all samples and, where a detector wants them, the cells of those that are new."""
+        before, rows = self._history // ROW_FRAMES, -(-self._end // ROW_FRAMES)
+        if self._known is None:
+            self._maxima[:, before:rows] = maxima_of(samples[:, self._history :])
+        else:
+            found = self._survey.maxima(self._known[0])
+            self._maxima[:, before : before + found.shape[1]] = found
+            self._maxima[:, before + found.shape[1] : rows] = 0.0
+        cells = self._known[1] if self._known else None
+        self._known = None
+        if cells is None and (self._clicks or self._dropouts or self._hum or self._noise):
+            cells = cells_of(samples, self._history, self._cell)
+        return self._maxima[:, :rows], cells
+
     def _look(self) -> None:
         """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
         samples = self._samples[:, : self._end]
-        maxima = maxima_of(samples)
+        new = self._end - self._history
+        maxima, cells = self._measure(samples)
         self._peak = max(self._peak, float(maxima.max()))
-        if self._clicks or self._dropouts or self._hum or self._noise:
-            cells = cells_of(samples, self._history, self._cell)
+        if cells:
             if self._clicks:
                 self._clicks.add(cells, samples, self._history, self._peak)
             for by_cells in (self._dropouts, self._hum, self._noise):
@@ -151,8 +178,13 @@ class Faults:
             self._repeats.add(samples, int(maxima.max(axis=1).argmax()), self._history, self._frame)
         if self._flat_tops:
             self._flat_tops.add(samples, maxima, self._history, self._frame)
-        new = self._end - self._history
-        kept = samples[:, new:]
-        self._samples[:, : self._history] = kept if new >= self._history else kept.copy()
+        for whole, some in ((self._samples, self._history), (self._maxima, self._history // ROW_FRAMES)):
+            kept = whole[:, new * some // self._history :][:, :some]
+            whole[:, :some] = kept if new >= self._history else kept.copy()
         self._end = self._history
         self._frame += new
+
+
+def _whole(count: int, unit: int) -> int:
+    """Return the next multiple of a unit."""
+    return -(-count // unit) * unit

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks import kernel
 from audio_checks.measure.decibels import decibels, power_decibels
-from audio_checks.measure.maxima import Maxima, first_reaching
+from audio_checks.measure.maxima import first_reaching
+from audio_checks.measure.survey import Survey
 
 Samples = NDArray[np.float64]
 
@@ -70,7 +70,7 @@ class Levels:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
-    maxima : Maxima, optional
+    survey : Survey, optional
         Shared with others that look at the same blocks.
     """
 
@@ -91,10 +91,10 @@ class Levels:
         channels: int,
         frames: int,  # noqa: ARG002 - all accumulators are made alike
         *,
-        maxima: Maxima | None = None,
+        survey: Survey | None = None,
     ) -> None:
         self._rate = sample_rate_hz
-        self._maxima = maxima or Maxima()
+        self._survey = survey or Survey()
         self._seen = 0
         self._peaks = np.zeros(channels)
         self._peak_frame = 0
@@ -104,7 +104,7 @@ class Levels:
         """Take the next samples, shape (n, channels)."""
         if not len(block):
             return
-        maxima = self._maxima.of(block)
+        maxima = self._survey.maxima(block)
         peaks = maxima.max(axis=1)
         highest = float(peaks.max())
         if highest > self._peaks.max():
@@ -113,7 +113,7 @@ class Levels:
                 for channel in np.flatnonzero(peaks == highest)
             )
         np.maximum(self._peaks, peaks, out=self._peaks)
-        kernel.sums(kernel.by_channel(block), self._sums)
+        self._sums += self._survey.sums(block)
         self._seen += len(block)
 
     def result(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""The highest magnitudes of short rows of samples: found once for all that look at a block."""
+"""The highest magnitudes of short rows of samples."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,30 +6,6 @@ from numpy.typing import NDArray
 from audio_checks import kernel
 
 ROW_FRAMES = 32  # the kernel's
-
-
-class Maxima:
-    """Finds the maxima of the block at hand, once.
-
-    Accumulators of one stream share it. A block is known by being the same object, so it must not change meanwhile.
-    """
-
-    def __init__(self) -> None:
-        self._block: NDArray[np.float64] | None = None
-        self._maxima = np.empty((0, 0))
-
-    def of(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the highest magnitude of each 32 frames, shape (channels, rows); the last row may have fewer.
-
-        Parameters
-        ----------
-        block : ndarray, shape (frames, channels)
-            Full scale is ±1.0. No frames have no rows; digital silence has zeros.
-        """
-        if block is not self._block:
-            self._block = block
-            self._maxima = maxima_of(kernel.by_channel(block))
-        return self._maxima
 
 
 def maxima_of(rows: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
-from audio_checks.measure.maxima import Maxima
+from audio_checks.measure.survey import Survey
 
 OVERSAMPLING = 8
 TAPS = 24  # a phase
@@ -79,16 +79,16 @@ class TruePeak:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
-    maxima : Maxima, optional
+    survey : Survey, optional
         Shared with others that look at the same blocks.
     """
 
     FIGURES = ("true_peak_dbtp", "true_peak_s")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, maxima: Maxima | None = None) -> None:
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, survey: Survey | None = None) -> None:
         self._rate = sample_rate_hz
         self._frames = frames
-        self._maxima = maxima or Maxima()
+        self._survey = survey or Survey()
         self._best = 0.0
         self._place = 0  # in parts of a frame, FINE_OVERSAMPLING of them
         self._seen = 0
@@ -98,7 +98,7 @@ class TruePeak:
         """Take the next samples, shape (n, channels)."""
         self._best, self._place = kernel.true_peak(
             kernel.by_channel(block),
-            self._maxima.of(block),
+            self._survey.maxima(block),
             self._history,
             *_plan(),
             self._best,

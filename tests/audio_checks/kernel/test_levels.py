@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from audio_checks import kernel
 from audio_checks.measure.levels import Levels
-from audio_checks.measure.maxima import Maxima
+from audio_checks.measure.maxima import maxima_of
 from tests.audio_checks.kernel.signals import Samples, cut, signals
 
 
@@ -25,7 +25,7 @@ def test_the_highest_of_each_row(samples: Samples):
     sizes = np.abs(samples)
     assert kernel.highest(kernel.by_channel(samples)) == sizes.max(initial=0)
     rows = [sizes[start : start + 32].max(axis=0) for start in range(0, len(samples), 32)]
-    np.testing.assert_array_equal(Maxima().of(samples), np.array(rows).reshape(-1, samples.shape[1]).T)
+    np.testing.assert_array_equal(maxima_of(kernel.by_channel(samples)), np.array(rows).reshape(-1, samples.shape[1]).T)
 
 
 @given(signals(), st.integers(0, 99))
@@ -79,7 +79,7 @@ def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
 
 @given(signals(), st.sampled_from([0.0, 1e-3, 0.5]))
 def test_the_first_and_the_last_loud_row(samples: Samples, level: float):
-    maxima = Maxima().of(samples)
+    maxima = maxima_of(kernel.by_channel(samples))
     loud = np.flatnonzero((maxima > level).any(axis=0)).tolist()
     assert kernel.loud_rows(maxima, level) == ((loud[0], loud[-1]) if loud else (-1, -1))
 
