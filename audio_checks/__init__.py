@@ -27,9 +27,11 @@ if TYPE_CHECKING:
     )
     from audio_checks.findings import FileReport, Finding, Report
     from audio_checks.measure.waveform import WaveShape
+    from audio_checks.memory_budget import Memory, MemoryUse, SoundSize, memory_use, sizes_asked_for
     from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
     from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
+    from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, render_master
@@ -47,10 +49,12 @@ if TYPE_CHECKING:
         write_sound_list,
     )
     from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
+    from audio_checks.target_presets import TARGET_PRESETS, TargetPreset
 
 __all__ = [
     "MENDER_VERSION",
     "RENDERER_VERSION",
+    "TARGET_PRESETS",
     "TOOL_VERSION",
     "AudioChecksError",
     "AudioFile",
@@ -60,9 +64,12 @@ __all__ = [
     "Finding",
     "Judged",
     "Loss",
+    "Memory",
+    "MemoryUse",
     "MendRefused",
     "Mended",
     "Offer",
+    "Placeholder",
     "RenderRefused",
     "Rendered",
     "Report",
@@ -72,9 +79,11 @@ __all__ = [
     "SandboxOutOfMemory",
     "SandboxTimedOut",
     "SoundList",
+    "SoundSize",
     "SpecError",
     "TakeName",
     "Target",
+    "TargetPreset",
     "Unreadable",
     "WaveShape",
     "average_spectrum",
@@ -82,7 +91,10 @@ __all__ = [
     "check_files",
     "is_placeholder",
     "load_spec",
+    "make_placeholder",
+    "make_placeholders",
     "measure_file",
+    "memory_use",
     "mend_in_words",
     "mend_master",
     "mendable",
@@ -96,6 +108,7 @@ __all__ = [
     "render_master",
     "repair_spots",
     "set_findings",
+    "sizes_asked_for",
     "slug",
     "stems_of",
     "wave_shapes",
@@ -117,9 +130,11 @@ _HOMES = {
     ),
     "audio_checks.findings": ("FileReport", "Finding", "Report"),
     "audio_checks.measure.waveform": ("WaveShape",),
+    "audio_checks.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "sizes_asked_for"),
     "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
     "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
+    "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
@@ -137,6 +152,7 @@ _HOMES = {
         "write_sound_list",
     ),
     "audio_checks.spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
+    "audio_checks.target_presets": ("TARGET_PRESETS", "TargetPreset"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

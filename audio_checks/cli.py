@@ -22,6 +22,8 @@ COMMANDS = {
     "measure": ("audio_checks.commands.measure", "every figure, no verdict"),
     "render": ("audio_checks.commands.render", "make game files from masters"),
     "mend": ("audio_checks.commands.mend", "make repaired copies, and say what no mend answers"),
+    "placeholders": ("audio_checks.commands.placeholders", "make stand-ins for cues that have no take"),
+    "memory": ("audio_checks.commands.memory", "what a sound list will take in memory, by target"),
     "explain": ("audio_checks.commands.explain", "why a check is there, and how to mend what it finds"),
     "list": ("audio_checks.commands.list", "all checks"),
     "new-spec": ("audio_checks.commands.new_spec", "print a commented spec to start from"),

@@ -1,6 +1,9 @@
 """Delivery specs to start from: the defaults that do not return good work, commented line by line."""
 
 import json
+from collections.abc import Sequence
+
+from audio_checks import target_presets
 
 PRESETS = ("44k1", "48k")
 
@@ -121,14 +124,22 @@ kind = "natural-decay"
 """
 
 
-def new_spec(preset: str = "44k1", *, name: str = "New project") -> str:
+def new_spec(preset: str = "44k1", *, name: str = "New project", targets: Sequence[str] = ()) -> str:
     """Return a commented spec to start from, as TOML.
 
     `44k1` accepts 44.1, 48 and 96 kHz at 16 and 24 bit, and renders to 44.1 kHz/16 bit and to
     22,050 Hz/16 bit mono; `48k` accepts 48 and 96 kHz at 24 bit, and renders to 48 kHz/16 bit.
-    Raises ValueError for any other preset.
+    `targets` names engines to render for in place of these: wwise, fmod, unreal, unity, raw.
+
+    Raises
+    ------
+    ValueError
+        For any other preset or target.
     """
     if preset not in PRESETS:
         raise ValueError(f"no preset {preset!r}; presets: {', '.join(PRESETS)}")
+    if unknown := [one for one in targets if one not in target_presets.TARGET_PRESETS]:
+        raise ValueError(f"no target {unknown[0]!r}; targets: {', '.join(target_presets.TARGET_PRESETS)}")
+    made = "\n".join(target_presets.TARGET_PRESETS[one].to_toml() for one in dict.fromkeys(targets)) or _TARGETS[preset]
     quoted = json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
-    return _TEXT.format(name=quoted, accept=_ACCEPT[preset], targets=_TARGETS[preset])
+    return _TEXT.format(name=quoted, accept=_ACCEPT[preset], targets=made)

@@ -11,12 +11,12 @@ import tomllib
 import jsonschema_rs
 import pytest
 
-from audio_checks import TOOL_VERSION, check_file, reporters, runner
+from audio_checks import TOOL_VERSION, check_file, is_placeholder, reporters, runner
 from audio_checks.checks import all_checks
 from audio_checks.cli import main
 from audio_checks.findings import schema as report_schema
 from audio_checks.spec import new_spec, parse_spec
-from tests.support.waves import join, silence, sine, write_wav
+from tests.support.waves import join, placeholder_mark, silence, sine, write_wav
 
 GOOD = sine(hz=1_000, dbfs=-6, seconds=0.2)
 LATE = join(silence(seconds=0.02), GOOD)
@@ -395,6 +395,38 @@ class TestRender:
             write_wav(folder / name, GOOD)
         code, out, _ = run("render", *SPEC, "--target", "game", "--out", "out", ".")
         assert (code, out.count("refused")) == (1, 1)
+
+    def test_a_render_never_replaces_an_earlier_one_unasked(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        asked = ("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")
+        made = folder / "out" / "game" / "laser.wav"
+        assert run(*asked)[0] == 0
+        first, stamp = made.read_bytes(), made.stat().st_mtime_ns
+        code, out, _ = run(*asked)
+        assert (code, out.rstrip().endswith("; as before"), made.stat().st_mtime_ns) == (0, True, stamp)
+        write_wav(folder / "laser.wav", 0.5 * GOOD)
+        code, out, _ = run(*asked)
+        assert (code, "is there already, and differs" in out, made.read_bytes() == first) == (1, True, True)
+        assert run(*asked, "--replace")[0] == 0
+        assert made.read_bytes() != first
+        assert [path.name for path in made.parent.iterdir()] == ["laser.wav"]
+
+    def test_a_stand_in_gives_way(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "out" / "game").mkdir(parents=True)
+        write_wav(folder / "out" / "game" / "laser.wav", 0.5 * GOOD, after=[placeholder_mark("SW-014")])
+        assert run("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")[0] == 0
+        assert not is_placeholder(folder / "out" / "game" / "laser.wav")
+
+    def test_the_loss_reports_as_json(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "broken.wav").write_bytes(b"RIFF")
+        code, out, _ = run("render", *SPEC, "--format", "json", "--out", "out", "laser.wav", "broken.wav")
+        game, handheld, *broken = json.loads(out)["renders"]
+        assert code == 1
+        assert (game["target"], game["path"], game["is_new"]) == ("game", "out/game/laser.wav", True)
+        assert handheld["loss"]["above_nyquist_db"] is None or handheld["loss"]["above_nyquist_db"] < 0
+        assert [one["refused"]["code"] for one in broken] == ["structure:truncated"] * 2
 
     def test_a_master_is_never_overwritten(self, folder, run):
         (folder / "game").mkdir()

@@ -1,0 +1,282 @@
+"""Writes stand-ins for the cues of a sound list that no take is there for."""
+
+import hashlib
+import math
+import os
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import wav
+from audio_checks.errors import RenderRefused
+from audio_checks.layouts import LAYOUTS
+from audio_checks.measure.loudness import Loudness
+from audio_checks.metadata.mark import broadcast_chunk, comment_chunk
+from audio_checks.placeholders.pattern import pattern
+from audio_checks.placeholders.speech import spoken
+from audio_checks.render.dither import DITHERED_TO_BITS, quantised
+from audio_checks.render.turns import gain_of
+from audio_checks.sound_list import SoundList, stems_of
+from audio_checks.spec import CueFacts, DeliverySpec
+
+DURATION_S = 1.0  # where the list asks for none
+PEAK_DBFS = -12.0
+UNDER_LIMIT_DB = 1.0  # true peaks lie that much above samples at most, for these tones
+INSIDE_LU = 0.5  # of a loudness range
+PAUSE_S = 0.2
+PREFERRED_HZ, PREFERRED_BITS = 48_000, 24
+
+
+@dataclass(frozen=True)
+class Placeholder:
+    """A stand-in that was made.
+
+    Attributes
+    ----------
+    path : Path
+        Of the file.
+    number : str
+        Of its cue.
+    variation : int
+        From 1.
+    duration_s : float
+        Of the file.
+    is_spoken : bool
+        Whether it says the cue's name; otherwise it is a pitched pattern.
+    is_new : bool
+        Whether it was written; False where the same file was there already.
+    """
+
+    path: Path
+    number: str
+    variation: int
+    duration_s: float
+    is_spoken: bool
+    is_new: bool = True
+
+
+def make_placeholders(
+    sound_list: SoundList,
+    spec: DeliverySpec,
+    folder: str | os.PathLike[str],
+    *,
+    target: str | None = None,
+    taken: Collection[str] = (),
+    voice: bool = True,
+) -> Iterator[Placeholder | RenderRefused]:
+    """Write a stand-in for every variation of every cue that has none in `taken`; cut cues need none.
+
+    Parameters
+    ----------
+    sound_list : SoundList
+        The cues.
+    spec : DeliverySpec
+        The whole spec; each cue's category counts.
+    folder : path
+        Where they go, under the cue's own name.
+    target : str, optional
+        Make game files of this target; without it, files that conform as deliveries.
+    taken : collection of str
+        Stems that a take is there for.
+    voice : bool
+        Speak where an engine is installed.
+
+    Yields
+    ------
+    Placeholder or RenderRefused
+        In the list's order. Refused (`placeholder:no-name`, `placeholder:over-sound`,
+        `placeholder:container`) is one stand-in, not the rest.
+
+    Raises
+    ------
+    SpecError
+        The spec names no such target.
+    """
+    for cue in sound_list.cues:
+        if cue.state == "cut":
+            continue
+        category = cue.category
+        view = spec.for_category(category) if target is None else spec.for_target(target, category)
+        stems = stems_of(cue.name, cue.file_name, cue.variations)
+        if not stems:
+            yield RenderRefused(
+                f"cue {cue.number} has neither a file name nor a name",
+                "placeholder:no-name",
+                "give it one in the sound list",
+            )
+        for variation, stem in enumerate(stems, start=1):
+            if stem in taken:
+                continue
+            path = Path(folder, f"{stem}{view.naming.extension or '.wav'}")
+            try:
+                yield make_placeholder(cue, variation, view, path, voice=voice)
+            except RenderRefused as refused:
+                yield refused
+
+
+def make_placeholder(
+    cue: CueFacts, variation: int, view: DeliverySpec, path: Path, *, voice: bool = True
+) -> Placeholder:
+    """Write one stand-in: as long as its cue, within the limits of the view, and marked.
+
+    Parameters
+    ----------
+    cue : CueFacts
+        What it stands in for.
+    variation : int
+        From 1.
+    view : DeliverySpec
+        For the cue's category, and for a target where game files are wanted.
+    path : Path
+        Where to. A stand-in that is there is made anew, and left where nothing changed.
+    voice : bool
+        Speak where an engine is installed.
+
+    Returns
+    -------
+    Placeholder
+
+    Raises
+    ------
+    RenderRefused
+        `placeholder:over-sound`: something else than a stand-in has that name.
+        `placeholder:container`: the spec accepts no WAV.
+    """
+    _ensure_free(path)
+    form = _Form.of(view)
+    frames = _frames(cue, view, form.sample_rate_hz)
+    word = _word(cue, variation, form.sample_rate_hz, frames) if voice else None
+    samples = pattern(cue.number, variation, frames, form.sample_rate_hz) if word is None else word
+    leveled = _leveled(samples, view, form)
+    scratch = path.with_name(f".{path.name}.{os.getpid()}.part")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        form.write(scratch, leveled, cue.number)
+        is_new = not path.exists() or path.read_bytes() != scratch.read_bytes()
+        if is_new:
+            os.replace(scratch, path)
+    finally:
+        scratch.unlink(missing_ok=True)
+    return Placeholder(path, cue.number, variation, len(leveled) / form.sample_rate_hz, word is not None, is_new)
+
+
+def _ensure_free(path: Path) -> None:
+    from audio_checks.runner import is_placeholder
+
+    if path.exists() and not is_placeholder(path):
+        raise RenderRefused(
+            f"{path} is no stand-in, and is not overwritten",
+            "placeholder:over-sound",
+            "name another --out, or tell where the takes are: a cue with a take needs no stand-in",
+        )
+
+
+@dataclass(frozen=True)
+class _Form:
+    """What the file is to be."""
+
+    sample_rate_hz: int
+    bit_depth: int
+    encoding: Literal["pcm", "float"]
+    channels: int
+    channel_mask: int | None
+    dither: Literal["tpdf", "shaped", "none"]
+
+    @classmethod
+    def of(cls, view: DeliverySpec) -> "_Form":
+        """Return the form of a target, or the plainest that deliveries may have."""
+        accept, target = view.accept, view.target
+        if accept.containers is not None and "wav" not in accept.containers:
+            raise RenderRefused(
+                f"the spec accepts {', '.join(accept.containers)}, and stand-ins are WAV files",
+                "placeholder:container",
+                'name a --target, or add "wav" to [accept] containers',
+            )
+        layouts = sorted((LAYOUTS[name] for name in accept.layouts or ()), key=lambda one: one.channels)
+        fitting = [one for one in layouts if accept.channels is None or one.channels in accept.channels]
+        channels = fitting[0].channels if fitting else min(accept.channels or (1,))
+        mask = fitting[0].masks[0] if fitting and channels > 2 and fitting[0].masks else None
+        if target is not None:
+            return cls(target.sample_rate_hz, target.bit_depth, target.encoding, channels, mask, target.dither)
+        rates, depths = accept.sample_rates_hz or (PREFERRED_HZ,), accept.bit_depths or (PREFERRED_BITS,)
+        is_pcm = accept.encodings is None or "pcm" in accept.encodings
+        lawful = [depth for depth in depths if depth in ((8, 16, 24) if is_pcm else (32, 64))]
+        depth = max(lawful, default=PREFERRED_BITS if is_pcm else 32)
+        rate = PREFERRED_HZ if PREFERRED_HZ in rates else min(rates)
+        return cls(rate, depth, "pcm" if is_pcm else "float", channels, mask, "tpdf")
+
+    def write(self, path: Path, samples: NDArray[np.float64], number: str) -> None:
+        """Write the file, with its mark before and after the sound: players and editors show one or the other."""
+        frames = np.repeat(samples[:, np.newaxis], self.channels, axis=1)
+        blocks: Iterable[NDArray[np.integer] | NDArray[np.floating]]
+        if self.encoding == "float":
+            written: NDArray[np.floating] = frames.astype(np.float32 if self.bit_depth == 32 else np.float64)
+            blocks = [written]
+        else:
+            seed = hashlib.sha256(number.encode("utf-8", "replace")).digest()
+            dither = self.dither if self.bit_depth <= DITHERED_TO_BITS else "none"
+            blocks = quantised([frames], bit_depth=self.bit_depth, channels=self.channels, dither=dither, seed=seed)
+        wav.write_wav(
+            path,
+            blocks,
+            sample_rate_hz=self.sample_rate_hz,
+            bit_depth=self.bit_depth,
+            encoding=self.encoding,
+            channels=self.channels,
+            frames=len(samples),
+            channel_mask=self.channel_mask,
+            chunks=[broadcast_chunk(number)],
+            chunks_after=[comment_chunk(number)],
+        )
+
+
+def _frames(cue: CueFacts, view: DeliverySpec, sample_rate_hz: int) -> int:
+    bounds = view.accept.duration_s
+    duration_s = max(cue.duration_s or DURATION_S, bounds.min or 0.0)
+    if bounds.max is not None:
+        duration_s = min(duration_s, bounds.max)
+    return max(1, round(duration_s * sample_rate_hz))
+
+
+def _word(cue: CueFacts, variation: int, sample_rate_hz: int, frames: int) -> NDArray[np.float64] | None:
+    """Return the cue's name, spoken, then its pattern for what is left of its length; None where that cannot be."""
+    name = cue.name or cue.file_name.rpartition(".")[0] or cue.file_name
+    name = name.replace("_", " ")
+    said = spoken(f"{name} {variation}" if cue.variations > 1 else name, sample_rate_hz, frames)
+    if said is None:
+        return None
+    whole = np.zeros(frames)
+    whole[: len(said)] = said
+    rest = frames - len(said) - round(PAUSE_S * sample_rate_hz)
+    if rest > 0:
+        whole[frames - rest :] = pattern(cue.number, variation, rest, sample_rate_hz)
+    return whole
+
+
+def _leveled(samples: NDArray[np.float64], view: DeliverySpec, form: _Form) -> NDArray[np.float64]:
+    """Return the sound at a level that the limits of the view let pass."""
+    limits = view.limits
+    peak_dbfs = min(
+        PEAK_DBFS,
+        (limits.sample_peak_dbfs or 0.0) - UNDER_LIMIT_DB,
+        (limits.true_peak_dbtp or 0.0) - UNDER_LIMIT_DB,
+    )
+    sound = samples * (gain_of(peak_dbfs) / max(float(np.abs(samples).max()), 1e-9))
+    wanted = limits.loudness_lufs
+    if not wanted:
+        return sound
+    meter = Loudness(form.sample_rate_hz, form.channels, len(sound))
+    meter.add(np.repeat(sound[:, np.newaxis], form.channels, axis=1))
+    figures = meter.result()
+    loudness = figures["integrated_lufs"]
+    if loudness is None or not math.isfinite(loudness):
+        loudness = figures["short_loudness_lufs"]
+    low = loudness if wanted.min is None else wanted.min + INSIDE_LU
+    high = loudness if wanted.max is None else wanted.max - INSIDE_LU
+    ceiling_db = min(limits.sample_peak_dbfs or 0.0, limits.true_peak_dbtp or 0.0) - UNDER_LIMIT_DB - peak_dbfs
+    change_db = min(max(loudness, low), max(high, low)) - loudness
+    return sound * gain_of(min(change_db, ceiling_db))
