@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
+    from audio_checks.provenance import Exported, Provenance, export_master
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, render_master
@@ -60,6 +61,7 @@ __all__ = [
     "AudioFile",
     "CueFacts",
     "DeliverySpec",
+    "Exported",
     "FileReport",
     "Finding",
     "Judged",
@@ -70,6 +72,7 @@ __all__ = [
     "Mended",
     "Offer",
     "Placeholder",
+    "Provenance",
     "RenderRefused",
     "Rendered",
     "Report",
@@ -89,6 +92,7 @@ __all__ = [
     "average_spectrum",
     "check_file",
     "check_files",
+    "export_master",
     "is_placeholder",
     "load_spec",
     "make_placeholder",
@@ -135,6 +139,7 @@ _HOMES = {
     "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
+    "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),

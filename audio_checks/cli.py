@@ -22,6 +22,7 @@ COMMANDS = {
     "measure": ("audio_checks.commands.measure", "every figure, no verdict"),
     "render": ("audio_checks.commands.render", "make game files from masters"),
     "mend": ("audio_checks.commands.mend", "make repaired copies, and say what no mend answers"),
+    "export-master": ("audio_checks.commands.export_master", "copy masters with what is known of them written in"),
     "placeholders": ("audio_checks.commands.placeholders", "make stand-ins for cues that have no take"),
     "memory": ("audio_checks.commands.memory", "what a sound list will take in memory, by target"),
     "explain": ("audio_checks.commands.explain", "why a check is there, and how to mend what it finds"),

@@ -11,7 +11,7 @@ import os
 import secrets
 import stat
 import struct
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, Literal, Protocol
@@ -808,6 +808,43 @@ def write_wav(
     _sync_directory(path.parent)
 
 
+def copy_wav(file: BinaryIO, layout: WavLayout, target: str | os.PathLike[str], chunks: Mapping[str, bytes]) -> None:
+    """Write a copy of a WAV file, its sound byte for byte, whose chunks say something else.
+
+    Parameters
+    ----------
+    file, layout : binary file, WavLayout
+        What is copied.
+    target : path
+        Written beside its final name, synced and renamed, so it is whole or absent.
+    chunks : mapping of str to bytes
+        New payloads by id: of the first chunk of that id, or of a new one. A new one stands before the
+        sound, as bext must. Everything else keeps its place. RF64 where it would pass 4 GiB.
+    """
+    left = dict(chunks)
+    before: list[bytes] = []
+    after: list[bytes] = []
+    for chunk in layout.chunks:
+        if chunk.id in ("ds64", "data"):
+            continue
+        payload = left.pop(chunk.id) if chunk.id in left else chunk_payload(file, chunk)
+        (before if chunk.offset < layout.data_offset else after).append(_chunk(chunk.id, payload))
+    before += [_chunk(name, payload) for name, payload in left.items()]
+    head = _opened(b"".join(before), layout.data_size, layout.frames, sum(map(len, after)))
+    path = Path(target)
+    temporary = path.parent / f".wav-{secrets.token_hex(8)}.part"
+    try:
+        with open(temporary, "xb") as copy:
+            _write_all(copy, head, raw_blocks(file, layout), b"\0" * (layout.data_size % 2) + b"".join(after))
+            copy.flush()
+            os.fsync(copy.fileno())
+        os.replace(temporary, path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+    _sync_directory(path.parent)
+
+
 def _sync_directory(directory: Path) -> None:
     if os.name == "posix":
         descriptor = os.open(directory, os.O_RDONLY)
@@ -860,12 +897,17 @@ def _header(
     if tag == FLOAT:
         head += _chunk("fact", struct.pack("<I", min(frames, STREAM_SIZE)))
     head += b"".join(_chunk(name, payload) for name, payload in before)
-    size = 4 + len(head) + 8 + data_size + data_size % 2 + sum(len(_chunk(*chunk)) for chunk in after)
+    return _opened(head, data_size, frames, sum(len(_chunk(*chunk)) for chunk in after)), data_size
+
+
+def _opened(head: bytes, data_size: int, frames: int, after_bytes: int) -> bytes:
+    """Return everything up to the first sample, given the chunks before `data` and the bytes after it."""
+    size = 4 + len(head) + 8 + data_size + data_size % 2 + after_bytes
     if size + 8 <= STREAM_SIZE:
-        return b"RIFF" + struct.pack("<I", size) + b"WAVE" + head + b"data" + struct.pack("<I", data_size), data_size
+        return b"RIFF" + struct.pack("<I", size) + b"WAVE" + head + b"data" + struct.pack("<I", data_size)
     ds64 = _chunk("ds64", struct.pack("<QQQI", size + 36, data_size, frames, 0))
     open_size = struct.pack("<I", STREAM_SIZE)
-    return b"RF64" + open_size + b"WAVE" + ds64 + head + b"data" + open_size, data_size
+    return b"RF64" + open_size + b"WAVE" + ds64 + head + b"data" + open_size
 
 
 def _coded(
