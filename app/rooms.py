@@ -29,7 +29,13 @@ ROUTERS: tuple[APIRouter, ...] = (
     notifications,
     operations,
 )
-JOB_MODULES = ("app.deliveries.jobs", "app.conformance.jobs", "app.renders.jobs", "app.notifications.jobs")
+JOB_MODULES = (
+    "app.deliveries.jobs",
+    "app.conformance.jobs",
+    "app.renders.jobs",
+    "app.builds.jobs",
+    "app.notifications.jobs",
+)
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("conformance.check_take", "renders.draw_take"),
@@ -39,6 +45,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
+    "pack.asked": ("builds.seal_pack",),
     "batch.asked": ("renders.plan_batch",),
     "list.revised": ("notifications.tell_list_revised",),
     "question.asked": ("notifications.tell_question",),

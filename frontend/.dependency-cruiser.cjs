@@ -1,11 +1,12 @@
 /** The arrows of the frontend: features stand on app, uploads, audio, ui and api, and never on one another. */
 const lower = {
-  api: 'app|audio|judging|mending|ui|uploads|parts',
-  ui: 'app|api|audio|judging|mending|uploads|parts',
-  audio: 'app|api|judging|mending|uploads|parts',
-  uploads: 'app|audio|judging|mending|ui|parts',
-  judging: 'mending|uploads|parts',
-  mending: 'uploads|parts',
+  api: 'app|audio|judging|losses|mending|ui|uploads|parts',
+  ui: 'app|api|audio|judging|losses|mending|uploads|parts',
+  audio: 'app|api|judging|losses|mending|uploads|parts',
+  uploads: 'app|audio|judging|losses|mending|ui|parts',
+  judging: 'losses|mending|uploads|parts',
+  losses: 'app|judging|mending|uploads|parts',
+  mending: 'losses|uploads|parts',
 }
 
 module.exports = {

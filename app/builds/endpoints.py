@@ -1,5 +1,6 @@
 """The endpoints of this room."""
 
+from collections.abc import Sequence
 from typing import Annotated
 from urllib.parse import quote
 from uuid import UUID
@@ -9,18 +10,31 @@ from fastapi.responses import StreamingResponse
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Scope, Sight
-from app.builds import packs, service
+from app.builds import packs, sealing, service
 from app.builds.documentation_key import key_csv, key_xlsx
 from app.builds.errors import (
     BlobDamaged,
     BuildNotFound,
     NothingAccepted,
     PackIncomplete,
+    PackNotFound,
+    PackNotSealed,
     ReportInvalid,
 )
+from app.builds.key_pdf import key_pdf
 from app.builds.rules import ci_lines
-from app.builds.schemas import Baseline, BuildAdd, BuildRead, BuildSummary, CiLines, PackRead
-from app.builds.zip_stream import zip_bytes, zip_length
+from app.builds.schemas import (
+    Baseline,
+    BuildAdd,
+    BuildRead,
+    BuildSummary,
+    CiLines,
+    PackAdd,
+    PackRead,
+    SealedPackRead,
+    SealedPackSummary,
+)
+from app.builds.zip_stream import Entry, zip_bytes, zip_length
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
@@ -68,8 +82,11 @@ def download_pack(
 ) -> StreamingResponse:
     """Stream the approved pack; an answer shorter than its Content-Length is a broken one."""
     pack = packs.pack_in_sight(session, actor, project_id, target)
-    entries = packs.pack_entries(runtime.store, pack, masters=masters, allow_missing=allow_missing)
-    name = f"{pack.project.name} {pack.target}.zip"
+    files = packs.pack_files(runtime.store, pack, masters=masters, allow_missing=allow_missing)
+    return _zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
+
+
+def _zip(name: str, entries: Sequence[Entry]) -> StreamingResponse:
     return StreamingResponse(
         zip_bytes(entries),
         media_type="application/zip",
@@ -113,6 +130,97 @@ def get_documentation_key_xlsx(
     rows = packs.key_rows(packs.pack_in_sight(session, actor, project_id, target), masters=False)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_XLSX}"'}
     return Response(key_xlsx(rows), media_type=XLSX, headers=headers)
+
+
+@router.get(
+    "/projects/{project_id}/documentation-key.pdf",
+    response_class=Response,
+    responses={
+        **problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+        200: {"content": {"application/pdf": BINARY}},
+    },
+)
+def get_documentation_key_pdf(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Response:
+    """Return what each file of the pack is and what it is for, to read and to print."""
+    pack = packs.pack_in_sight(session, actor, project_id, target)
+    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_PDF}"'}
+    content = key_pdf(packs.key_rows(pack, masters=False), title=packs.title_of(pack))
+    return Response(content, media_type="application/pdf", headers=headers)
+
+
+@router.post(
+    "/projects/{project_id}/packs",
+    status_code=201,
+    response_model=SealedPackSummary,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown, NothingAccepted, PackIncomplete),
+)
+def add_pack(
+    project_id: UUID, body: PackAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> SealedPackSummary:
+    """Seal what is accepted now as a numbered pack, which never changes; the worker puts it together."""
+    pack = sealing.ask_for_pack(
+        session,
+        actor,
+        project_id,
+        target=body.target,
+        note=body.note,
+        masters=body.masters,
+        allow_missing=body.allow_missing,
+    )
+    (summary,) = sealing.summaries(session, [pack])
+    return summary
+
+
+@router.get(
+    "/projects/{project_id}/packs",
+    response_model=Page[SealedPackSummary],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_packs(
+    project_id: UUID,
+    session: DbSession,
+    target: Annotated[str | None, Query(description="Of one target only.")] = None,
+    cursor: str | None = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Page[SealedPackSummary]:
+    """Return the packs that were handed out, the newest first."""
+    found = sealing.packs_in(session, actor, project_id, target=target, before=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(
+        items=sealing.summaries(session, found[:PAGE]),
+        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+    )
+
+
+@router.get("/packs/{pack_id}", response_model=SealedPackRead, responses=problems(PackNotFound, TeamNeeded))
+def get_sealed_pack(
+    pack_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ)
+) -> SealedPackRead:
+    """Return a pack that was handed out, and what is not as it was in the one before."""
+    return sealing.sealed_read(session, sealing.sealed_in_sight(session, actor, pack_id))
+
+
+@router.get(
+    "/packs/{pack_id}/pack.zip",
+    response_class=StreamingResponse,
+    responses={
+        **problems(PackNotFound, TeamNeeded, PackNotSealed, BlobDamaged),
+        200: {"content": {"application/zip": BINARY}},
+    },
+)
+def download_sealed_pack(
+    pack_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> StreamingResponse:
+    """Stream a pack that was handed out, the same bytes each time."""
+    pack = sealing.sealed_in_sight(session, actor, pack_id)
+    return _zip(f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack))
 
 
 @router.post(

@@ -23,3 +23,11 @@ class BlobDamaged(Refused):
 
 class ReportInvalid(Invalid):
     """What was sent is no report of audio-checks."""
+
+
+class PackNotFound(NotFound):
+    """No pack of that id within the caller's sight."""
+
+
+class PackNotSealed(Conflict):
+    """The pack is being put together, or could not be."""

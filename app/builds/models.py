@@ -4,9 +4,11 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ForeignKey
-from sqlalchemy.orm import Mapped, mapped_column
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
 
+from app.accounts.models import Person
+from app.builds.rules import FileKind, PackState
 from app.kit import clock
 from app.kit.db import Base, new_id
 
@@ -28,3 +30,45 @@ class Build(Base):
     report: Mapped[dict[str, Any]]
     token_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_tokens.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class SealedPack(Base):
+    """A pack as it was handed out: numbered for its target, and never changed."""
+
+    __tablename__ = "builds_packs"
+    __table_args__ = (
+        UniqueConstraint("project_id", "target", "number"),
+        CheckConstraint("(state = 'sealed') = (sealed_at is not null)", name="sealed_is_dated"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    target: Mapped[str]
+    number: Mapped[int]
+    note: Mapped[str] = mapped_column(default="")
+    with_masters: Mapped[bool] = mapped_column(default=False)
+    allow_missing: Mapped[bool] = mapped_column(default=False)
+    state: Mapped[PackState] = mapped_column(default=PackState.SEALING)
+    refusal: Mapped[str] = mapped_column(default="")
+    sealed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    sealed_at: Mapped[datetime | None]
+    sealer: Mapped[Person] = relationship(lazy="raise")
+
+
+class PackedFile(Base):
+    """One file of a sealed pack."""
+
+    __tablename__ = "builds_packed_files"
+    __table_args__ = (UniqueConstraint("pack_id", "path"),)
+
+    pack_id: Mapped[UUID] = mapped_column(ForeignKey("builds_packs.id"), primary_key=True)
+    place: Mapped[int] = mapped_column(primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    path: Mapped[str]
+    kind: Mapped[FileKind]
+    sha256: Mapped[str]
+    size_bytes: Mapped[int] = mapped_column(BigInteger)
+    pcm_sha256: Mapped[str | None]  # None: it is no game file
+    render_id: Mapped[UUID | None] = mapped_column(ForeignKey("renders_renders.id"))

@@ -2,7 +2,7 @@
 
 import hashlib
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import PurePosixPath
@@ -14,7 +14,9 @@ from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.documentation_key import KeyRow, key_csv, key_xlsx
 from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete
-from app.builds.schemas import MissingFile, PackRead
+from app.builds.key_pdf import key_pdf
+from app.builds.rules import FileKind, changes_between, sums
+from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
 from app.builds.zip_stream import Entry
 from app.deliveries.models import Take
 from app.kit.storage import Store
@@ -28,9 +30,13 @@ from app.renders.rules import RenderState
 from app.reviews.queries import accepted_takes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
+from audio_checks import Target
 
-KEY_CSV, KEY_XLSX = "documentation-key.csv", "documentation-key.xlsx"
+KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
+SUMS = "SHA256SUMS"
+SAME_SOUND = ("sample_rate_hz", "bit_depth", "encoding", "channels", "loop_points")
 NAMES_SHOWN = 3
+PATHS_SHOWN = 200
 
 
 @dataclass(frozen=True)
@@ -40,8 +46,13 @@ class PackedSound:
     cue: Cue
     variation: int
     take: Take
-    file_name: str
+    path: str  # in the pack: the target's folder and the name that the cue owns
     render: Render | None
+
+    @property
+    def file_name(self) -> str:
+        """The name that the game expects."""
+        return PurePosixPath(self.path).name
 
     @property
     def made(self) -> Render | None:
@@ -70,36 +81,64 @@ class Pack:
     targets: list[str]
     sounds: list[PackedSound]
     cues_wanted: int
+    last_number: int | None  # of the target's newest sealed pack
+    last_marks: dict[str, str]  # what its game files sounded like, by path
+
+    @property
+    def marks(self) -> dict[str, str]:
+        """What each game file sounds like, by path."""
+        return {sound.path: mark_of(sound.made) for sound in self.sounds if sound.made}
+
+
+def mark_of(render: Render) -> str:
+    """Return what two game files share that sound the same and loop the same, whatever else stands in them."""
+    return "|".join([render.pcm_sha256 or "", *(str(render.facts.get(fact)) for fact in SAME_SOUND)])
 
 
 def pack_in_sight(session: Session, actor: Actor, project_id: UUID, target: str | None) -> Pack:
     """Return what the pack of a target holds; without a target, of the spec's first."""
     standing = standing_in(session, actor, project_id)
     ensure_team_or_build(standing)
-    spec = current_spec(session, project_id)
+    return pack_of(session, standing.project, target)
+
+
+def pack_of(session: Session, project: Project, target: str | None) -> Pack:
+    """Return what the pack of a target holds, without asking who looks.
+
+    A file that sounds as it did in the last pack is that very file, so that the game's depot sees no change.
+    """
+    spec = current_spec(session, project.id)
     view = parsed_spec(spec.toml)
     targets = list(view.targets)
     chosen = target or (targets[0] if targets else "")
     if chosen not in targets:
         raise TargetUnknown(f'the spec has no target "{chosen}"; it has {", ".join(targets) or "none"}')
-    accepted = accepted_takes(session, project_id)
-    renders = current_renders(session, {project_id: spec}, [take for _, _, take in accepted])
-    stems = queries.stems_of_project(session, project_id)
-    extensions: dict[str, str] = {}
+    last = queries.last_sealed(session, project.id, chosen)
+    last_renders = queries.game_renders_of(session, last.id) if last else {}
+    accepted = accepted_takes(session, project.id)
+    renders = current_renders(session, {project.id: spec}, [take for _, _, take in accepted])
+    stems = queries.stems_of_project(session, project.id)
+    categories: dict[str, tuple[str, Target]] = {}
     sounds = []
     for cue, variation, take in accepted:
-        if cue.category not in extensions:
-            extensions[cue.category] = view.for_category(cue.category or None).naming.extension or ".wav"
-        sounds.append(
-            PackedSound(
-                cue=cue,
-                variation=variation,
-                take=take,
-                file_name=stems[cue.id, variation] + extensions[cue.category],
-                render=renders[take.id].get(chosen),
-            )
-        )
-    return Pack(standing.project, chosen, targets, sounds, queries.wanted_cues(session, project_id))
+        if cue.category not in categories:
+            own = view.for_category(cue.category or None)
+            categories[cue.category] = own.naming.extension or ".wav", own.targets[chosen]
+        extension, made_to = categories[cue.category]
+        path = made_to.path_of(stems[cue.id, variation] + extension, cue.category)
+        render, before = renders[take.id].get(chosen), last_renders.get(path)
+        if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
+            render = before
+        sounds.append(PackedSound(cue=cue, variation=variation, take=take, path=path, render=render))
+    return Pack(
+        project=project,
+        target=chosen,
+        targets=targets,
+        sounds=sounds,
+        cues_wanted=queries.wanted_cues(session, project.id),
+        last_number=last.number if last else None,
+        last_marks={path: mark_of(render) for path, render in last_renders.items()},
+    )
 
 
 def ensure_team_or_build(standing: Standing) -> None:
@@ -119,16 +158,34 @@ def pack_read(pack: Pack) -> PackRead:
         masters_bytes=sum(sound.take.master_bytes for sound in pack.sounds),
         cues_accepted=len({sound.cue.id for sound in pack.sounds}),
         cues_wanted=pack.cues_wanted,
+        changes=changes_read(pack.last_number, pack.last_marks, pack.marks),
         missing=[
             MissingFile(
                 cue_id=sound.cue.id,
                 label=label(pack.project.cue_prefix, sound.cue.number),
                 name=sound.cue.name,
-                file_name=sound.file_name,
+                file_name=sound.path,
                 reason=sound.why_missing,
             )
             for sound in pack.sounds
             if not sound.made
+        ],
+    )
+
+
+def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[str, str]) -> PackChanges:
+    """Return what became of the game files since a pack; everything is new where there was none."""
+    found = changes_between(before, after)
+    return PackChanges(
+        since=since,
+        new=len(found.new),
+        changed=len(found.changed),
+        gone=len(found.gone),
+        same=found.same,
+        paths=[
+            ChangedPath(path=path, kind=kind)
+            for kind, paths in (("changed", found.changed), ("new", found.new), ("gone", found.gone))
+            for path in paths[:PATHS_SHOWN]
         ],
     )
 
@@ -142,7 +199,7 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
     cue, take, render = sound.cue, sound.take, sound.made
     facts = render.facts if render else {}
     return KeyRow(
-        file=sound.file_name if render else "",
+        file=sound.path if render else "",
         cue=label(pack.project.cue_prefix, cue.number),
         name=cue.name,
         category=cue.category,
@@ -165,51 +222,81 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
     )
 
 
-def pack_entries(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) -> list[Entry]:
-    """Return the files of the ZIP in their order: the game files in list order, the masters, the key.
+@dataclass(frozen=True)
+class Packed:
+    """One file of a pack, and what it is."""
+
+    entry: Entry
+    kind: FileKind
+    render: Render | None = None
+
+
+def pack_files(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) -> list[Packed]:
+    """Return the files of the ZIP in their order: the game files in list order, the masters, the key, the sums.
 
     The key's workbook is a ZIP itself: before the sounds, a pack that broke off could be taken for it.
-
 
     Raises NothingAccepted, PackIncomplete where an accepted sound has no file and that is not allowed,
     BlobDamaged where the store does not hold what the database names.
     """
-    if not pack.sounds:
-        raise NothingAccepted("no cue is accepted yet; approve every variation of one first")
-    missing = [sound for sound in pack.sounds if not sound.made]
-    if missing and not allow_missing:
-        named = ", ".join(sound.file_name for sound in missing[:NAMES_SHOWN])
-        more = f" and {len(missing) - NAMES_SHOWN} more" if len(missing) > NAMES_SHOWN else ""
-        raise PackIncomplete(
-            f"{named}{more} cannot be packed for {pack.target}: {missing[0].why_missing}",
-            errors=[{"where": sound.file_name, "message": sound.why_missing} for sound in missing],
-            fix="take the pack without them (allow_missing=true), or have them made first",
-        )
+    ensure_packable(pack, allow_missing=allow_missing)
     studio_id = pack.project.studio_id
-    entries = [
-        _stored(store, studio_id, sound.file_name, render.sha256 or "", render.file_bytes or 0)
+    files = [
+        Packed(
+            stored_entry(store, studio_id, sound.path, render.sha256 or "", render.file_bytes or 0),
+            FileKind.GAME,
+            render,
+        )
         for sound in pack.sounds
         if (render := sound.made)
     ]
     if masters:
-        entries += [
-            _stored(store, studio_id, sound.master_name, sound.take.master_sha256, sound.take.master_bytes)
+        files += [
+            Packed(
+                stored_entry(store, studio_id, sound.master_name, sound.take.master_sha256, sound.take.master_bytes),
+                FileKind.MASTER,
+            )
             for sound in pack.sounds
         ]
-    _ensure_stored(store, studio_id, entries)
+    ensure_stored(store, studio_id, [file.entry for file in files])
     rows = key_rows(pack, masters=masters)
-    return [*entries, _in_memory(KEY_CSV, key_csv(rows)), _in_memory(KEY_XLSX, key_xlsx(rows))]
+    keys = {KEY_CSV: key_csv(rows), KEY_XLSX: key_xlsx(rows), KEY_PDF: key_pdf(rows, title=title_of(pack))}
+    entries = [*(file.entry for file in files), *(_in_memory(path, content) for path, content in keys.items())]
+    entries.append(_in_memory(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
+    return [*files, *(Packed(entry, FileKind.KEY) for entry in entries[len(files) :])]
+
+
+def title_of(pack: Pack) -> str:
+    """Return what the documentation key is headed with."""
+    return f"{pack.project.name}, {pack.target}"
+
+
+def ensure_packable(pack: Pack, *, allow_missing: bool) -> None:
+    """Raise NothingAccepted or PackIncomplete."""
+    if not pack.sounds:
+        raise NothingAccepted("no cue is accepted yet; approve every variation of one first")
+    missing = [sound for sound in pack.sounds if not sound.made]
+    if missing and not allow_missing:
+        named = ", ".join(sound.path for sound in missing[:NAMES_SHOWN])
+        more = f" and {len(missing) - NAMES_SHOWN} more" if len(missing) > NAMES_SHOWN else ""
+        raise PackIncomplete(
+            f"{named}{more} cannot be packed for {pack.target}: {missing[0].why_missing}",
+            errors=[{"where": sound.path, "message": sound.why_missing} for sound in missing],
+            fix="take the pack without them (allow_missing=true), or have them made first",
+        )
 
 
 def _in_memory(path: str, content: bytes) -> Entry:
     return Entry(path, len(content), hashlib.sha256(content).hexdigest(), partial(io.BytesIO, content))
 
 
-def _stored(store: Store, studio_id: UUID, path: str, sha256: str, size_bytes: int) -> Entry:
+def stored_entry(store: Store, studio_id: UUID, path: str, sha256: str, size_bytes: int) -> Entry:
+    """Return one stored file as a ZIP takes it."""
     return Entry(path, size_bytes, sha256, partial(store.open, studio_id, sha256))
 
 
-def _ensure_stored(store: Store, studio_id: UUID, entries: Sequence[Entry]) -> None:
+def ensure_stored(store: Store, studio_id: UUID, entries: Sequence[Entry]) -> None:
+    """Raise BlobDamaged unless the store holds every file, as long as it should be."""
     sizes_bytes = store.sizes_bytes(studio_id, {entry.sha256 for entry in entries})
     for entry in entries:
         if sizes_bytes.get(entry.sha256) != entry.size_bytes:

@@ -5,9 +5,10 @@ from collections.abc import Collection, Sequence
 from uuid import UUID
 
 from sqlalchemy import func, select
-from sqlalchemy.orm import Session, defer, undefer
+from sqlalchemy.orm import Session, defer, joinedload, undefer
 
-from app.builds.models import Build
+from app.builds.models import Build, PackedFile, SealedPack
+from app.builds.rules import FileKind, PackState
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
@@ -53,3 +54,68 @@ def render_hashes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, li
         for take_id, pcm_sha256 in rows:
             found[take_id].append(str(pcm_sha256))
     return found
+
+
+def pack_by_id(session: Session, pack_id: UUID) -> SealedPack | None:
+    """Return a pack with whoever sealed it, without asking who looks."""
+    return session.scalar(select(SealedPack).where(SealedPack.id == pack_id).options(joinedload(SealedPack.sealer)))
+
+
+def packs_of(
+    session: Session, project_id: UUID, *, target: str | None, before: UUID | None, limit: int
+) -> Sequence[SealedPack]:
+    """Return packs with whoever sealed them, the newest first."""
+    query = select(SealedPack).where(SealedPack.project_id == project_id)
+    if target is not None:
+        query = query.where(SealedPack.target == target)
+    if before is not None:
+        query = query.where(SealedPack.id < before)
+    return session.scalars(
+        query.options(joinedload(SealedPack.sealer)).order_by(SealedPack.id.desc()).limit(limit)
+    ).all()
+
+
+def last_sealed(session: Session, project_id: UUID, target: str, *, below: int | None = None) -> SealedPack | None:
+    """Return the newest sealed pack of a target; the newest below a number where one is given."""
+    query = select(SealedPack).where(
+        SealedPack.project_id == project_id, SealedPack.target == target, SealedPack.state == PackState.SEALED
+    )
+    if below is not None:
+        query = query.where(SealedPack.number < below)
+    return session.scalar(query.order_by(SealedPack.number.desc()).limit(1))
+
+
+def last_pack_number(session: Session, project_id: UUID, target: str) -> int:
+    """Return the number of the newest pack of a target; 0 where there is none."""
+    query = select(func.max(SealedPack.number)).where(SealedPack.project_id == project_id, SealedPack.target == target)
+    return session.scalar(query) or 0
+
+
+def files_of(session: Session, pack_id: UUID) -> Sequence[PackedFile]:
+    """Return the files of a pack in their order."""
+    return session.scalars(select(PackedFile).where(PackedFile.pack_id == pack_id).order_by(PackedFile.place)).all()
+
+
+def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, tuple[int, int]]:
+    """Return how many game files each pack has, and how many bytes all of its files are."""
+    rows = session.execute(
+        select(
+            PackedFile.pack_id,
+            func.count().filter(PackedFile.kind == FileKind.GAME),
+            func.coalesce(func.sum(PackedFile.size_bytes), 0),
+        )
+        .where(PackedFile.pack_id.in_(pack_ids))
+        .group_by(PackedFile.pack_id)
+    )
+    return {pack_id: (files, int(size_bytes)) for pack_id, files, size_bytes in rows}
+
+
+def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
+    """Return the render behind each game file of a pack, by path."""
+    rows = session.execute(
+        select(PackedFile.path, Render)
+        .join(Render, Render.id == PackedFile.render_id)
+        .where(PackedFile.pack_id == pack_id, PackedFile.kind == FileKind.GAME)
+        .order_by(PackedFile.place)
+    )
+    return {row[0]: row[1] for row in rows}

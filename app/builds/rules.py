@@ -3,6 +3,8 @@
 import json
 import shlex
 from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
 from typing import Any
 
 from app.builds.errors import ReportInvalid
@@ -13,6 +15,48 @@ COMPOSE = (
     "import json, sys; label, commit, target = sys.argv[1:]; "
     'json.dump({"label": label, "commit": commit, "target": target, "report": json.load(sys.stdin)}, sys.stdout)'
 )
+
+
+class PackState(StrEnum):
+    """Whether a pack can be handed out."""
+
+    SEALING = "sealing"
+    SEALED = "sealed"
+    REFUSED = "refused"
+
+
+class FileKind(StrEnum):
+    """What a file of a pack is."""
+
+    GAME = "game"
+    MASTER = "master"
+    KEY = "key"
+
+
+@dataclass(frozen=True)
+class Changes:
+    """What differs between two packs of a target, by path, each in order."""
+
+    new: list[str]
+    changed: list[str]
+    gone: list[str]
+    same: int
+
+
+def changes_between(before: Mapping[str, str], after: Mapping[str, str]) -> Changes:
+    """Return what became of each path; a file is the same while its mark is."""
+    kept = [path for path in after if path in before]
+    return Changes(
+        new=[path for path in after if path not in before],
+        changed=[path for path in kept if before[path] != after[path]],
+        gone=[path for path in before if path not in after],
+        same=sum(before[path] == after[path] for path in kept),
+    )
+
+
+def sums(sha256_by_path: Mapping[str, str]) -> bytes:
+    """Return what `sha256sum --check` reads."""
+    return "".join(f"{sha256}  {path}\n" for path, sha256 in sha256_by_path.items()).encode()
 
 
 def ensure_storable(report: Mapping[str, Any]) -> None:

@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.builds.rules import PackState
 from app.kit.http import Schema
 
 
@@ -19,6 +20,24 @@ class MissingFile(Schema):
     reason: str
 
 
+class ChangedPath(Schema):
+    """A game file that is not as it was in an earlier pack."""
+
+    path: str
+    kind: Literal["new", "changed", "gone"]
+
+
+class PackChanges(Schema):
+    """What became of the game files since an earlier pack of the target; same: what sounds and loops as it did."""
+
+    since: int | None = Field(description="The number of that pack; null where there was none.")
+    new: int
+    changed: int
+    gone: int
+    same: int
+    paths: list[ChangedPath] = Field(description="The first of each kind.")
+
+
 class PackRead(Schema):
     """What the approved pack of a target holds."""
 
@@ -29,7 +48,40 @@ class PackRead(Schema):
     masters_bytes: int
     cues_accepted: int
     cues_wanted: int = Field(description="Cues of the list that are not cut.")
+    changes: PackChanges
     missing: list[MissingFile]
+
+
+class PackAdd(Schema):
+    """What is to be sealed."""
+
+    target: str = Field(min_length=1, max_length=100)
+    note: str = Field("", max_length=2_000)
+    masters: bool = False
+    allow_missing: bool = Field(False, description="Leave out accepted sounds that have no game file.")
+
+
+class SealedPackSummary(Schema):
+    """A pack that was handed out, or is being put together."""
+
+    id: UUID
+    target: str
+    number: int
+    note: str
+    with_masters: bool
+    state: PackState
+    refusal: str = Field(description="Why it could not be put together.")
+    sealed_by: str
+    created_at: datetime
+    sealed_at: datetime | None
+    files: int = Field(description="Game files.")
+    bytes: int
+
+
+class SealedPackRead(SealedPackSummary):
+    """A pack, and what is not as it was in the one before."""
+
+    changes: PackChanges
 
 
 class ReportTool(BaseModel):

@@ -15,6 +15,7 @@ from app.renders import batches, service
 from app.renders.errors import (
     BatchEnded,
     BatchNotFound,
+    LossUnknown,
     NotDrawn,
     NothingRendered,
     NothingToRender,
@@ -22,7 +23,7 @@ from app.renders.errors import (
     SoundNotFound,
     TargetUnknown,
 )
-from app.renders.schemas import BatchAdd, BatchRead, BatchSummary, PeaksRead, TakeSoundsRead
+from app.renders.schemas import BatchAdd, BatchRead, BatchSummary, LossRead, PeaksRead, TakeSoundsRead
 
 router = APIRouter(prefix="/v1", tags=["renders"], route_class=Route)
 MAY_SEE: Actor = allows(Sight.PROJECT)
@@ -91,6 +92,12 @@ def get_render_file(
     return blob_answer(
         request, runtime.store, render.studio_id, sha256, media_type="audio/wav", file_name=file_name, by_link=True
     )
+
+
+@router.get("/renders/{render_id}/loss", response_model=LossRead, responses=problems(RenderNotFound, LossUnknown))
+def get_render_loss(render_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> LossRead:
+    """Return what a game file lost against its master, in figures and in both spectra."""
+    return service.render_loss(session, actor, render_id)
 
 
 @router.post(

@@ -33,3 +33,7 @@ class NothingToRender(Conflict):
 
 class TargetUnknown(Invalid):
     """The project's spec has no target of that name."""
+
+
+class LossUnknown(Conflict):
+    """The game file was refused, or made before losses were measured."""

@@ -158,6 +158,7 @@ def _rendered(
     render.pcm_sha256 = rendered["pcm_sha256"]
     render.measurements = rendered.pop("measurements")
     render.attenuation_db = rendered.pop("attenuation_db")
+    render.loss = rendered.pop("loss")
     render.facts = rendered
     return render, picture
 

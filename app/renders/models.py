@@ -35,6 +35,8 @@ class Render(Base):
     facts: Mapped[dict[str, Any]] = mapped_column(default=dict)
     measurements: Mapped[dict[str, Any]] = mapped_column(default=dict)
     attenuation_db: Mapped[float | None]
+    # What was lost, with both spectra; read alone. None: refused, or made before losses were measured.
+    loss: Mapped[dict[str, Any] | None] = mapped_column(deferred=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Any, Literal
 from uuid import UUID
 
-from pydantic import Field
+from pydantic import BaseModel, ConfigDict, Field
 
 from app.kit.http import Schema
 from app.renders.rules import BatchState, RenderState
@@ -130,3 +130,50 @@ class BatchRead(BatchSummary):
 
     sizes: list[BatchSizes]
     trouble: list[BatchTrouble]
+
+
+class LossSpectra(Schema):
+    """Master and game file in the same bands, RMS over the whole sound; null where there is nothing."""
+
+    hz: list[float]
+    master_dbfs: list[float | None]
+    render_dbfs: list[float | None]
+
+
+class LossLevels(BaseModel):
+    """Levels of one sound, named as in the report; null is silence."""
+
+    model_config = ConfigDict(extra="allow")
+
+    sample_peak_dbfs: float | None = None
+    true_peak_dbtp: float | None = None
+    short_loudness_lufs: float | None = None
+    integrated_lufs: float | None = None
+
+
+class SeamRead(Schema):
+    """A loop's seam against the sound around it."""
+
+    step_db: float | None
+    slope_db: float | None
+
+
+class LossRead(BaseModel):
+    """What a game file lost against its master; null in dB stands for nothing at all."""
+
+    before: LossLevels
+    after: LossLevels
+    above_nyquist_db: float | None = Field(
+        description="Energy above half the new rate against all of the master's, in dB."
+    )
+    shelf_db: float
+    attenuation_db: float
+    requantisation_dbfs: float | None = Field(
+        description="RMS of what rounding and dither added; null: every sample is exact."
+    )
+    trimmed_s: list[float] = Field(description="At the start, and at the end.")
+    loop_fit_frames: float
+    seam_before: SeamRead | None
+    seam_after: SeamRead | None
+    mono_loss_db: float | None
+    spectra: LossSpectra

@@ -14,10 +14,10 @@ from app.deliveries.queries import stem_of, take_by_id
 from app.deliveries.service import take_for
 from app.projects.queries import current_spec
 from app.renders import queries
-from app.renders.errors import NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
+from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.rules import RENDERED_STATES, Recipe
-from app.renders.schemas import MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
+from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 
 
 def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead:
@@ -114,6 +114,19 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
         raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
     stem = stem_of(session, take) or "render"
     return render, render.sha256, f"{stem}.wav"
+
+
+def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:
+    """Return what a game file lost; raise LossUnknown where nobody measured it."""
+    found = queries.visible_render(session, actor, render_id)
+    if found is None:
+        raise RenderNotFound(f"no render {render_id}")
+    if found[0].loss is None:
+        raise LossUnknown(
+            "what this file lost was not measured: it was refused, or made by an earlier version",
+            fix="have the game files made again",
+        )
+    return LossRead.model_validate(found[0].loss)
 
 
 @dataclass(frozen=True)

@@ -166,6 +166,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> R
         renders=[
             ReviewRender(
                 **sound_places(picture_of_render(render, one.render_pictures)),
+                id=render.id if render else None,
                 target=target,
                 state=render.state.value if render else "waiting",
                 refusal=render.refusal if render else None,

@@ -43,6 +43,7 @@ class ReviewCue(Schema):
 class ReviewRender(SoundBrief):
     """One game file of a take, or why there is none."""
 
+    id: UUID | None
     target: str
     state: RenderState | Literal["waiting"]
     refusal: str | None

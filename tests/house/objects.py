@@ -14,7 +14,8 @@ from app.accounts.passwords import hash_of
 from app.accounts.queries import actor_for_person
 from app.accounts.rules import Role, Scope
 from app.accounts.service import add_token
-from app.builds.models import Build
+from app.builds.models import Build, SealedPack
+from app.builds.rules import PackState
 from app.conformance.models import CheckRun
 from app.contracts.models import (
     Contract,
@@ -122,6 +123,8 @@ class House(World):
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
         batch = Batch(**of, number=1)
+        pack = SealedPack(**of, target="game", number=1, sealed_by=self.producer_id)
+        pack.state, pack.sealed_at = PackState.SEALED, clock.now()
         mail = Mail(
             studio_id=self.studio_id,
             topic="link",
@@ -143,7 +146,7 @@ class House(World):
             tool_version="1",
         )
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
-        session.add_all([picture, render, draft, comment, build, batch, mail, run, sets])
+        session.add_all([picture, render, draft, comment, build, batch, pack, mail, run, sets])
         self._add_links(session)
         money = self._add_money(session, cue)
         token = self._token(session, self.project_id, list(Scope))
@@ -164,6 +167,7 @@ class House(World):
             "comment_id": comment.id,
             "build_id": build.id,
             "batch_id": batch.id,
+            "pack_id": pack.id,
             "mail_id": mail.id,
             "engagement_id": engagement.id,
             "invitation_id": self._invitation_id,

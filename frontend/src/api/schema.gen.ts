@@ -1717,6 +1717,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/renders/{render_id}/loss": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Render Loss
+         * @description Return what a game file lost against its master, in figures and in both spectra.
+         */
+        get: operations["get_render_loss"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/batches": {
         parameters: {
             query?: never;
@@ -2081,6 +2101,90 @@ export interface paths {
          * @description Return what each file of the pack is and what it is for, as a workbook.
          */
         get: operations["get_documentation_key_xlsx"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/documentation-key.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Documentation Key Pdf
+         * @description Return what each file of the pack is and what it is for, to read and to print.
+         */
+        get: operations["get_documentation_key_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/packs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Packs
+         * @description Return the packs that were handed out, the newest first.
+         */
+        get: operations["list_packs"];
+        put?: never;
+        /**
+         * Add Pack
+         * @description Seal what is accepted now as a numbered pack, which never changes; the worker puts it together.
+         */
+        post: operations["add_pack"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/packs/{pack_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Sealed Pack
+         * @description Return a pack that was handed out, and what is not as it was in the one before.
+         */
+        get: operations["get_sealed_pack"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/packs/{pack_id}/pack.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Sealed Pack
+         * @description Stream a pack that was handed out, the same bytes each time.
+         */
+        get: operations["download_sealed_pack"];
         put?: never;
         post?: never;
         delete?: never;
@@ -3057,6 +3161,19 @@ export interface components {
             sending_id: string | null;
             /** Sent At */
             sent_at: string | null;
+        };
+        /**
+         * ChangedPath
+         * @description A game file that is not as it was in an earlier pack.
+         */
+        ChangedPath: {
+            /** Path */
+            path: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "new" | "changed" | "gone";
         };
         /**
          * CheckRead
@@ -4663,6 +4780,68 @@ export interface components {
             next: string | null;
         };
         /**
+         * LossLevels
+         * @description Levels of one sound, named as in the report; null is silence.
+         */
+        LossLevels: {
+            /** Sample Peak Dbfs */
+            sample_peak_dbfs?: number | null;
+            /** True Peak Dbtp */
+            true_peak_dbtp?: number | null;
+            /** Short Loudness Lufs */
+            short_loudness_lufs?: number | null;
+            /** Integrated Lufs */
+            integrated_lufs?: number | null;
+        } & {
+            [key: string]: unknown;
+        };
+        /**
+         * LossRead
+         * @description What a game file lost against its master; null in dB stands for nothing at all.
+         */
+        LossRead: {
+            before: components["schemas"]["LossLevels"];
+            after: components["schemas"]["LossLevels"];
+            /**
+             * Above Nyquist Db
+             * @description Energy above half the new rate against all of the master's, in dB.
+             */
+            above_nyquist_db: number | null;
+            /** Shelf Db */
+            shelf_db: number;
+            /** Attenuation Db */
+            attenuation_db: number;
+            /**
+             * Requantisation Dbfs
+             * @description RMS of what rounding and dither added; null: every sample is exact.
+             */
+            requantisation_dbfs: number | null;
+            /**
+             * Trimmed S
+             * @description At the start, and at the end.
+             */
+            trimmed_s: number[];
+            /** Loop Fit Frames */
+            loop_fit_frames: number;
+            seam_before: components["schemas"]["SeamRead"] | null;
+            seam_after: components["schemas"]["SeamRead"] | null;
+            /** Mono Loss Db */
+            mono_loss_db: number | null;
+            spectra: components["schemas"]["LossSpectra"];
+        };
+        /**
+         * LossSpectra
+         * @description Master and game file in the same bands, RMS over the whole sound; null where there is nothing.
+         */
+        LossSpectra: {
+            /** Hz */
+            hz: number[];
+            /** Master Dbfs */
+            master_dbfs: (number | null)[];
+            /** Render Dbfs */
+            render_dbfs: (number | null)[];
+        };
+        /**
          * MailRead
          * @description One mail of the studio's outbox.
          */
@@ -5150,6 +5329,54 @@ export interface components {
             reviewers: number;
         };
         /**
+         * PackAdd
+         * @description What is to be sealed.
+         */
+        PackAdd: {
+            /** Target */
+            target: string;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /**
+             * Masters
+             * @default false
+             */
+            masters: boolean;
+            /**
+             * Allow Missing
+             * @description Leave out accepted sounds that have no game file.
+             * @default false
+             */
+            allow_missing: boolean;
+        };
+        /**
+         * PackChanges
+         * @description What became of the game files since an earlier pack of the target; same: what sounds and loops as it did.
+         */
+        PackChanges: {
+            /**
+             * Since
+             * @description The number of that pack; null where there was none.
+             */
+            since: number | null;
+            /** New */
+            new: number;
+            /** Changed */
+            changed: number;
+            /** Gone */
+            gone: number;
+            /** Same */
+            same: number;
+            /**
+             * Paths
+             * @description The first of each kind.
+             */
+            paths: components["schemas"]["ChangedPath"][];
+        };
+        /**
          * PackRead
          * @description What the approved pack of a target holds.
          */
@@ -5171,9 +5398,16 @@ export interface components {
              * @description Cues of the list that are not cut.
              */
             cues_wanted: number;
+            changes: components["schemas"]["PackChanges"];
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
         };
+        /**
+         * PackState
+         * @description Whether a pack can be handed out.
+         * @enum {string}
+         */
+        PackState: "sealing" | "sealed" | "refused";
         /** Page[BatchSummary] */
         Page_BatchSummary_: {
             /** Items */
@@ -5234,6 +5468,13 @@ export interface components {
         Page_RevisionRead_: {
             /** Items */
             items: components["schemas"]["RevisionRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[SealedPackSummary] */
+        Page_SealedPackSummary_: {
+            /** Items */
+            items: components["schemas"]["SealedPackSummary"][];
             /** Next */
             next?: string | null;
         };
@@ -5956,6 +6197,8 @@ export interface components {
             peaks_url: string | null;
             /** Spectrum Url */
             spectrum_url: string | null;
+            /** Id */
+            id: string | null;
             /** Target */
             target: string;
             /** State */
@@ -6114,6 +6357,99 @@ export interface components {
          * @enum {string}
          */
         Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write";
+        /**
+         * SealedPackRead
+         * @description A pack, and what is not as it was in the one before.
+         */
+        SealedPackRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Target */
+            target: string;
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            /** With Masters */
+            with_masters: boolean;
+            state: components["schemas"]["PackState"];
+            /**
+             * Refusal
+             * @description Why it could not be put together.
+             */
+            refusal: string;
+            /** Sealed By */
+            sealed_by: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Sealed At */
+            sealed_at: string | null;
+            /**
+             * Files
+             * @description Game files.
+             */
+            files: number;
+            /** Bytes */
+            bytes: number;
+            changes: components["schemas"]["PackChanges"];
+        };
+        /**
+         * SealedPackSummary
+         * @description A pack that was handed out, or is being put together.
+         */
+        SealedPackSummary: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Target */
+            target: string;
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            /** With Masters */
+            with_masters: boolean;
+            state: components["schemas"]["PackState"];
+            /**
+             * Refusal
+             * @description Why it could not be put together.
+             */
+            refusal: string;
+            /** Sealed By */
+            sealed_by: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Sealed At */
+            sealed_at: string | null;
+            /**
+             * Files
+             * @description Game files.
+             */
+            files: number;
+            /** Bytes */
+            bytes: number;
+        };
+        /**
+         * SeamRead
+         * @description A loop's seam against the sound around it.
+         */
+        SeamRead: {
+            /** Step Db */
+            step_db: number | null;
+            /** Slope Db */
+            slope_db: number | null;
+        };
         /**
          * SendingAdd
          * @description A word that goes with all the drafts.
@@ -12383,6 +12719,55 @@ export interface operations {
             };
         };
     };
+    get_render_loss: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                render_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LossRead"];
+                };
+            };
+            /** @description `render-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `loss-unknown` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     list_batches: {
         parameters: {
             query?: {
@@ -13500,6 +13885,289 @@ export interface operations {
             };
             /** @description `target-unknown` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_documentation_key_pdf: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_packs: {
+        parameters: {
+            query?: {
+                /** @description Of one target only. */
+                target?: string | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_SealedPackSummary_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_pack: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PackAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SealedPackSummary"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-accepted`, `pack-incomplete` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_sealed_pack: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pack_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SealedPackRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_sealed_pack: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pack_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-sealed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-damaged` */
+            500: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -40,6 +40,7 @@ test('letters follow the order of delivery within a variation', () => {
 
 test('a target is heard from its own file, and its refusal is kept', () => {
   const game = {
+    id: null,
     picture_id: null,
     thumb: null,
     spectrum_url: null,

@@ -28,7 +28,7 @@ from tests.support.deliver import add_cues
 from tests.support.server import World
 
 SOUNDS = ["laser_fire_01.wav", "laser_fire_02.wav", "ui_confirm.wav"]
-KEY = ["documentation-key.csv", "documentation-key.xlsx"]
+KEY = ["documentation-key.csv", "documentation-key.xlsx", "documentation-key.pdf", "SHA256SUMS"]
 FORMULAS = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -193,5 +193,6 @@ def test_a_render_that_names_no_file_of_its_size_is_damage(world: World) -> None
 )
 def test_who_may_not(world: World, who: str, status: int) -> None:
     client: TestClient = getattr(world, who)
-    for path in ("pack", "pack.zip", "documentation-key.csv", "documentation-key.xlsx", "builds", "ci"):
+    key = tuple(f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
+    for path in ("pack", "pack.zip", *key, "builds", "ci", "packs"):
         assert client.get(f"/v1/projects/{world.project_id}/{path}").status_code == status, path

@@ -297,3 +297,26 @@ def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
     master = sounds(world, take["id"])["master"]
     assert world.designer.get(master["peaks_url"]).json()["points"] == 300
     assert set(master["thumb"]["max"]) == {32}
+
+
+def test_what_a_game_file_lost_is_told_in_figures_and_spectra(world: World) -> None:
+    add_cue(world, "chirp")
+    # Two tones of one level: half of the energy lies above 11,025 Hz, and the file for 22,050 Hz lacks it.
+    tones = sine(hz=1_000, dbfs=-12, rate=96_000, seconds=0.5) + sine(hz=15_000, dbfs=-12, rate=96_000, seconds=0.5)
+    take_id = deliver_sound(world, "chirp.wav", tones)
+    by_target = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    url = f"/v1/renders/{by_target['handheld']['id']}/loss"
+    loss = world.decider.get(url).json()
+    assert loss["above_nyquist_db"] == pytest.approx(-3.0, abs=0.2)
+    assert loss["after"]["sample_peak_dbfs"] == pytest.approx(-12.0, abs=0.1)
+    bands = list(zip(*(loss["spectra"][key] for key in ("hz", "master_dbfs", "render_dbfs")), strict=True))
+    master, file = next((one, other) for hz, one, other in bands if 14_200 < hz < 15_900 and (one or -99) > -20)
+    assert master == pytest.approx(-15, abs=1)
+    assert file is None or file < -80
+    assert world.designer.get(url).status_code == 200
+    for client, status in ((world.other_designer, 404), (world.stranger, 404), (world.nobody, 401)):
+        assert client.get(url).status_code == status
+    forget = update(Render).where(Render.id == UUID(by_target["handheld"]["id"])).values(loss=None)
+    world.server.in_database(lambda session: session.execute(forget))
+    old = world.decider.get(url)
+    assert (old.status_code, old.json()["code"]) == (409, "loss-unknown")

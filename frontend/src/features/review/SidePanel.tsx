@@ -13,6 +13,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import { historyQuery, type useComment, useResolve } from './api'
 import { Figures } from './Figures'
+import { GameFiles } from './GameFiles'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
 import type { Said } from './said'
@@ -42,7 +43,7 @@ interface SidePanelProps {
   blind: boolean
 }
 
-type Tab = 'comments' | 'findings' | 'history'
+type Tab = 'comments' | 'findings' | 'files' | 'history'
 
 /** What was said, what was found, what happened; and the figures. */
 export function SidePanel(props: SidePanelProps) {
@@ -52,6 +53,7 @@ export function SidePanel(props: SidePanelProps) {
   const tabs: { id: Tab; label: string }[] = [
     { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
     { id: 'findings', label: `Findings ${blind ? '' : (hand?.findings.length ?? 0)}`.trim() },
+    { id: 'files', label: 'Game files' },
     { id: 'history', label: 'History' },
   ]
   const onKeyDown = (event: KeyboardEvent) => {
@@ -96,6 +98,7 @@ export function SidePanel(props: SidePanelProps) {
             {tab === 'findings' && hand?.state === 'returned' && props.review.may_decide && (
               <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
             )}
+            {tab === 'files' && hand && <GameFiles key={hand.id} take={hand} />}
             {tab === 'history' && hand && <History take={hand} />}
           </>
         )}

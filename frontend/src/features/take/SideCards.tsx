@@ -1,6 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
 
 import { HAPPENED, sentence, spot } from '@/judging/words'
+import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -88,10 +90,24 @@ export function GameFilesCard({ files }: { files: readonly GameFile[] }) {
                 Download<span className="visually-hidden"> the file for {file.target}</span>
               </a>
             )}
+            {file.state === 'made' && file.id && <Lost renderId={file.id} target={file.target} />}
           </li>
         ))}
       </ul>
     </Card>
+  )
+}
+
+/** What the file lost, asked for when it is opened. */
+function Lost({ renderId, target }: { renderId: string; target: string }) {
+  const [open, setOpen] = useState(false)
+  return (
+    <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary className={`small ${classes.lost}`}>
+        What it lost<span className="visually-hidden"> for {target}</span>
+      </summary>
+      {open && <LossPanel renderId={renderId} target={target} />}
+    </details>
   )
 }
 

@@ -1,0 +1,34 @@
+import { useState } from 'react'
+
+import type { ReviewTake } from '@/judging/api'
+import { sentence } from '@/judging/words'
+import { LossPanel } from '@/losses'
+import { Segmented } from '@/ui/Segmented'
+
+import classes from './Review.module.css'
+
+/** What each game file of a version lost against its master: one target at a time. */
+export function GameFiles({ take: { renders } }: { take: ReviewTake }) {
+  const [chosen, setChosen] = useState(renders[0]?.target ?? '')
+  const file = renders.find(({ target }) => target === chosen)
+  if (file === undefined) {
+    return <p className={`${classes.quiet} mid`}>The delivery spec names no target, so no game file is made.</p>
+  }
+  return (
+    <section className={classes.block} aria-label={`Game file for ${file.target}`}>
+      {renders.length > 1 && (
+        <p className={classes.targets}>
+          <Segmented
+            label="Target"
+            options={renders.map(({ target }) => ({ value: target, label: target }))}
+            value={chosen}
+            onChange={setChosen}
+          />
+        </p>
+      )}
+      {file.state === 'made' && file.id && <LossPanel key={file.id} renderId={file.id} target={file.target} />}
+      {file.state === 'waiting' && <p className="mid">It is being made.</p>}
+      {file.state === 'refused' && <p className="mid">{sentence(file.refusal ?? 'It was refused.')}</p>}
+    </section>
+  )
+}

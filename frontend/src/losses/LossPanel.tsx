@@ -1,0 +1,60 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { ApiProblem } from '@/api'
+
+import { lossQuery } from './api'
+import classes from './Losses.module.css'
+import { LossPlot } from './LossPlot'
+import { type LossLine, linesOf, octavesOf } from './words'
+
+/** What one game file lost: both spectra over each other, and every figure in a table. */
+export function LossPanel({ renderId, target }: { renderId: string; target: string }) {
+  const { data: loss, error } = useQuery(lossQuery(renderId))
+  if (error) {
+    return (
+      <p className="small mid">
+        {error instanceof ApiProblem ? `${capital(error.detail)}.` : 'The figures did not come.'}
+      </p>
+    )
+  }
+  if (loss === undefined) return null
+  return (
+    <div className={classes.panel}>
+      <LossPlot spectra={loss.spectra} />
+      <LossTable label={`What the file for ${target} lost`} head="Figure" lines={linesOf(loss)} />
+      <details className="small">
+        <summary className={classes.summary}>The spectra in figures</summary>
+        <LossTable label={`Spectra of master and file for ${target}`} head="Octave" lines={octavesOf(loss.spectra)} />
+      </details>
+    </div>
+  )
+}
+
+function LossTable({ label, head, lines }: { label: string; head: string; lines: readonly LossLine[] }) {
+  return (
+    <table className={`small ${classes.table}`} aria-label={label}>
+      <thead>
+        <tr className="dim">
+          <th scope="col">{head}</th>
+          <th scope="col" className="num">
+            Master
+          </th>
+          <th scope="col" className="num">
+            Game file
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {lines.map(({ what, master, file }) => (
+          <tr key={what}>
+            <th scope="row">{what}</th>
+            <td className="num">{master ?? ''}</td>
+            <td className="num">{file}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  )
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)

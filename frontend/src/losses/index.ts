@@ -1,0 +1,2 @@
+export { type Loss, lossQuery } from './api'
+export { LossPanel } from './LossPanel'

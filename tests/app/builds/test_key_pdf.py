@@ -1,0 +1,46 @@
+"""The documentation key as a PDF: the same bytes for the same rows, and nothing that people wrote is markup."""
+
+from dataclasses import replace
+
+from app.builds.documentation_key import KeyRow
+from app.builds.key_pdf import key_pdf
+
+ROW = KeyRow(
+    file="Assets/laser_fire_01.wav",
+    cue="SW-001",
+    name="Laser fire",
+    category="weapon",
+    variation=1,
+    variations=2,
+    description="bright, thin",
+    use="the player's gun",
+    trigger="on fire",
+    loop="no",
+    duration_s=0.25,
+    sample_rate_hz=44_100,
+    bit_depth=16,
+    channels=1,
+    attenuation_db=0.0,
+    version=1,
+    note="",
+    master="laser_fire_01.wav",
+    file_sha256="0" * 64,
+    master_sha256="0" * 64,
+)
+
+
+def test_the_same_rows_are_the_same_bytes() -> None:
+    made = key_pdf([ROW], title="Shield Wing, game")
+    assert made.startswith(b"%PDF-")
+    assert key_pdf([ROW], title="Shield Wing, game") == made
+    assert key_pdf([replace(ROW, note="alternate B")], title="Shield Wing, game") != made
+
+
+def test_what_people_wrote_is_text() -> None:
+    hostile = '#read("/etc/passwd") #panic() $x_1$ *bold* `raw` <label> @missing // comment \\ [#] " ]'
+    key_pdf([replace(ROW, name=hostile, description=hostile, note=hostile, file=hostile)], title=hostile)
+
+
+def test_an_empty_key_and_a_sound_without_a_file_are_lawful() -> None:
+    bare = replace(ROW, file="", duration_s=None, sample_rate_hz=None, bit_depth=None, channels=None, note="refused")
+    assert key_pdf([], title="t") != key_pdf([bare], title="t")
