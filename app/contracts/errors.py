@@ -65,3 +65,19 @@ class OtherPartyNeeded(Forbidden):
 
 class CalendarNotFound(NotFound):
     """No calendar behind this link; it may have been withdrawn."""
+
+
+class NotByTheDay(Conflict):
+    """The contract does not pay by the day."""
+
+
+class DayAgreed(Conflict):
+    """The studio agreed to this day already."""
+
+
+class BeyondCap(Conflict):
+    """The days that were agreed on are used up."""
+
+
+class WorkedDayNotFound(NotFound):
+    """No logged day of that id within the caller's sight."""

@@ -62,6 +62,7 @@ def issue_invoice(
 ) -> Invoice:
     """Issue an invoice over everything that is due and on none yet; raise NothingToInvoice where nothing is."""
     contract = _for_designer(session, actor, contract_id)
+    parties = contract.designer.name, contract.project.studio.name
     lock_contract(session, contract.id)
     number = money_queries.next_invoice_number(session, contract.studio_id, contract.designer_id)
     book, terms = book_of(session, contract), terms_of(session, contract)
@@ -77,8 +78,8 @@ def issue_invoice(
         issued_on=today,
         due_on=today + timedelta(days=terms.payment_days),
         po_number=po_number,
-        seller=seller or contract.designer.name,
-        buyer=buyer or contract.project.studio.name,
+        seller=seller or parties[0],
+        buyer=buyer or parties[1],
         note=note,
         reverse_charge=terms.reverse_charge,
         issued_by=actor.person,

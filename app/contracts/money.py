@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -10,16 +10,18 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.contracts import money_queries
 from app.contracts import money_schemas as schemas
-from app.contracts.book import Book, PricedCue, price_of_round
+from app.contracts.book import Book, PricedCue, price_of_round, settle_shares
 from app.contracts.figures import Figures, figures_of, open_tax_minor, tax_minor
-from app.contracts.ledger import book_of, priced, terms_of
+from app.contracts.ledger import book_of, priced, rules_of, terms_of
 from app.contracts.milestones import advice_on, contract_in_sight
 from app.contracts.models import Contract, ContractCue, ExtraRound, Milestone
+from app.contracts.queries import contract_for
 from app.contracts.rules import LineKind
 from app.contracts.terms import MoneyTerms
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
+from app.sound_lists.service import cue_in_sight
 
 
 def brief(cue: Cue, cue_prefix: str) -> schemas.ContractedCue:
@@ -152,7 +154,7 @@ def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerR
 def extra_rounds(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.ExtraRoundRead]:
     """Return the rounds beyond the included ones, with their prices."""
     contract = contract_in_sight(session, actor, contract_id)
-    terms, cues = terms_of(session, contract), _priced_by_cue(session, contract)
+    terms, cues = terms_of(session, contract), priced_by_cue(session, contract)
     rounds = money_queries.extra_rounds_of(session, contract.id)
     return [extra_round_read(session, contract, one, terms, cues[one.cue_id]) for one in rounds]
 
@@ -160,7 +162,7 @@ def extra_rounds(session: Session, actor: Actor, contract_id: UUID) -> list[sche
 def extra_round(session: Session, proposed: ExtraRound) -> schemas.ExtraRoundRead:
     """Return one round beyond the included ones, with its price."""
     contract = session.get_one(Contract, proposed.contract_id)
-    cue = _priced_by_cue(session, contract)[proposed.cue_id]
+    cue = priced_by_cue(session, contract)[proposed.cue_id]
     return extra_round_read(session, contract, proposed, terms_of(session, contract), cue)
 
 
@@ -182,5 +184,39 @@ def extra_round_read(
     )
 
 
-def _priced_by_cue(session: Session, contract: Contract) -> dict[UUID, PricedCue]:
+def priced_by_cue(session: Session, contract: Contract) -> dict[UUID, PricedCue]:
+    """Return the cues of an agreed contract with their prices, by their ids."""
     return {cue.cue_id: cue for cue in priced(money_queries.cues_of(session, contract.id))}
+
+
+def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyRead | None:
+    """Return what accepting a cue would make due; None where no contract in the caller's sight covers it."""
+    cue_in_sight(session, actor, cue_id)
+    covered = money_queries.running_cue(session, cue_id, None)
+    contract = contract_for(session, actor, covered.contract_id) if covered else None
+    if covered is None or contract is None:
+        return None
+    terms, cues = terms_of(session, contract), priced(money_queries.cues_of(session, contract.id))
+    of_it = next(cue for cue in cues if cue.cue_id == cue_id)
+    after = [replace(cue, is_accepted=cue.is_accepted or cue.cue_id == cue_id) for cue in cues]
+    entries = settle_shares(book_of(session, contract), after, rules_of(contract, terms))
+    siblings = [cue for cue in cues if cue.milestone_id == of_it.milestone_id and cue.cut_in is None]
+    milestones = {one.id: one.name for one in money_queries.milestones_of(session, contract.id)}
+    accepted = sum(cue.is_accepted for cue in siblings)
+    return schemas.CueMoneyRead(
+        contract_id=contract.id,
+        currency=contract.currency,
+        milestone=milestones[of_it.milestone_id],
+        amount_minor=of_it.amount_minor,
+        would_owe_minor=0 if of_it.is_settled else sum(entry.amount_minor for entry in entries),
+        accepted=accepted,
+        accepted_then=accepted + (not of_it.is_settled),
+        wanted=len(siblings),
+        rounds_included=terms.rounds_included,
+        extra_round_minor=price_of_round(of_it, terms.extra_round_bp),
+        extra_rounds=[
+            extra_round_read(session, contract, one, terms, of_it)
+            for one in money_queries.extra_rounds_of(session, contract.id)
+            if one.cue_id == cue_id
+        ],
+    )

@@ -7,14 +7,30 @@ from fastapi import APIRouter, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
-from app.contracts import documents, invoice_text, invoices, milestones, money, payments, settlement
+from app.contracts import (
+    calendar,
+    days,
+    documents,
+    estimates,
+    invoice_text,
+    invoices,
+    milestones,
+    money,
+    payments,
+    settlement,
+)
 from app.contracts import money_schemas as schemas
 from app.contracts.errors import (
     BadPlan,
+    BeyondCap,
+    CalendarNotFound,
     ContractNotFound,
+    CueNotInContract,
+    DayAgreed,
     ExtraRoundNotFound,
     InvoiceNotFound,
     NotAgreed,
+    NotByTheDay,
     NothingToInvoice,
     OtherPartyNeeded,
     PaymentNotFound,
@@ -22,12 +38,16 @@ from app.contracts.errors import (
     PlanLocked,
     RefundsTooMuch,
     RoundSettled,
+    WorkedDayNotFound,
 )
 from app.contracts.milestones import PlannedCue, PlannedMilestone
-from app.kit.http import DbSession, Route, problems
-from app.projects.errors import ProducerNeeded
+from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.projects.errors import ProducerNeeded, ProjectNotFound
+from app.sound_lists.errors import CueNotFound
 
 router = APIRouter(prefix="/v1", tags=["money"], route_class=Route)
+_secret_router = APIRouter()  # answers that hold a secret are kept for no Idempotency-Key
+CALENDAR_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {calendar.ICALENDAR: {}}, "description": "Dates"}}
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
 
 
@@ -189,3 +209,87 @@ def refund_payment(
         paid_on=body.paid_on,
     )
     return invoices.invoice(session, actor, refund.invoice_id)
+
+
+@router.get("/cues/{cue_id}/money", responses=problems(CueNotFound))
+def read_cue_money(
+    cue_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.CueMoneyRead | None:
+    """Return what accepting a cue would make due, and its rounds; null where no contract covers it."""
+    return money.cue_money(session, actor, cue_id)
+
+
+@router.get("/contracts/{contract_id}/estimates", responses=problems(ContractNotFound, ProducerNeeded))
+def read_estimates(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.EstimatesRead:
+    """Return estimates against what came of them; for the two parties only."""
+    return estimates.estimates(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/work-logs",
+    status_code=204,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, CueNotInContract),
+)
+def log_work(
+    contract_id: UUID, body: schemas.WorkLogAdd, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> None:
+    """Note time that went into a cue."""
+    estimates.log_work(session, actor, contract_id, cue_id=body.cue_id, minutes=body.minutes, worked_on=body.worked_on)
+
+
+@router.get("/contracts/{contract_id}/worked-days", responses=problems(ContractNotFound))
+def list_worked_days(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> list[schemas.WorkedDayRead]:
+    """Return the days that were logged under a contract by the day."""
+    return days.worked_days(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/worked-days",
+    status_code=201,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NotByTheDay, DayAgreed),
+)
+def log_day(
+    contract_id: UUID, body: schemas.WorkedDayAdd, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> schemas.WorkedDayRead:
+    """Log a day, or quarters of one; logged again, it is corrected."""
+    day = days.log_day(session, actor, contract_id, worked_on=body.worked_on, quarters=body.quarters, note=body.note)
+    return days.worked_day(session, day)
+
+
+@router.post(
+    "/worked-days/{worked_day_id}/agree",
+    responses=problems(WorkedDayNotFound, ProducerNeeded, DayAgreed, BeyondCap),
+)
+def agree_day(worked_day_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> schemas.WorkedDayRead:
+    """Agree to a logged day; it is due, up to the cap."""
+    return days.worked_day(session, days.agree_day(session, actor, worked_day_id))
+
+
+@_secret_router.post("/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound))
+def make_calendar(
+    project_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.CalendarLinkMade:
+    """Make the secret address of the caller's calendar; an earlier one loses its worth."""
+    secret = calendar.make_link(session, actor, project_id)
+    return schemas.CalendarLinkMade(url=f"{runtime.settings.base_url}/v1/calendars/{secret}")
+
+
+@router.delete("/projects/{project_id}/calendar", status_code=204, responses=problems(ProjectNotFound))
+def withdraw_calendar(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> None:
+    """Make the addresses of the caller's calendar worthless."""
+    calendar.withdraw_links(session, actor, project_id)
+
+
+@_secret_router.get(
+    "/calendars/{secret}", response_class=Response, responses=CALENDAR_ANSWER | problems(CalendarNotFound)
+)
+def read_calendar(secret: str, session: DbSession, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
+    """Return the dates of contracts as iCalendar, for whoever holds the address."""
+    return Response(calendar.feed(session, secret), media_type=calendar.ICALENDAR)
+
+
+router.include_router(_secret_router)

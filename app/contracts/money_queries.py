@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
 from app.contracts.models import (
+    CalendarLink,
     Contract,
     ContractCue,
     ContractVersion,
@@ -21,7 +22,7 @@ from app.contracts.models import (
     WorkedDay,
     WorkLog,
 )
-from app.contracts.rules import ContractState
+from app.contracts.rules import ContractKind, ContractState
 from app.sound_lists.models import Cue
 
 
@@ -179,3 +180,39 @@ def invoice_texts(session: Session, invoice_id: UUID) -> dict[UUID, str]:
         select(InvoiceLine.ledger_line_id, InvoiceLine.text).where(InvoiceLine.invoice_id == invoice_id)
     )
     return dict(rows.all())
+
+
+def worked_day_by_id(session: Session, worked_day_id: UUID) -> WorkedDay | None:
+    """Return a logged day without asking who looks."""
+    return session.get(WorkedDay, worked_day_id)
+
+
+def calendar_by_secret(session: Session, secret_sha256: str) -> CalendarLink | None:
+    """Return the calendar behind a link that was not withdrawn."""
+    return session.scalar(
+        select(CalendarLink).where(CalendarLink.secret_sha256 == secret_sha256, CalendarLink.revoked_at.is_(None))
+    )
+
+
+def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequence[CalendarLink]:
+    """Return a person's calendar links of a project that were not withdrawn."""
+    return session.scalars(
+        select(CalendarLink).where(
+            CalendarLink.project_id == project_id,
+            CalendarLink.person_id == person_id,
+            CalendarLink.revoked_at.is_(None),
+        )
+    ).all()
+
+
+def agreed_in(session: Session, project_id: UUID, *, designer_id: UUID | None) -> Sequence[Contract]:
+    """Return the agreed and ended contracts about work in a project; of one designer where one is given."""
+    found = select(Contract).where(
+        Contract.project_id == project_id,
+        Contract.state.in_((ContractState.AGREED, ContractState.ENDED)),
+        Contract.agreed_at.is_not(None),
+        Contract.kind.in_((ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK)),
+    )
+    if designer_id is not None:
+        found = found.where(Contract.designer_id == designer_id)
+    return session.scalars(found.options(joinedload(Contract.designer)).order_by(Contract.number)).all()

@@ -306,3 +306,19 @@ class CalendarLinkMade(Schema):
     """The address of a calendar; its secret is shown this once."""
 
     url: str
+
+
+class CueMoneyRead(Schema):
+    """What a contract says of one cue, and what accepting it now would do."""
+
+    contract_id: UUID
+    currency: str
+    milestone: str
+    amount_minor: int
+    would_owe_minor: int
+    accepted: int
+    accepted_then: int
+    wanted: int
+    rounds_included: int
+    extra_round_minor: int
+    extra_rounds: Sequence[ExtraRoundRead]

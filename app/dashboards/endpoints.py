@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
-from app.dashboards import schemas, service, standing
+from app.dashboards import money, schemas, service, standing
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
@@ -65,6 +65,14 @@ def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.
 def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.Overview:
     """Return a project at one glance."""
     return service.overview(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/money", responses=problems(ProjectNotFound))
+def read_project_money(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.ProjectMoney:
+    """Return the money of a project; a designer sees that of their own contracts."""
+    return money.project_money(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/find", responses=problems(ProjectNotFound))

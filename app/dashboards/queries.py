@@ -544,3 +544,34 @@ def cue_by_number(session: Session, project_id: UUID, number: int) -> Cue | None
 def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the names of studios."""
     return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).all())
+
+
+def conforming_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
+    """Return when takes came that the checks let through, by cue."""
+    let_through = (TakeState.CONFORMING, TakeState.APPROVED, TakeState.CHANGE_REQUESTED, TakeState.SET_ASIDE)
+    rows = session.execute(
+        select(Take.cue_id, Take.received_at).where(Take.cue_id.in_(cue_ids), Take.state.in_(let_through))
+    )
+    return [(cue_id, at) for cue_id, at in rows if cue_id is not None]
+
+
+def changes_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
+    """Return when changes were sent to the designer, by cue."""
+    rows = session.execute(
+        select(Verdict.cue_id, Verdict.created_at).where(
+            Verdict.cue_id.in_(cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
+        )
+    )
+    return [(cue_id, at) for cue_id, at in rows]
+
+
+def questions_since(
+    session: Session, project_id: UUID, cue_ids: Collection[UUID]
+) -> list[tuple[UUID, datetime, datetime | None]]:
+    """Return when questions were asked and answered, by cue."""
+    rows = session.execute(
+        select(Question.cue_id, Question.asked_at, Question.answered_at).where(
+            Question.project_id == project_id, Question.cue_id.in_(cue_ids)
+        )
+    )
+    return [(cue_id, asked_at, answered_at) for cue_id, asked_at, answered_at in rows]

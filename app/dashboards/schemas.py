@@ -1,6 +1,6 @@
 """What the joining screens answer."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any, Literal
 from uuid import UUID
 
@@ -8,6 +8,8 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
+from app.contracts.money_schemas import ExtraRoundRead, FiguresRead, InvoiceRead, MilestoneRead
+from app.contracts.rules import ReleaseClause
 from app.dashboards.rules import CueStatus
 from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
@@ -256,3 +258,48 @@ class FindResult(Schema):
     """What the search found, best first."""
 
     hits: list[Found]
+
+
+class MilestoneSlip(Schema):
+    """How late a milestone is or was, in whole days, and with whom they went."""
+
+    milestone_id: UUID
+    name: str
+    due_on: date
+    days: int
+    designer_days: int
+    studio_days: int
+
+
+class ContractMoney(Schema):
+    """The money of one agreed contract; amounts in whole minor units."""
+
+    contract_id: UUID
+    title: str
+    designer: PersonBrief
+    currency: str
+    release: ReleaseClause
+    kill_fee_in_work_bp: int
+    figures: FiguresRead
+    milestones: list[MilestoneRead]
+    slips: list[MilestoneSlip]
+    slip_growth_days: float | None
+    proposed_rounds: list[ExtraRoundRead]
+    billable_minor: int
+    next_invoice: int
+    open_invoices: list[InvoiceRead]
+    last_days_to_pay: int | None
+
+
+class CurrencyFigures(Schema):
+    """What all contracts of one currency come to."""
+
+    currency: str
+    figures: FiguresRead
+
+
+class ProjectMoney(Schema):
+    """The money of a project, as far as the caller sees its contracts."""
+
+    contracts: list[ContractMoney]
+    totals: list[CurrencyFigures]

@@ -18,6 +18,7 @@ from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
 from app.contracts.models import (
+    CalendarLink,
     Contract,
     ContractCue,
     ExtraRound,
@@ -26,6 +27,7 @@ from app.contracts.models import (
     LedgerLine,
     Milestone,
     Payment,
+    WorkedDay,
 )
 from app.contracts.rules import ContractKind, ContractState, LineKind
 from app.deliveries.models import Delivery, Take
@@ -254,17 +256,37 @@ class House(World):
             payment_id=payment.id,
             person_id=self.producer_id,
         )
+        worked = WorkedDay(
+            **of_it,
+            milestone_id=milestone.id,
+            worked_on=clock.now().date(),
+            quarters=4,
+            note="",
+            logged_by=self.designer_id,
+        )
+        session.add(worked)
         session.add_all([paid, InvoiceLine(**of, ledger_line_id=due.id, invoice_id=invoice.id, text="Shield hit")])
+        session.flush()
         return {
             "contract_id": contract.id,
             "extra_round_id": extra.id,
             "invoice_id": invoice.id,
             "payment_id": payment.id,
+            "worked_day_id": worked.id,
         }
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
+        self.links["calendars"] = new_secret()
         expires_at = clock.now() + TOMORROW
+        session.add(
+            CalendarLink(
+                studio_id=self.studio_id,
+                project_id=self.project_id,
+                person_id=self.designer_id,
+                secret_sha256=sha256_of(self.links["calendars"]),
+            )
+        )
         invitation = ProjectInvitation(
             studio_id=self.studio_id,
             project_id=self.project_id,

@@ -1209,6 +1209,154 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/cues/{cue_id}/money": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Cue Money
+         * @description Return what accepting a cue would make due, and its rounds; null where no contract covers it.
+         */
+        get: operations["read_cue_money"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/estimates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Estimates
+         * @description Return estimates against what came of them; for the two parties only.
+         */
+        get: operations["read_estimates"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/work-logs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Log Work
+         * @description Note time that went into a cue.
+         */
+        post: operations["log_work"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/worked-days": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Worked Days
+         * @description Return the days that were logged under a contract by the day.
+         */
+        get: operations["list_worked_days"];
+        put?: never;
+        /**
+         * Log Day
+         * @description Log a day, or quarters of one; logged again, it is corrected.
+         */
+        post: operations["log_day"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/worked-days/{worked_day_id}/agree": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Agree Day
+         * @description Agree to a logged day; it is due, up to the cap.
+         */
+        post: operations["agree_day"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/calendar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Calendar
+         * @description Make the secret address of the caller's calendar; an earlier one loses its worth.
+         */
+        post: operations["make_calendar"];
+        /**
+         * Withdraw Calendar
+         * @description Make the addresses of the caller's calendar worthless.
+         */
+        delete: operations["withdraw_calendar"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/calendars/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Calendar
+         * @description Return the dates of contracts as iCalendar, for whoever holds the address.
+         */
+        get: operations["read_calendar"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/uploads": {
         parameters: {
             query?: never;
@@ -2399,6 +2547,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/money": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Project Money
+         * @description Return the money of a project; a designer sees that of their own contracts.
+         */
+        get: operations["read_project_money"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/find": {
         parameters: {
             query?: never;
@@ -3063,6 +3231,14 @@ export interface components {
             created_at: string;
         };
         /**
+         * CalendarLinkMade
+         * @description The address of a calendar; its secret is shown this once.
+         */
+        CalendarLinkMade: {
+            /** Url */
+            url: string;
+        };
+        /**
          * CameBack
          * @description A take that is with the designer again.
          */
@@ -3296,6 +3472,42 @@ export interface components {
             created_at: string;
             /** Resolved At */
             resolved_at: string | null;
+        };
+        /**
+         * ContractMoney
+         * @description The money of one agreed contract; amounts in whole minor units.
+         */
+        ContractMoney: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Title */
+            title: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** Currency */
+            currency: string;
+            release: components["schemas"]["ReleaseClause"];
+            /** Kill Fee In Work Bp */
+            kill_fee_in_work_bp: number;
+            figures: components["schemas"]["FiguresRead"];
+            /** Milestones */
+            milestones: components["schemas"]["MilestoneRead"][];
+            /** Slips */
+            slips: components["schemas"]["MilestoneSlip"][];
+            /** Slip Growth Days */
+            slip_growth_days: number | null;
+            /** Proposed Rounds */
+            proposed_rounds: components["schemas"]["ExtraRoundRead"][];
+            /** Billable Minor */
+            billable_minor: number;
+            /** Next Invoice */
+            next_invoice: number;
+            /** Open Invoices */
+            open_invoices: components["schemas"]["InvoiceRead"][];
+            /** Last Days To Pay */
+            last_days_to_pay: number | null;
         };
         /**
          * ContractState
@@ -3562,6 +3774,37 @@ export interface components {
             reason: string;
         };
         /**
+         * CueMoneyRead
+         * @description What a contract says of one cue, and what accepting it now would do.
+         */
+        CueMoneyRead: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Currency */
+            currency: string;
+            /** Milestone */
+            milestone: string;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Would Owe Minor */
+            would_owe_minor: number;
+            /** Accepted */
+            accepted: number;
+            /** Accepted Then */
+            accepted_then: number;
+            /** Wanted */
+            wanted: number;
+            /** Rounds Included */
+            rounds_included: number;
+            /** Extra Round Minor */
+            extra_round_minor: number;
+            /** Extra Rounds */
+            extra_rounds: components["schemas"]["ExtraRoundRead"][];
+        };
+        /**
          * CueOrder
          * @description Cues in their new order: they share out among themselves the places that they hold now.
          */
@@ -3771,6 +4014,15 @@ export interface components {
             cues: components["schemas"]["CueAdd"][];
         };
         /**
+         * CurrencyFigures
+         * @description What all contracts of one currency come to.
+         */
+        CurrencyFigures: {
+            /** Currency */
+            currency: string;
+            figures: components["schemas"]["FiguresRead"];
+        };
+        /**
          * DeciderAdd
          * @description Who has the last word from now on, and why.
          */
@@ -3959,6 +4211,36 @@ export interface components {
             adds: string[];
         };
         /**
+         * EstimateRead
+         * @description An estimate and what came of it; the actual is None until the cue or milestone is done.
+         */
+        EstimateRead: {
+            /** Name */
+            name: string;
+            /** Estimate */
+            estimate: number;
+            /** Actual */
+            actual: number | null;
+            /** Error Percent */
+            error_percent: number | null;
+        };
+        /**
+         * EstimatesRead
+         * @description Estimates of cues in minutes and of milestones in days, against what came of them.
+         */
+        EstimatesRead: {
+            /** Cues */
+            cues: components["schemas"]["EstimateRead"][];
+            /** Milestones */
+            milestones: components["schemas"]["EstimateRead"][];
+            cue_habit: components["schemas"]["HabitRead"];
+            milestone_habit: components["schemas"]["HabitRead"];
+            /** Forecasts */
+            forecasts: components["schemas"]["ForecastRead"][];
+            /** Warning */
+            warning: string | null;
+        };
+        /**
          * ExtraRoundRead
          * @description A round beyond the included ones, and its price.
          */
@@ -4083,6 +4365,24 @@ export interface components {
             no_mend?: string | null;
         };
         /**
+         * ForecastRead
+         * @description The day that a steady habit makes of a milestone's date.
+         */
+        ForecastRead: {
+            /** Milestone */
+            milestone: string;
+            /**
+             * Due On
+             * Format: date
+             */
+            due_on: string;
+            /**
+             * Forecast On
+             * Format: date
+             */
+            forecast_on: string;
+        };
+        /**
          * Found
          * @description One hit of the search.
          */
@@ -4102,6 +4402,25 @@ export interface components {
         HTTPValidationError: {
             /** Detail */
             detail?: components["schemas"]["ValidationError"][];
+        };
+        /**
+         * Habit
+         * @description How far a person's estimates can be trusted once corrected by their error rate.
+         * @enum {string}
+         */
+        Habit: "unknown" | "steady" | "wild";
+        /**
+         * HabitRead
+         * @description How estimates turn out: mean error in percent, its spread in points, and what that is good for.
+         */
+        HabitRead: {
+            /** Pairs */
+            pairs: number;
+            /** Mean Percent */
+            mean_percent: number | null;
+            /** Spread Points */
+            spread_points: number | null;
+            habit: components["schemas"]["Habit"];
         };
         /**
          * Happening
@@ -5130,6 +5449,30 @@ export interface components {
             cues?: components["schemas"]["PlannedCueSet"][];
         };
         /**
+         * MilestoneSlip
+         * @description How late a milestone is or was, in whole days, and with whom they went.
+         */
+        MilestoneSlip: {
+            /**
+             * Milestone Id
+             * Format: uuid
+             */
+            milestone_id: string;
+            /** Name */
+            name: string;
+            /**
+             * Due On
+             * Format: date
+             */
+            due_on: string;
+            /** Days */
+            days: number;
+            /** Designer Days */
+            designer_days: number;
+            /** Studio Days */
+            studio_days: number;
+        };
+        /**
          * Mine
          * @description What the caller is in the project.
          */
@@ -5849,6 +6192,16 @@ export interface components {
             archived?: boolean | null;
         };
         /**
+         * ProjectMoney
+         * @description The money of a project, as far as the caller sees its contracts.
+         */
+        ProjectMoney: {
+            /** Contracts */
+            contracts: components["schemas"]["ContractMoney"][];
+            /** Totals */
+            totals: components["schemas"]["CurrencyFigures"][];
+        };
+        /**
          * ProjectRead
          * @description A project as its page heads it; a designer is shown no engagement but their own.
          */
@@ -5966,6 +6319,12 @@ export interface components {
             /** Max */
             max: number | null;
         };
+        /**
+         * ReleaseClause
+         * @description When an accepted cue's share becomes due.
+         * @enum {string}
+         */
+        ReleaseClause: "per_cue" | "on_completion";
         /**
          * RenderSoundRead
          * @description One game file of a take at the current spec, or the reason why there is none.
@@ -7452,11 +7811,74 @@ export interface components {
             since: string;
         };
         /**
+         * WorkLogAdd
+         * @description Time that went into a cue.
+         */
+        WorkLogAdd: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Minutes */
+            minutes: number;
+            /**
+             * Worked On
+             * Format: date
+             */
+            worked_on: string;
+        };
+        /**
          * WorkState
          * @description How far the work on a cue was when it was cut.
          * @enum {string}
          */
         WorkState: "not_begun" | "in_work" | "delivered" | "accepted";
+        /**
+         * WorkedDayAdd
+         * @description A day, or quarters of one, under a contract by the day.
+         */
+        WorkedDayAdd: {
+            /**
+             * Worked On
+             * Format: date
+             */
+            worked_on: string;
+            /**
+             * Quarters
+             * @default 4
+             */
+            quarters: number;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * WorkedDayRead
+         * @description A logged day; due once the studio has agreed.
+         */
+        WorkedDayRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Worked On
+             * Format: date
+             */
+            worked_on: string;
+            /** Quarters */
+            quarters: number;
+            /** Note */
+            note: string;
+            /** Amount Minor */
+            amount_minor: number;
+            /** Agreed At */
+            agreed_at: string | null;
+        };
         /**
          * WorkerRead
          * @description A worker process, when it last said that it lives, and how many jobs it has in hand.
@@ -10869,6 +11291,433 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_cue_money: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CueMoneyRead"] | null;
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_estimates: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EstimatesRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    log_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorkLogAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `cue-not-in-contract` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_worked_days: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"][];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    log_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorkedDayAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-agreed`, `not-by-the-day`, `day-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    agree_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-agreed`, `beyond-cap` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    make_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CalendarLinkMade"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    withdraw_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Dates */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/calendar": unknown;
+                };
+            };
+            /** @description `calendar-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -14671,6 +15520,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Overview"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_project_money: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectMoney"];
                 };
             };
             /** @description `project-not-found` */

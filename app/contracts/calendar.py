@@ -1,0 +1,100 @@
+"""The dates of a project's contracts as an iCalendar feed, behind a secret address for each person."""
+
+from datetime import timedelta
+from uuid import UUID
+
+from icalendar import Calendar, Event
+from sqlalchemy.orm import Session
+
+from app.accounts.doors import new_secret, sha256_of
+from app.accounts.queries import actor_for_person
+from app.accounts.rules import Actor
+from app.contracts import money_queries
+from app.contracts.errors import CalendarNotFound
+from app.contracts.models import CalendarLink, Contract, Milestone
+from app.kit import clock
+from app.kit.db import beyond_reach, reach_further
+from app.kit.money import money
+from app.projects.errors import ProjectNotFound
+from app.projects.models import Project
+from app.projects.service import standing_in
+
+ICALENDAR = "text/calendar"
+REFRESH = timedelta(hours=6)
+
+
+def make_link(session: Session, actor: Actor, project_id: UUID) -> str:
+    """Return the secret of the caller's calendar of a project; an earlier one loses its worth."""
+    standing = standing_in(session, actor, project_id)
+    withdraw_links(session, actor, project_id)
+    secret = new_secret()
+    session.add(
+        CalendarLink(
+            studio_id=standing.project.studio_id,
+            project_id=project_id,
+            person_id=actor.person,
+            secret_sha256=sha256_of(secret),
+        )
+    )
+    session.flush()
+    return secret
+
+
+def withdraw_links(session: Session, actor: Actor, project_id: UUID) -> None:
+    """Make the addresses of the caller's calendar of a project worthless."""
+    standing_in(session, actor, project_id)
+    for link in money_queries.calendars_of(session, project_id, actor.person):
+        link.revoked_at = clock.now()
+
+
+def feed(session: Session, secret: str) -> bytes:
+    """Return the calendar behind a link as its holder sees the project now; raise CalendarNotFound for any other."""
+    with beyond_reach(session):  # the secret is all that says whose calendar it is
+        link = money_queries.calendar_by_secret(session, sha256_of(secret))
+        actor = actor_for_person(session, link.person_id) if link else None
+    if link is None or actor is None:
+        raise CalendarNotFound(
+            "this calendar is unknown or was withdrawn", fix="copy its address from the project again"
+        )
+    reach_further(session, actor.reach)
+    try:
+        standing = standing_in(session, actor, link.project_id)
+    except ProjectNotFound:
+        raise CalendarNotFound("whoever made this calendar sees the project no longer") from None
+    calendar = Calendar.new(name=standing.project.name, prodid="-//Soundlist//EN", refresh_interval=REFRESH)
+    for contract in money_queries.agreed_in(session, link.project_id, designer_id=standing.only_designer_id):
+        for event in _events(session, contract, standing.project):
+            calendar.add_component(event)
+    return bytes(calendar.to_ical())
+
+
+def _events(session: Session, contract: Contract, project: Project) -> list[Event]:
+    cues = money_queries.cues_of(session, contract.id)
+    events = []
+    for milestone in money_queries.milestones_of(session, contract.id):
+        if milestone.due_on is None:
+            continue
+        wanted = [cue for cue in cues if cue.milestone_id == milestone.id and cue.cut_at is None]
+        accepted = sum(cue.accepted_at is not None for cue in wanted)
+        events.append(
+            _event(
+                contract,
+                milestone,
+                summary=f"{project.name}: {milestone.name} due, {accepted} of {len(wanted)} accepted",
+                description=f"{contract.title}, {money(milestone.amount_minor, contract.currency)}",
+            )
+        )
+    return events
+
+
+def _event(contract: Contract, milestone: Milestone, *, summary: str, description: str) -> Event:
+    if milestone.due_on is None:
+        raise AssertionError("only dated milestones are in a calendar")
+    return Event.new(
+        uid=f"{milestone.id}@soundlist",
+        stamp=contract.agreed_at or contract.created_at,
+        start=milestone.due_on,
+        end=milestone.due_on + timedelta(days=1),
+        summary=summary,
+        description=description,
+    )

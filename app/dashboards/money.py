@@ -1,0 +1,115 @@
+"""Money on the screens that people start from: what is due and paid, which milestones come, and what is late."""
+
+from collections import defaultdict
+from collections.abc import Collection
+from dataclasses import asdict
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
+from app.contracts import money_queries
+from app.contracts.invoices import invoice_read
+from app.contracts.ledger import book_of, terms_of
+from app.contracts.models import Contract
+from app.contracts.money import extra_round_read, figures, milestones_read, priced_by_cue
+from app.contracts.money_schemas import FiguresRead, InvoiceRead, MilestoneRead
+from app.contracts.slip import Holder, Turn, growth_days, slip_of
+from app.dashboards import queries, schemas
+from app.kit import clock
+from app.projects.service import standing_in
+
+
+def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.ProjectMoney:
+    """Return the money of a project: the team sees every agreed contract, a designer their own."""
+    standing = standing_in(session, actor, project_id)
+    contracts = money_queries.agreed_in(session, project_id, designer_id=standing.only_designer_id)
+    read = [_contract_money(session, contract) for contract in contracts]
+    totals: dict[str, list[FiguresRead]] = defaultdict(list)
+    for one in read:
+        totals[one.currency].append(one.figures)
+    return schemas.ProjectMoney(
+        contracts=read,
+        totals=[schemas.CurrencyFigures(currency=currency, figures=_added(each)) for currency, each in totals.items()],
+    )
+
+
+def _added(figures_of_each: list[FiguresRead]) -> FiguresRead:
+    names = FiguresRead.model_fields
+    return FiguresRead(**{name: sum(getattr(one, name) for one in figures_of_each) for name in names})
+
+
+def _contract_money(session: Session, contract: Contract) -> schemas.ContractMoney:
+    book, terms = book_of(session, contract), terms_of(session, contract)
+    milestones = milestones_read(session, contract, book)
+    rounds, cues = money_queries.extra_rounds_of(session, contract.id), priced_by_cue(session, contract)
+    invoices = [invoice_read(session, contract, book, one) for one in money_queries.invoices_of(session, contract.id)]
+    slips = _slips(session, contract.project_id, milestones)
+    late_days = [slips[one.id].days for one in milestones if one.id in slips]
+    return schemas.ContractMoney(
+        contract_id=contract.id,
+        title=contract.title,
+        designer=PersonBrief(id=contract.designer_id, name=contract.designer.name),
+        currency=contract.currency,
+        release=contract.release_clause,
+        kill_fee_in_work_bp=terms.kill_fee_in_work_bp,
+        figures=FiguresRead(**asdict(figures(session, contract, book))),
+        milestones=milestones,
+        slips=list(slips.values()),
+        slip_growth_days=growth_days(late_days),
+        proposed_rounds=[
+            extra_round_read(session, contract, one, terms, cues[one.cue_id])
+            for one in rounds
+            if one.agreed_at is None and one.dropped_at is None
+        ],
+        billable_minor=sum(line.amount_minor for line in book.billable),
+        next_invoice=_next_number(session, contract),
+        open_invoices=[one for one in invoices if one.state != "paid"],
+        last_days_to_pay=_last_days_to_pay(invoices),
+    )
+
+
+def _next_number(session: Session, contract: Contract) -> int:
+    last = money_queries.last_invoice(session, contract.studio_id, contract.designer_id)
+    return last.number + 1 if last else 1
+
+
+def _last_days_to_pay(invoices: list[InvoiceRead]) -> int | None:
+    return next((one.days_to_pay for one in reversed(invoices) if one.days_to_pay is not None), None)
+
+
+def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) -> dict[UUID, schemas.MilestoneSlip]:
+    """Return how late each milestone is that is finished or whose day is over."""
+    now = clock.now()
+    over = [one for one in milestones if one.due_on is not None and (one.done_at or one.due_on < now.date())]
+    unsettled = [cue.cue.id for one in over for cue in one.cues if cue.cut_in is None]
+    turns = turns_of(session, project_id, unsettled) if unsettled else {}
+    slips: dict[UUID, schemas.MilestoneSlip] = {}
+    for one in over:
+        if one.due_on is None:
+            continue
+        of_cues = [_until(turns[cue.cue.id], cue.accepted_at) for cue in one.cues if cue.cut_in is None]
+        slip = slip_of(one.due_on, one.done_at, of_cues, now)
+        slips[one.id] = schemas.MilestoneSlip(milestone_id=one.id, name=one.name, due_on=one.due_on, **asdict(slip))
+    return slips
+
+
+def _until(turns: list[Turn], accepted_at: datetime | None) -> list[Turn]:
+    """Let an accepted cue count as the studio's from then on: the designer has nothing to do on it."""
+    return [*turns, Turn(accepted_at, Holder.STUDIO)] if accepted_at else turns
+
+
+def turns_of(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[Turn]]:
+    """Return from when on each cue lay with whom: sounds and questions pass it on, and answers."""
+    turns: dict[UUID, list[Turn]] = defaultdict(list)
+    for cue_id, at in queries.conforming_since(session, cue_ids):
+        turns[cue_id].append(Turn(at, Holder.STUDIO))
+    for cue_id, at in queries.changes_since(session, cue_ids):
+        turns[cue_id].append(Turn(at, Holder.DESIGNER))
+    for cue_id, asked_at, answered_at in queries.questions_since(session, project_id, cue_ids):
+        turns[cue_id].append(Turn(asked_at, Holder.STUDIO))
+        if answered_at is not None:
+            turns[cue_id].append(Turn(answered_at, Holder.DESIGNER))
+    return turns
