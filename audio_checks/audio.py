@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.hashes import Hashes
+from audio_checks.judge import Judgement, judge
 from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.clicks import Click
 from audio_checks.measure.cuts import Cuts, Edge
+from audio_checks.measure.decay import Decay, DecayFigures
 from audio_checks.measure.dropouts import Dropout
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.faults import DETECTORS, Faults
@@ -76,6 +78,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "steps": Steps.FIGURES,
     "likeness": Likeness.FIGURES,
     "spectrum": Spectrum.FIGURES,
+    "decay": Decay.FIGURES,
     "seam": Seam.FIGURES,
 }
 """Families of figures; each family has one accumulator, but all that look for faults share one."""
@@ -90,6 +93,7 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
     "likeness": lambda layout, _: Likeness(*_size(layout)),
     "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
+    "decay": lambda layout, _: Decay(*_size(layout)),
     "seam": _seam,
 }
 """How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
@@ -112,6 +116,7 @@ PLACES = frozenset(
         "channel_peaks_dbfs",
         "clipped_spans",
         "click_places",
+        "decay",
         "dropout_places",
         "edges",
         "end_edge",
@@ -122,7 +127,7 @@ PLACES = frozenset(
         "start_edge",
     }
 )
-"""Figures that only checks read; reports list plain numbers."""
+"""Figures that only checks and judgements read; reports list plain numbers."""
 
 
 @dataclass(frozen=True)
@@ -204,6 +209,7 @@ class AudioFile:
         self._hashes: tuple[str, str] | None = None
         self._effective_bits: int | None = None
         self._gathering = Gathering(self.layout.chunks)
+        self._judgements: dict[tuple[str, str | None], Judgement] = {}
 
     def __enter__(self) -> Self:
         return self
@@ -290,6 +296,12 @@ class AudioFile:
         elif family not in self._measured:
             self._stream({family})
         return self._figures[name]
+
+    def judgement(self, name: str, kind: str | None = None) -> Judgement:
+        """Return a judgement by its name, for a kind of sound; made once. See `audio_checks.judge`."""
+        if (name, kind) not in self._judgements:
+            self._judgements[name, kind] = judge(name, self, kind)
+        return self._judgements[name, kind]
 
     def _hashed(self) -> tuple[str, str]:
         if self._hashes is None:
@@ -563,6 +575,12 @@ class Measurements:
     def bandwidth_hz(self) -> float:
         """The highest frequency that stands out of the noise; 0 for silence."""
         return float(self._file.figure("bandwidth_hz"))
+
+    @property
+    def decay(self) -> DecayFigures:
+        """Energy by octave every 5 ms, and what its parts are made of."""
+        figures: DecayFigures = self._file.figure("decay")
+        return figures
 
     @property
     def seam_step_db(self) -> float:

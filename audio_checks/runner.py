@@ -6,8 +6,10 @@ A check that crashes is the tool's fault: the file is `unjudged`, whatever else 
 import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from audio_checks import check_names
+from audio_checks import judge as judgements
 from audio_checks.audio import AudioFile
 from audio_checks.checks import Check, all_checks
 from audio_checks.errors import Unreadable
@@ -110,9 +112,14 @@ def check_files(
 
 
 def measure_file(
-    path: PathLike, *, category: str | None = None, name: str | None = None, presets: Iterable[str] = ()
+    path: PathLike,
+    *,
+    category: str | None = None,
+    kind: str | None = None,
+    name: str | None = None,
+    presets: Iterable[str] = (),
 ) -> FileReport:
-    """Measure everything in one file and judge nothing: its entry has no findings, and is `unjudged`.
+    """Measure everything in one file and hold it to nothing: its entry has no findings, and is `unjudged`.
 
     Parameters
     ----------
@@ -120,6 +127,8 @@ def measure_file(
         A WAV or FLAC file.
     category, name : str, optional
         For the entry: the category, and the name as delivered.
+    kind : str, optional
+        What the category's sounds are, so that judgements know: event, natural-decay, ambience, voice, music.
     presets : iterable of str
         Loudness presets of whole mixes to set its figures beside: ebu-r128, aswg-home, aswg-portable.
 
@@ -139,6 +148,7 @@ def measure_file(
             category=category,
             facts=file.facts.to_dict(),
             measurements=measurements,
+            judgements={one: file.judgement(one, kind).to_dict() for one in judgements.names()},
             loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
         )
 
@@ -244,8 +254,10 @@ def _judge(
     blank = FileReport(path=shown, verdict="unjudged", category=spec.category)
     try:
         with AudioFile(task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec)) as file:
+            asked = judgements.names() if all_figures else _judgements_of(selected)
             if not all_figures:
                 file.prepare(figure for check in selected for figure in check.figures)
+                file.prepare(figure for name in asked for figure in judgements.figures_of(name))
             whole = replace(
                 blank,
                 facts=file.facts.to_dict(),
@@ -255,6 +267,7 @@ def _judge(
                 likeness_print=file.measurements.likeness_print,
             )
             found, crashed = _found(selected, file, spec, task.cue)
+            judged, broken = _judged(asked, file, spec.kind)
     except Unreadable as error:
         return _refused(blank, error, spec)
     except Exception as error:  # whatever breaks in the tool must not be held against the file
@@ -263,7 +276,9 @@ def _judge(
         found.append(_unlisted())
     findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
     verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
-    return replace(whole, verdict="unjudged" if crashed else verdict, findings=ordered([*crashed, *findings]))
+    crashed += broken
+    findings = [*crashed, *findings]
+    return replace(whole, verdict="unjudged" if crashed else verdict, judgements=judged, findings=ordered(findings))
 
 
 def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | None) -> list[Check]:
@@ -273,6 +288,10 @@ def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | 
         if name not in known:
             raise ValueError(f"no check {name!r}")
     return [known[name] for name in names if spec.checks.get(name) != "off" and known[name].applies(spec, cue)]
+
+
+def _judgements_of(checks: Iterable[Check]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(check.judgement for check in checks if check.judgement))
 
 
 def _found(
@@ -289,6 +308,20 @@ def _found(
         except Exception as error:  # a check's bug is the tool's, and the other checks still count
             crashed.append(crash(check.name, error))
     return found, crashed
+
+
+def _judged(names: Iterable[str], file: AudioFile, kind: str | None) -> tuple[dict[str, Any], list[Finding]]:
+    """Return the judgements by name, and which of them broke."""
+    judged: dict[str, Any] = {}
+    crashed: list[Finding] = []
+    for name in names:
+        try:
+            judged[name] = file.judgement(name, kind).to_dict()
+        except Unreadable:
+            raise
+        except Exception as error:  # as with a check, the others still count
+            crashed.append(crash(name, error))
+    return judged, crashed
 
 
 def _reads_flac(spec: DeliverySpec) -> bool:

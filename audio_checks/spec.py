@@ -246,8 +246,6 @@ class DeliverySpec:
     def not_run(self) -> tuple[str, ...]:
         """The checks that the spec asks for and this version lacks, in the format's order."""
         asked = {name for name, level in self.checks.items() if level != "off"}
-        if "reverb" in self.engine.adds and self.checks.get("baked-reverb") != "off":
-            asked.add("baked-reverb")
         here = check_names.present()
         return tuple(name for name in check_names.DEFAULT_SEVERITY if name in asked and name not in here)
 

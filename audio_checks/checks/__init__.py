@@ -4,6 +4,7 @@ A check module has a docstring (one line `name`: what holds; then Why, How to fi
 which its page is made, and
 
 - `FIGURES`: the measurements it reads, so that they are made while the file streams by;
+- `JUDGEMENT`, where it makes a finding of a judgement: the name of that, see `audio_checks.judge`;
 - `applies(spec, cue)`, where some limit must be stated for the check to be called;
 - `check(file, spec)` or `check(file, spec, cue)`, which yields findings in one file;
 - `check_set(files)`, where something holds over files together: it is called once with all judged
@@ -41,6 +42,12 @@ class Check:
         """The measurements it reads."""
         figures: tuple[str, ...] = self.module.FIGURES
         return figures
+
+    @property
+    def judgement(self) -> str | None:
+        """The judgement it makes a finding of; None for a check of facts."""
+        name: str | None = getattr(self.module, "JUDGEMENT", None)
+        return name
 
     @property
     def summary(self) -> str:

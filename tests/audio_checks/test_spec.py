@@ -300,13 +300,9 @@ class TestRefusals:
         assert refused(text, where="categories.ui.targets.handheld.dither")
 
     def test_a_check_this_version_lacks_may_warn_but_not_fail(self):
-        spec = parse_spec("format = 1\n[checks]\nbaked-reverb = 'warning'\nhum = 'off'")
-        assert spec.not_run == ("baked-reverb",)
-        assert refused("format = 1\n[checks]\nbaked-reverb = 'error'", where="checks.baked-reverb")
-
-    def test_limits_and_effects_ask_for_checks_too(self):
-        spec = parse_spec("format = 1\nengine.adds = ['reverb', 'doppler']")
-        assert spec.not_run == ("baked-reverb",)
+        spec = parse_spec("format = 1\n[checks]\nreversed = 'warning'\nhum = 'off'")
+        assert spec.not_run == ("reversed",)
+        assert refused("format = 1\n[checks]\nreversed = 'error'", where="checks.reversed")
 
 
 class TestIdentity:

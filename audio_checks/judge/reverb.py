@@ -1,0 +1,81 @@
+"""`reverb`: whether reverb has been put on a sound.
+
+Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
+beside its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
+Boosted trees weigh these; they were learned from sounds and rooms made by our own code (`make weights`).
+How sure they must be is set for each kind of sound, and for mono and stereo.
+
+A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
+"cannot tell". `docs/judgements.md` has the table of how often it is right, and where it fails.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.measure.decay import DecayFigures
+from audio_checks.measure.tails import decay_curves, features_of, likeness_of_sides
+from audio_checks.trees import Trees
+
+if TYPE_CHECKING:
+    from audio_checks.audio import AudioFile
+
+FIGURES = ("decay",)
+WEIGHTS = Path(__file__).with_suffix(".json")
+SHORTEST_RT60_S, LONGEST_RT60_S = 0.1, 6.0
+
+
+def judge(file: AudioFile, kind: str | None) -> Judgement:
+    """Return whether a file carries reverb: `reverb`, `dry` or `cannot tell`, with `rt60_s` unless dry.
+
+    Silence, and what is shorter than 40 ms, has no score and cannot be told.
+    """
+    return judge_decay(file.measurements.decay, kind)
+
+
+def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
+    """Return the judgement of what was measured of a sound; see `judge`."""
+    features = features_of(decay)
+    if features is None:
+        return Judgement(CANNOT_TELL, None, {"rt60_s": None})
+    score = score_of(features)
+    layout = "mono" if decay.sides is None else "stereo"
+    dry_below, reverb_above = weights()["thresholds"][kind or "unknown"][layout]
+    verdict = "reverb" if score >= reverb_above else "dry" if score < dry_below else CANNOT_TELL
+    rt60_s = None if verdict == "dry" else round(rt60_of(features), 2)
+    return Judgement(verdict, round(score, 3), {"rt60_s": rt60_s}, evidence_of(decay))
+
+
+def score_of(features: NDArray[np.float64]) -> float:
+    """Return how certainly a sound of these features has reverb, 0..1."""
+    return 1 / (1 + math.exp(-_trees("reverb").sum(features)))
+
+
+def rt60_of(features: NDArray[np.float64]) -> float:
+    """Return the time in which the reverb of a sound of these features falls by 60 dB, in seconds."""
+    return float(np.clip(2 ** _trees("rt60").sum(features), SHORTEST_RT60_S, LONGEST_RT60_S))
+
+
+def evidence_of(decay: DecayFigures) -> dict[str, Any]:
+    """Return what a picture shows: energy decay curves by octave, their decay times, the likeness of left and right."""
+    return {"decay": decay_curves(decay), "coherence": likeness_of_sides(decay)}
+
+
+@cache
+def weights() -> dict[str, Any]:
+    """Return what was learned: trees and thresholds."""
+    learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
+    return learned
+
+
+@cache
+def _trees(name: str) -> Trees:
+    return Trees(weights()[name])
