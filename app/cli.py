@@ -1,4 +1,4 @@
-"""The server's command line: serve, worker, migrate, backup, restore, demo, token, openapi, jobs."""
+"""The server's command line: serve, worker, migrate, backup, restore, verify, demo, token, openapi, jobs."""
 
 import json
 import sys
@@ -166,6 +166,39 @@ def _tell_copied(done: str, copied: "Copied") -> None:
     for blob in copied.damaged:
         typer.echo(f"left out, for its bytes are not what its name says: {blob}", err=True)
     if copied.damaged:
+        raise typer.Exit(1)
+
+
+@cli.command()
+def verify(
+    copies: Annotated[
+        list[Path] | None, typer.Argument(help="Records that a party has kept, to hold ours against.")
+    ] = None,
+) -> None:
+    """Look whether the records of contracts, their texts and their PDFs are the ones that were written."""
+    from app.contracts import record
+
+    runtime = _opened(_settings())
+    records = entries = wrong = 0
+    with runtime.database.reading() as session:
+        for contract, faults in record.faults_of_all(session, runtime.store):
+            records, entries, wrong = records + 1, entries + contract.record_length, wrong + bool(faults)
+            for fault in faults:
+                typer.echo(f"{contract.id} {contract.title}: {fault}", err=True)
+        for path in copies or []:
+            try:
+                contract_id, kept = record.read_document(path.read_text(encoding="utf-8"))
+                faults = list(record.faults_beside(session, contract_id, kept))
+            except (OSError, UnicodeDecodeError, record.NoRecord) as error:
+                faults = [str(error)]
+            wrong += bool(faults)
+            for fault in faults:
+                typer.echo(f"{path}: {fault}", err=True)
+    runtime.close()
+    typer.echo(
+        f"{records} records with {entries} entries and {len(copies or [])} copies looked at; {wrong} are not whole"
+    )
+    if wrong:
         raise typer.Exit(1)
 
 

@@ -5,6 +5,7 @@ from fastapi import APIRouter
 from app.accounts.endpoints import router as accounts
 from app.builds.endpoints import router as builds
 from app.conformance.endpoints import router as conformance
+from app.contracts.endpoints import router as contracts
 from app.contracts.money_endpoints import router as money
 from app.dashboards.endpoints import router as dashboards
 from app.deliveries.endpoints import router as deliveries
@@ -20,6 +21,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     projects,
     sound_lists,
     money,
+    contracts,
     deliveries,
     conformance,
     renders,
@@ -53,6 +55,9 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "changes.sent": ("notifications.tell_changes",),
     "take.approved": ("notifications.tell_approval",),
     "cue.cut": ("notifications.tell_cut",),
+    "contract.sent": ("notifications.tell_contract",),
+    "contract.change_asked": ("notifications.tell_contract",),
+    "contract.agreed": ("notifications.tell_contract",),
     "build.posted": ("notifications.tell_build",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),

@@ -81,3 +81,51 @@ class BeyondCap(Conflict):
 
 class WorkedDayNotFound(NotFound):
     """No logged day of that id within the caller's sight."""
+
+
+class ContractVersionNotFound(NotFound):
+    """The contract has no version of that number that the caller may see."""
+
+
+class TemplateNotFound(NotFound):
+    """The studio has no template of that id."""
+
+
+class NotYourContract(Forbidden):
+    """Only a party to the contract may do this: a producer of the studio, or its designer."""
+
+
+class WrongState(Conflict):
+    """The contract is not in the state in which this can be done."""
+
+
+class DraftMovedOn(Conflict):
+    """The draft was changed by somebody else since it was read."""
+
+
+class TextMovedOn(Conflict):
+    """The text that was read is not the one that stands."""
+
+
+class AlreadyAccepted(Conflict):
+    """The party has accepted the text already."""
+
+
+class NoContractNeeded(Conflict):
+    """The studio's own people work without a contract."""
+
+
+class TemplateNameTaken(Conflict):
+    """The studio has a template of that name."""
+
+
+class FrameworkNeeded(Invalid):
+    """A statement of work names an agreed framework with the same designer, and nothing else does."""
+
+
+class BadDraft(Invalid):
+    """Clauses or terms cannot stand so; `errors` names the places."""
+
+
+class BadTemplate(Invalid):
+    """What was sent is no template; says where and why."""

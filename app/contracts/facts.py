@@ -1,15 +1,16 @@
 """What the server fills into a contract: names, the list, open questions, and the plan of milestones."""
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
 from datetime import date
+from typing import Protocol
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.contracts import money_queries
-from app.contracts.models import Contract
+from app.contracts.models import Contract, ContractCue, Milestone
+from app.contracts.money_queries import cues_of as covered_cues
+from app.contracts.money_queries import milestones_of
 from app.contracts.rules import ReleaseClause
 from app.contracts.text import literal
 from app.kit.money import money, percent
@@ -27,56 +28,42 @@ HOLDBACK_SENTENCE = "Of each share {} is held back, and due when all cues are ac
 NONE_YET = "None has been written down yet."
 
 
-@dataclass(frozen=True)
-class PlannedMilestone:
-    """One milestone as a contract's text tells it."""
+class Priced(Protocol):
+    """What a contract, or a draft that is not saved yet, says on how it is paid."""
 
-    name: str
-    due_on: date | None
-    cue_ids: Collection[UUID]
-    amount_minor: int
+    currency: str
+    release_clause: ReleaseClause
+    holdback_bp: int
 
 
-def plan_of(session: Session, contract: Contract) -> Sequence[PlannedMilestone]:
-    """Return the milestones of a contract, in order."""
-    cues = money_queries.cues_of(session, contract.id)
-    return [
-        PlannedMilestone(
-            name=milestone.name,
-            due_on=milestone.due_on,
-            cue_ids=[cue.cue_id for cue in cues if cue.milestone_id == milestone.id],
-            amount_minor=milestone.amount_minor,
-        )
-        for milestone in money_queries.milestones_of(session, contract.id)
-    ]
-
-
-def facts_of(session: Session, contract: Contract) -> dict[str, str]:
-    """Return the value of every variable that the server fills in, as Markdown."""
+def facts_of(session: Session, contract: Contract, priced: Priced | None = None) -> dict[str, str]:
+    """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise."""
+    priced = priced or contract
     project = contract.project
-    plan = plan_of(session, contract)
-    of_plan = {cue_id for milestone in plan for cue_id in milestone.cue_ids}
+    milestones, covered = milestones_of(session, contract.id), covered_cues(session, contract.id)
+    prices = {each.cue_id: each.price_minor for each in covered}
     wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
-    cues = [cue for cue in wanted if cue.id in of_plan] if of_plan else wanted
+    cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
     decider = session.get_one(Person, decider_of(session, project))
-    planned_minor = sum(milestone.amount_minor for milestone in plan)
+    total_minor = sum(milestone.amount_minor for milestone in milestones)
+    deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
         "studio": literal(project.studio.name),
         "designer": literal(contract.designer.name),
         "project": literal(project.name),
         "decider": literal(decider.name),
-        "currency": contract.currency,
+        "currency": priced.currency,
         "list_revision": str(revision_number(session, project.id)),
         "spec_version": str(current_spec(session, project.id).version),
         "cue_count": str(len(cues)),
         "file_count": str(sum(cue.variations for cue in cues)),
-        "cues": _cue_table(cues, project.cue_prefix),
+        "cues": _cue_table(cues, prices, project.cue_prefix, priced.currency),
         "open_questions": _questions(session, contract, {cue.id for cue in cues}),
-        "milestones": _milestone_table(plan, cues, contract),
-        "total": money(planned_minor, contract.currency),
-        "deposit_sentence": DEPOSIT_SENTENCE.format(percent(contract.deposit_bp)) if contract.deposit_bp else "",
-        "holdback_sentence": HOLDBACK_SENTENCE.format(percent(contract.holdback_bp)) if contract.holdback_bp else "",
-        "release_sentence": RELEASE_SENTENCES[contract.release_clause],
+        "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency),
+        "total": money(total_minor, priced.currency),
+        "deposit_sentence": DEPOSIT_SENTENCE.format(money(deposit_minor, priced.currency)) if deposit_minor else "",
+        "holdback_sentence": HOLDBACK_SENTENCE.format(percent(priced.holdback_bp)) if priced.holdback_bp else "",
+        "release_sentence": RELEASE_SENTENCES[priced.release_clause],
         **_framework(session, contract),
     }
 
@@ -94,15 +81,22 @@ def _framework(session: Session, contract: Contract) -> dict[str, str]:
     return {"framework_title": literal(framework.title), "framework_agreed_on": agreed}
 
 
-def _cue_table(cues: Sequence[Cue], cue_prefix: str) -> str:
+def _cue_table(cues: Sequence[Cue], prices: Mapping[UUID, int | None], cue_prefix: str, currency: str) -> str:
     if not cues:
         return NONE_YET
-    rows = ["| Number | Sound | Files | Length |", "| --- | --- | --- | --- |"]
+    heads = ["Number", "Sound", "Files", "Length", *(["Price"] if any(prices.values()) else [])]
+    rows = [heads, ["---"] * len(heads)]
     for cue in cues:
         length = f"{cue.duration_s:.2f} s" if cue.duration_s else ""
-        kind = " (loop)" if cue.loop else ""
-        rows.append(f"| {label(cue_prefix, cue.number)} | {literal(cue.name)}{kind} | {cue.variations} | {length} |")
-    return "\n".join(rows)
+        name = literal(cue.name) + (" (loop)" if cue.loop else "")
+        price = prices.get(cue.id)
+        cells = [label(cue_prefix, cue.number), name, str(cue.variations), length]
+        rows.append([*cells, money(price, currency) if price is not None else ""][: len(heads)])
+    return _table(rows)
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in rows)
 
 
 def _questions(session: Session, contract: Contract, cue_ids: Collection[UUID]) -> str:
@@ -115,15 +109,14 @@ def _questions(session: Session, contract: Contract, cue_ids: Collection[UUID]) 
     return "\n".join(lines) or "No question is open."
 
 
-def _milestone_table(plan: Sequence[PlannedMilestone], cues: Sequence[Cue], contract: Contract) -> str:
-    if not plan:
+def _milestone_table(
+    milestones: Sequence[Milestone], covered: Sequence[ContractCue], cue_prefix: str, currency: str
+) -> str:
+    if not milestones:
         return NONE_YET
-    numbers = {cue.id: label(contract.project.cue_prefix, cue.number) for cue in cues}
-    rows = ["| Milestone | Date | Cues | Amount |", "| --- | --- | --- | --- |"]
-    for milestone in plan:
-        named = ", ".join(numbers[cue_id] for cue_id in numbers if cue_id in milestone.cue_ids)
-        day = in_words(milestone.due_on) if milestone.due_on else ""
-        rows.append(
-            f"| {literal(milestone.name)} | {day} | {named} | {money(milestone.amount_minor, contract.currency)} |"
-        )
-    return "\n".join(rows)
+    rows = [["Milestone", "Date", "Cues", "Amount"], ["---"] * 4]
+    for milestone in milestones:
+        own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
+        day = "at signing" if milestone.is_deposit else in_words(milestone.due_on) if milestone.due_on else ""
+        rows.append([literal(milestone.name), day, ", ".join(own), money(milestone.amount_minor, currency)])
+    return _table(rows)

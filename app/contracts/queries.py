@@ -1,23 +1,24 @@
 """Contracts within the caller's reach: the studio's team sees all of the studio's, a designer their own."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, func, or_, select
+from sqlalchemy import ColumnElement, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor
-from app.contracts.models import Contract, ContractAcceptance, ContractEvent, ContractVersion
-from app.contracts.rules import ContractKind, ContractState
+from app.contracts.models import Contract, ContractAcceptance, ContractEvent, ContractTemplate, ContractVersion
+from app.contracts.rules import ContractKind, ContractState, Party
 from app.projects.models import Project
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
 
 
 def in_reach(actor: Actor) -> ColumnElement[bool]:
-    """Return which contracts a caller may see; a draft is the studio's until it was sent once."""
-    was_sent = or_(Contract.state != ContractState.DRAFT, Contract.record_length > 0)
-    return or_(Contract.studio_id.in_(actor.roles), (Contract.designer_id == actor.person_id) & was_sent)
+    """Return which contracts a caller may see; one is the studio's alone until it was sent once."""
+    was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
+    is_shown = or_(Contract.state == ContractState.AGREED, was_sent)
+    return or_(Contract.studio_id.in_(actor.roles), (Contract.designer_id == actor.person_id) & is_shown)
 
 
 def contract_for(session: Session, actor: Actor, contract_id: UUID) -> Contract | None:
@@ -40,9 +41,15 @@ def lock_contract(session: Session, contract_id: UUID) -> Contract:
     return session.scalars(
         select(Contract)
         .where(Contract.id == contract_id)
-        .with_for_update(key_share=True)
+        .options(*WHOLE)
+        .with_for_update(key_share=True, of=Contract)
         .execution_options(populate_existing=True)
     ).one()
+
+
+def lock_contracts_of(session: Session, project_id: UUID) -> None:
+    """Let nobody else number a contract in this project until the transaction ends."""
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
 
 
 def next_number(session: Session, project_id: UUID) -> int:
@@ -99,6 +106,58 @@ def acceptances_of(session: Session, version_id: UUID) -> Sequence[ContractAccep
     return session.scalars(
         select(ContractAcceptance).where(ContractAcceptance.version_id == version_id).order_by(ContractAcceptance.id)
     ).all()
+
+
+def templates_of(session: Session, studio_id: UUID) -> Sequence[ContractTemplate]:
+    """Return a studio's own templates by name."""
+    return session.scalars(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id).order_by(ContractTemplate.name)
+    ).all()
+
+
+def template_by_id(session: Session, studio_id: UUID, template_id: UUID) -> ContractTemplate | None:
+    """Return one of a studio's own templates."""
+    return session.scalar(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id, ContractTemplate.id == template_id)
+    )
+
+
+def template_by_name(session: Session, studio_id: UUID, name: str) -> ContractTemplate | None:
+    """Return a studio's own template of that name."""
+    return session.scalar(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id, ContractTemplate.name == name)
+    )
+
+
+def parties_who_accepted(session: Session, contract_ids: Collection[UUID]) -> dict[UUID, list[Party]]:
+    """Return by contract which parties said yes to its newest text."""
+    newest = (
+        select(ContractVersion.contract_id, func.max(ContractVersion.number).label("number"))
+        .where(ContractVersion.contract_id.in_(contract_ids))
+        .group_by(ContractVersion.contract_id)
+        .subquery()
+    )
+    rows = session.execute(
+        select(ContractAcceptance.contract_id, ContractAcceptance.party)
+        .join(ContractVersion, ContractVersion.id == ContractAcceptance.version_id)
+        .join(
+            newest, (newest.c.contract_id == ContractVersion.contract_id) & (newest.c.number == ContractVersion.number)
+        )
+    )
+    found: dict[UUID, list[Party]] = {contract_id: [] for contract_id in contract_ids}
+    for contract_id, party in rows:
+        found[contract_id].append(party)
+    return found
+
+
+def newest_event(session: Session, contract_id: UUID) -> ContractEvent | None:
+    """Return the last entry of a contract's record."""
+    return session.scalar(
+        select(ContractEvent)
+        .where(ContractEvent.contract_id == contract_id)
+        .order_by(ContractEvent.seq.desc())
+        .limit(1)
+    )
 
 
 def events_of(session: Session, contract_id: UUID) -> Sequence[ContractEvent]:

@@ -1,6 +1,9 @@
 """What a contract may be and become, stated without a database."""
 
+from collections.abc import Collection
 from enum import StrEnum
+
+from app.contracts.errors import FrameworkNeeded, NoContractNeeded, TextMovedOn, WrongState
 
 
 class ContractKind(StrEnum):
@@ -57,3 +60,53 @@ class WorkState(StrEnum):
     IN_WORK = "in_work"
     DELIVERED = "delivered"  # every variation conforms and waits for the decider
     ACCEPTED = "accepted"
+
+
+KIND_WORDS = {
+    ContractKind.NDA: "non-disclosure agreement",
+    ContractKind.FRAMEWORK: "framework agreement",
+    ContractKind.STATEMENT_OF_WORK: "statement of work",
+    ContractKind.SINGLE: "contract",
+}
+STATE_WORDS = {
+    ContractState.DRAFT: "is a draft",
+    ContractState.SENT: "was sent and waits for both to accept",
+    ContractState.AGREED: "is agreed",
+    ContractState.ENDED: "has ended",
+}
+
+
+def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str) -> None:
+    """Raise WrongState unless a contract is in one of the states in which this can be done."""
+    if now not in wanted:
+        raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
+
+
+def ensure_same_text(seen_sha256: str, sent_sha256: str) -> None:
+    """Raise TextMovedOn unless the text that somebody says yes to is the one that was sent."""
+    if seen_sha256 != sent_sha256:
+        raise TextMovedOn(
+            "the text that you read is not the one that stands now; nothing was accepted",
+            fix="load the page again and read what changed, then accept",
+        )
+
+
+def ensure_needs_contract(*, is_in_house: bool) -> None:
+    """Raise NoContractNeeded for the studio's own people."""
+    if is_in_house:
+        raise NoContractNeeded(
+            "this designer is one of the studio's own people and works without a contract",
+            fix="change their tie to the project to by contract first",
+        )
+
+
+def ensure_under_framework(kind: ContractKind, *, has_framework: bool) -> None:
+    """Raise FrameworkNeeded where a batch names no framework, or another text names one."""
+    if (kind is ContractKind.STATEMENT_OF_WORK) != has_framework:
+        message = (
+            "a statement of work is a batch under a framework agreement that both have agreed to"
+            if kind is ContractKind.STATEMENT_OF_WORK
+            else f"a {KIND_WORDS[kind]} stands by itself"
+        )
+        fix = "agree on a framework first, or make one contract that holds all of it" if not has_framework else None
+        raise FrameworkNeeded(message, errors=[{"where": "framework_id", "message": message}], fix=fix)

@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.builds.models import Build
 from app.conformance.queries import current_run
+from app.contracts.models import Contract
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock, mail
@@ -202,6 +203,33 @@ def tell_cut(runtime: Runtime, payload: Payload) -> None:
         line = f"{_label(project, cue)} was cut: {cue.cut_reason}. What you delivered for it is kept."
         for recipient in queries.designer_addresses(session, project.id):
             teller.tell(recipient, "cut", "cues were cut", line, page="sound-list")
+
+
+@job("notifications.tell_contract")
+def tell_contract(runtime: Runtime, payload: Payload) -> None:
+    """Tell the party whose step is next what became of a contract, and both once it is agreed."""
+    with runtime.database.writing() as session:
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        project = session.get_one(Project, contract.project_id)
+        designer = queries.address_of(session, contract.designer_id)
+        producers = queries.producer_addresses(session, project.studio_id)
+        title = contract.title
+        recipients, subject, line = {
+            "contract.sent": (
+                {designer},
+                "a contract to read",
+                f"{title} waits for you: read it, ask for a change, or accept it.",
+            ),
+            "contract.change_asked": (
+                producers,
+                "a change to a contract is asked for",
+                f"{title}: {payload.get('text') or ''}",
+            ),
+            "contract.agreed": (producers | {designer}, "a contract is agreed", f"{title}: both have accepted it."),
+        }[payload["event"]]
+        teller = Teller(runtime, session, project, payload["event_id"])
+        for recipient in recipients:
+            teller.tell(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
 
 
 @job("notifications.tell_build")

@@ -61,6 +61,7 @@ def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
         cue_prefix=project.cue_prefix,
         created_at=project.created_at,
         archived_at=project.archived_at,
+        nda_needed=project.nda_needed,
         studio=StudioBrief.model_validate(project.studio),
         decider=PersonBrief.model_validate(view.decider),
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
@@ -71,6 +72,7 @@ def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
             is_liaison=view.is_liaison,
             is_decider=view.is_decider,
             engagement_kind=own.kind if own else None,
+            nda_open=own is not None and not view.roles and service.nda_is_open(project, own),
         ),
         spec_version=view.spec_version,
     )
@@ -142,6 +144,7 @@ def change_project(
         description=body.description,
         cue_prefix=body.cue_prefix,
         archived=body.archived,
+        nda_needed=body.nda_needed,
     )
     return _project(service.overview(session, actor, project_id))
 

@@ -1,7 +1,7 @@
 """Designers: invited by a mailed link, engaged by accepting it, and let go."""
 
 from collections.abc import Sequence
-from datetime import timedelta
+from datetime import datetime, timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -139,3 +139,10 @@ def change_engagement(
                 invitation.revoked_at = clock.now()  # the link would show the list, and engage again
     session.flush()
     return engagement
+
+
+def record_nda(session: Session, engagement_id: UUID, *, document_sha256: str, at: datetime) -> None:
+    """Keep that a designer accepted an NDA, and which: from now on the project shows them brief, list and spec."""
+    engagement = session.get_one(Engagement, engagement_id)
+    engagement.nda_sha256, engagement.nda_accepted_at = document_sha256, at
+    session.flush()

@@ -43,6 +43,10 @@ class DesignerNeeded(Forbidden):
     """Only a designer engaged on the project may do this."""
 
 
+class NdaNeeded(Forbidden):
+    """The project shows brief, list and spec to designers who accepted its non-disclosure agreement."""
+
+
 class LiaisonDecides(Conflict):
     """The liaison has the last word; somebody else must have it before they can go."""
 

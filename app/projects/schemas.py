@@ -33,6 +33,7 @@ class ProjectChange(Schema):
     description: Prose | None = None
     cue_prefix: CuePrefix | None = None
     archived: bool | None = None
+    nda_needed: bool | None = None
 
 
 class EngagementRead(Schema):
@@ -43,6 +44,7 @@ class EngagementRead(Schema):
     kind: EngagementKind
     created_at: datetime
     ended_at: datetime | None
+    nda_accepted_at: datetime | None
 
 
 class Mine(Schema):
@@ -53,6 +55,7 @@ class Mine(Schema):
     is_liaison: bool
     is_decider: bool
     engagement_kind: EngagementKind | None
+    nda_open: bool = Field(description="Brief, list and spec open once the caller has accepted the project's NDA.")
 
 
 class ProjectRead(Schema):
@@ -64,6 +67,7 @@ class ProjectRead(Schema):
     cue_prefix: str
     created_at: datetime
     archived_at: datetime | None
+    nda_needed: bool = Field(description="Designers see brief, list and spec once they accepted an NDA.")
     studio: StudioBrief
     decider: PersonBrief
     liaisons: list[PersonBrief]

@@ -24,6 +24,7 @@ from app.projects.errors import (
     InvitationNotFound,
     LiaisonDecides,
     LiaisonNotFound,
+    NdaNeeded,
     ProducerNeeded,
     ProjectNotFound,
     SpecMovedOn,
@@ -32,7 +33,7 @@ from app.projects.errors import (
     TokenNotFound,
 )
 from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
-from app.projects.rules import ensure_can_decide
+from app.projects.rules import EngagementKind, ensure_can_decide
 from app.projects.specs import add_version, read_spec
 
 
@@ -89,8 +90,12 @@ class Standing:
         return self.engagement
 
 
-def standing_in(session: Session, actor: Actor, project_id: UUID) -> Standing:
-    """Return what the caller is in a project; raise ProjectNotFound where they may not see it."""
+def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda: bool = False) -> Standing:
+    """Return what the caller is in a project; raise ProjectNotFound where they may not see it.
+
+    Raises NdaNeeded for a designer who has not accepted the NDA that the project asks for, but for what may be seen
+    `before_nda`.
+    """
     project = queries.project_by_id(session, project_id)
     if project is None:
         raise ProjectNotFound(f"no project {project_id}")
@@ -104,6 +109,11 @@ def standing_in(session: Session, actor: Actor, project_id: UUID) -> Standing:
     engagement = queries.engagement_of(session, project.id, actor.person_id)
     if not roles and engagement is None:
         raise ProjectNotFound(f"no project {project_id}")
+    if not roles and not before_nda and engagement is not None and nda_is_open(project, engagement):
+        raise NdaNeeded(
+            "this project shows its brief, list and spec once its non-disclosure agreement is accepted",
+            fix="read and accept it under Contract; if nothing waits there, the studio has not sent it yet",
+        )
     return Standing(
         project=project,
         actor=actor,
@@ -112,6 +122,11 @@ def standing_in(session: Session, actor: Actor, project_id: UUID) -> Standing:
         is_decider=bool(roles) and queries.decider_of(session, project) == actor.person_id,
         engagement=engagement,
     )
+
+
+def nda_is_open(project: Project, engagement: Engagement) -> bool:
+    """Whether a designer has yet to accept the NDA that the project asks for; the studio's own people need none."""
+    return project.nda_needed and engagement.kind is not EngagementKind.IN_HOUSE and engagement.nda_accepted_at is None
 
 
 @dataclass(frozen=True)
@@ -179,7 +194,7 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
 
 def overview(session: Session, actor: Actor, project_id: UUID) -> ProjectOverview:
     """Return one project as its page heads it."""
-    standing = standing_in(session, actor, project_id)
+    standing = standing_in(session, actor, project_id, before_nda=True)
     session.refresh(standing.project, ["studio"])
     return overviews(session, actor, [standing.project])[0]
 
@@ -215,14 +230,16 @@ def change_project(
     description: str | None = None,
     cue_prefix: str | None = None,
     archived: bool | None = None,
+    nda_needed: bool | None = None,
 ) -> None:
-    """Change what a project is called, or put it away; what is None stays."""
+    """Change what a project is called and asks for, or put it away; what is None stays."""
     standing = standing_in(session, actor, project_id)
     standing.ensure_producer()
     project = standing.project
     project.name = project.name if name is None else name
     project.description = project.description if description is None else description
     project.cue_prefix = project.cue_prefix if cue_prefix is None else cue_prefix
+    project.nda_needed = project.nda_needed if nda_needed is None else nda_needed
     if archived is not None and archived != (project.archived_at is not None):
         project.archived_at = clock.now() if archived else None
     session.flush()

@@ -13,6 +13,7 @@ from app.accounts.rules import Actor, Scope, Sight
 from app.kit.http import BadCursor, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
+from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import invitation_by_secret, standing_in
 from app.projects.specs import read_spec
@@ -282,11 +283,14 @@ def preview_invitation(
     session: DbSession,
     actor: Actor = allows(Sight.ANYONE),  # noqa: ARG001  whoever holds the link
 ) -> InvitationPreview:
-    """Show what a mailed link invites to: the project, its list, and how sounds must come."""
+    """Show what a mailed link invites to: the project and, unless an NDA comes first, its list and its spec."""
     invitation = invitation_by_secret(session, secret)
     project = invitation.project
+    closed = project.nda_needed and invitation.kind is not EngagementKind.IN_HOUSE
     return InvitationPreview(
-        project=PreviewProject(name=project.name, description=project.description, cue_prefix=project.cue_prefix),
+        project=PreviewProject(
+            name=project.name, description="" if closed else project.description, cue_prefix=project.cue_prefix
+        ),
         studio_name=project.studio.name,
         kind=invitation.kind,
         note=invitation.note,
@@ -295,6 +299,7 @@ def preview_invitation(
         has_account=has_account(session, invitation.email),
         expires_at=invitation.expires_at,
         accepted=invitation.accepted_at is not None,
-        cues=service.preview_cues(queries.cues_of(session, project.id), project.cue_prefix),
-        spec=ResolvedSpec.model_validate(read_spec(current_spec(session, project.id).toml)),
+        nda_needed=closed,
+        cues=[] if closed else service.preview_cues(queries.cues_of(session, project.id), project.cue_prefix),
+        spec=None if closed else ResolvedSpec.model_validate(read_spec(current_spec(session, project.id).toml)),
     )

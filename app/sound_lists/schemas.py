@@ -322,6 +322,7 @@ class InvitationPreview(Schema):
     invited_by_name: str
     has_account: bool
     expires_at: datetime
+    nda_needed: bool = Field(description="An NDA comes first: cues and spec open once it is accepted.")
     cues: list[PreviewCue]
     accepted: bool
-    spec: ResolvedSpec
+    spec: ResolvedSpec | None

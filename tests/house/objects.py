@@ -17,10 +17,13 @@ from app.accounts.service import add_token
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
+from app.contracts.clauses import Clause
 from app.contracts.models import (
     CalendarLink,
     Contract,
     ContractCue,
+    ContractTemplate,
+    ContractVersion,
     ExtraRound,
     Invoice,
     InvoiceLine,
@@ -151,6 +154,7 @@ class House(World):
         session.add_all([picture, render, draft, comment, build, batch, pack, mail, run, sets])
         self._add_links(session)
         money = self._add_money(session, cue)
+        template = self._add_text(session, money["contract_id"])
         token = self._token(session, self.project_id, list(Scope))
         session.flush()
         self.ids: dict[str, Any] = {
@@ -171,6 +175,8 @@ class House(World):
             "batch_id": batch.id,
             "pack_id": pack.id,
             "mail_id": mail.id,
+            "template_id": template.id,
+            "kind": ContractKind.SINGLE.value,
             "engagement_id": engagement.id,
             "invitation_id": self._invitation_id,
             "studio_invitation_id": self._studio_invitation_id,
@@ -274,6 +280,35 @@ class House(World):
             "payment_id": payment.id,
             "worked_day_id": worked.id,
         }
+
+    def _add_text(self, session: Session, contract_id: UUID) -> ContractTemplate:
+        """Add the text that both agreed to, and the template that it began from."""
+        clauses = [Clause("parties", "Parties", "Between {studio} and {designer}.").as_row()]
+        version = ContractVersion(
+            studio_id=self.studio_id,
+            project_id=self.project_id,
+            contract_id=contract_id,
+            number=1,
+            clauses=clauses,
+            terms={},
+            text="# Effects\n",
+            text_sha256="0" * 64,
+            created_by=self.producer_id,
+            sent_at=clock.now(),
+            pdf_sha256=self.sha256,
+            pdf_bytes=len(FILE),
+        )
+        template = ContractTemplate(
+            studio_id=self.studio_id,
+            name="Effects",
+            kind=ContractKind.SINGLE,
+            clauses=clauses,
+            terms={},
+            created_by=self.producer_id,
+        )
+        session.add_all([version, template])
+        session.flush()
+        return template
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}

@@ -98,6 +98,9 @@ EXAMPLES: dict[str, Any] = {
     "report": report(),
     "paid_on": "2026-11-20",
     "worked_on": "2026-11-20",
+    "currency": "USD",
+    "clauses": [{"key": "parties", "title": "Parties", "text": "Between us."}],
+    "terms": {},
 }
 
 
@@ -169,6 +172,7 @@ QUERIES: dict[str, dict[str, str]] = {
     "download_pack": {"target": "game"},
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
+    "compare_contract_versions": {"from_version": "1", "to_version": "1"},
 }
 ADJUSTED: dict[str, dict[str, Any]] = {
     "add_archive": {"file_name": "sounds.zip"},

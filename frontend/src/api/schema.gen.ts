@@ -970,7 +970,7 @@ export interface paths {
         };
         /**
          * Preview Invitation
-         * @description Show what a mailed link invites to: the project, its list, and how sounds must come.
+         * @description Show what a mailed link invites to: the project and, unless an NDA comes first, its list and its spec.
          */
         get: operations["preview_invitation"];
         put?: never;
@@ -1349,6 +1349,482 @@ export interface paths {
          * @description Return the dates of contracts as iCalendar, for whoever holds the address.
          */
         get: operations["read_calendar"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contract-library/{kind}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Contract Library
+         * @description Return the clauses that the library has for a kind of contract, and what they leave open.
+         */
+        get: operations["read_contract_library"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contract-library/{kind}/template.toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Library Template
+         * @description Return what the library has for a kind as a template file.
+         */
+        get: operations["download_library_template"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/contract-templates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Contract Templates
+         * @description Return the templates that a studio keeps, by name.
+         */
+        get: operations["list_contract_templates"];
+        put?: never;
+        /**
+         * Add Contract Template
+         * @description Keep a template.
+         */
+        post: operations["add_contract_template"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/contract-templates/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Contract Template
+         * @description Keep a template that comes as TOML.
+         */
+        post: operations["import_contract_template"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/contract-templates/{template_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Contract Template
+         * @description Return a template with its clauses.
+         */
+        get: operations["read_contract_template"];
+        /**
+         * Change Contract Template
+         * @description Change a template; contracts that began from it stay as they are.
+         */
+        put: operations["change_contract_template"];
+        post?: never;
+        /**
+         * Drop Contract Template
+         * @description Keep a template no longer.
+         */
+        delete: operations["drop_contract_template"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/contract-templates/{template_id}/template.toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Contract Template
+         * @description Return a template as the file that an import reads.
+         */
+        get: operations["download_contract_template"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/contract-templates/{template_id}/template.md": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Contract Template Text
+         * @description Return a template's standing clauses as Markdown, for lawyers to read.
+         */
+        get: operations["download_contract_template_text"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/contracts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Contracts
+         * @description Return the project's contracts, the oldest first; a designer sees their own, once they were sent.
+         */
+        get: operations["list_contracts"];
+        put?: never;
+        /**
+         * Begin Contract
+         * @description Begin a draft with one designer, from the library or a template of the studio.
+         */
+        post: operations["begin_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Contract
+         * @description Return a contract with its newest text; the designer reads what was sent.
+         */
+        get: operations["read_contract"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save Contract Draft
+         * @description Save the draft as its next version.
+         */
+        put: operations["save_contract_draft"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Contract
+         * @description Return the text that a draft would have; nothing is saved.
+         */
+        post: operations["preview_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/send": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Send Contract
+         * @description Put the text before both parties as PDF, with the open questions of this moment.
+         */
+        post: operations["send_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/take-back": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Take Back Contract
+         * @description Make a sent contract a draft again.
+         */
+        post: operations["take_back_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ask-change": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask Contract Change
+         * @description Send a contract back to the studio with what its designer wants otherwise.
+         */
+        post: operations["ask_contract_change"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/accept": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Contract
+         * @description Say yes to the text that was sent, for the caller's party; with the second yes it is agreed.
+         */
+        post: operations["accept_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/end": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * End Contract
+         * @description End a contract, or give up a draft.
+         */
+        post: operations["end_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/template": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Keep Contract As Template
+         * @description Keep the contract's clauses and terms as a template of the studio.
+         */
+        post: operations["keep_contract_as_template"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Contract Versions
+         * @description Return the versions that the caller may see, the newest first.
+         */
+        get: operations["list_contract_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/versions/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Contract Version
+         * @description Return one version of the text.
+         */
+        get: operations["read_contract_version"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/versions/{version}/contract.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Contract Pdf
+         * @description Return the PDF of a version that was sent: the bytes that both saw.
+         */
+        get: operations["download_contract_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/comparison": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compare Contract Versions
+         * @description Return two versions word by word.
+         */
+        get: operations["compare_contract_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/record": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Contract Record
+         * @description Return the record of a contract, verified now.
+         */
+        get: operations["read_contract_record"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/record.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Contract Record
+         * @description Return the record as the file that a party keeps, and that `soundlist verify` reads.
+         */
+        get: operations["download_contract_record"];
         put?: never;
         post?: never;
         delete?: never;
@@ -2792,6 +3268,16 @@ export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /**
+         * AcceptAdd
+         * @description A yes: under which name, and to which text.
+         */
+        AcceptAdd: {
+            /** Name */
+            name: string;
+            /** Text Sha256 */
+            text_sha256: string;
+        };
+        /**
          * AcceptRead
          * @description What a delivered file may be; null accepts anything that can be read.
          */
@@ -2809,6 +3295,22 @@ export interface components {
             /** Layouts */
             layouts: string[] | null;
             duration_s: components["schemas"]["RangeRead"];
+        };
+        /**
+         * AcceptanceRead
+         * @description A party's yes.
+         */
+        AcceptanceRead: {
+            party: components["schemas"]["Party"];
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /**
+             * Accepted At
+             * Format: date-time
+             */
+            accepted_at: string;
         };
         /**
          * AdviceRead
@@ -3118,6 +3620,23 @@ export interface components {
             reason: string;
         };
         /**
+         * BlockRead
+         * @description A head, a paragraph, one item of a list, or a table whose first row is its head.
+         */
+        BlockRead: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "head" | "text" | "item" | "table";
+            /** Level */
+            level: number;
+            /** Spans */
+            spans: components["schemas"]["SpanRead"][];
+            /** Rows */
+            rows: components["schemas"]["SpanRead"][][][];
+        };
+        /**
          * BuildAdd
          * @description What a game's CI found in one build.
          */
@@ -3289,6 +3808,33 @@ export interface components {
             limit_dbfs: number | null;
         };
         /**
+         * ChangeAsk
+         * @description What the designer wants otherwise, of one clause or of the whole.
+         */
+        ChangeAsk: {
+            /** Text */
+            text: string;
+            /** Clause Key */
+            clause_key?: string | null;
+        };
+        /**
+         * ChangeAsked
+         * @description What the designer wants otherwise.
+         */
+        ChangeAsked: {
+            /** Text */
+            text: string;
+            /** Clause */
+            clause: string;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+        };
+        /**
          * ChangeRequestRead
          * @description What to change in a take; a draft while `sent_at` is null.
          */
@@ -3427,6 +3973,23 @@ export interface components {
             lines: string[];
         };
         /**
+         * ClauseRow
+         * @description One clause: Markdown with variables in braces; what does not stand is kept, and not in the text.
+         */
+        ClauseRow: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Text */
+            text: string;
+            /**
+             * Stands
+             * @default true
+             */
+            stands: boolean;
+        };
+        /**
          * CommentAdd
          * @description Advice on a take, at a time in the sound or on the whole of it.
          */
@@ -3474,6 +4037,124 @@ export interface components {
             resolved_at: string | null;
         };
         /**
+         * ComparedRead
+         * @description One line of a comparison.
+         */
+        ComparedRead: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "head" | "text" | "item" | "table";
+            /**
+             * Change
+             * @enum {string}
+             */
+            change: "same" | "changed" | "added" | "removed";
+            /** Runs */
+            runs: components["schemas"]["RunRead"][];
+        };
+        /**
+         * ComparisonRead
+         * @description Two versions word by word.
+         */
+        ComparisonRead: {
+            /** From Version */
+            from_version: number;
+            /** To Version */
+            to_version: number;
+            /** Lines */
+            lines: components["schemas"]["ComparedRead"][];
+        };
+        /**
+         * ContractAdd
+         * @description A contract to begin with one designer.
+         */
+        ContractAdd: {
+            /**
+             * Engagement Id
+             * Format: uuid
+             */
+            engagement_id: string;
+            kind: components["schemas"]["ContractKind"];
+            /** Title */
+            title: string;
+            /**
+             * Currency
+             * @default USD
+             */
+            currency: string;
+            /** Template Id */
+            template_id?: string | null;
+            /** Framework Id */
+            framework_id?: string | null;
+            /**
+             * With Music
+             * @default false
+             */
+            with_music: boolean;
+        };
+        /**
+         * ContractBrief
+         * @description A contract as lists show it.
+         */
+        ContractBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Number */
+            number: number;
+            /** Title */
+            title: string;
+            kind: components["schemas"]["ContractKind"];
+            state: components["schemas"]["ContractState"];
+            designer: components["schemas"]["PersonBrief"];
+            /**
+             * Engagement Id
+             * Format: uuid
+             */
+            engagement_id: string;
+            /** Framework Id */
+            framework_id: string | null;
+            /** Currency */
+            currency: string;
+            release_clause: components["schemas"]["ReleaseClause"];
+            /** Deposit Bp */
+            deposit_bp: number;
+            /** Holdback Bp */
+            holdback_bp: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Agreed At */
+            agreed_at: string | null;
+            /** Ended At */
+            ended_at: string | null;
+            /** End Reason */
+            end_reason: string | null;
+            my_party: components["schemas"]["Party"] | null;
+            /**
+             * Waits For
+             * @description Whose step is next.
+             */
+            waits_for: components["schemas"]["Party"][];
+        };
+        /**
+         * ContractKind
+         * @description What is agreed by one text.
+         * @enum {string}
+         */
+        ContractKind: "nda" | "framework" | "statement_of_work" | "single";
+        /**
          * ContractMoney
          * @description The money of one agreed contract; amounts in whole minor units.
          */
@@ -3510,11 +4191,81 @@ export interface components {
             last_days_to_pay: number | null;
         };
         /**
+         * ContractRead
+         * @description A contract with the text that the caller sees, and who said yes to it.
+         */
+        ContractRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Number */
+            number: number;
+            /** Title */
+            title: string;
+            kind: components["schemas"]["ContractKind"];
+            state: components["schemas"]["ContractState"];
+            designer: components["schemas"]["PersonBrief"];
+            /**
+             * Engagement Id
+             * Format: uuid
+             */
+            engagement_id: string;
+            /** Framework Id */
+            framework_id: string | null;
+            /** Currency */
+            currency: string;
+            release_clause: components["schemas"]["ReleaseClause"];
+            /** Deposit Bp */
+            deposit_bp: number;
+            /** Holdback Bp */
+            holdback_bp: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Agreed At */
+            agreed_at: string | null;
+            /** Ended At */
+            ended_at: string | null;
+            /** End Reason */
+            end_reason: string | null;
+            my_party: components["schemas"]["Party"] | null;
+            /**
+             * Waits For
+             * @description Whose step is next.
+             */
+            waits_for: components["schemas"]["Party"][];
+            /** Studio Name */
+            studio_name: string;
+            version: components["schemas"]["VersionRead"];
+            /** Acceptances */
+            acceptances: components["schemas"]["AcceptanceRead"][];
+            /** @description What the designer wants otherwise, until it is sent anew. */
+            change_asked: components["schemas"]["ChangeAsked"] | null;
+            may: components["schemas"]["MayRead"];
+        };
+        /**
          * ContractState
          * @description How far the parties are.
          * @enum {string}
          */
         ContractState: "draft" | "sent" | "agreed" | "ended";
+        /**
+         * ContractTemplateAdd
+         * @description Under which name to keep a contract's clauses.
+         */
+        ContractTemplateAdd: {
+            /** Name */
+            name: string;
+        };
         /**
          * ContractedCue
          * @description A cue of the list as contracts name it.
@@ -4168,6 +4919,87 @@ export interface components {
             questions: components["schemas"]["AskedQuestion"][];
         };
         /**
+         * DraftChange
+         * @description The whole draft as it is to be.
+         */
+        DraftChange: {
+            /** Title */
+            title: string;
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+            /** Currency */
+            currency: string;
+            /** @default per_cue */
+            release_clause: components["schemas"]["ReleaseClause"];
+            /**
+             * Holdback Bp
+             * @default 0
+             */
+            holdback_bp: number;
+        };
+        /**
+         * DraftPreview
+         * @description The text that a draft would have, and what is wrong with it.
+         */
+        DraftPreview: {
+            /** Blocks */
+            blocks: components["schemas"]["BlockRead"][];
+            /** Problems */
+            problems: components["schemas"]["DraftProblem"][];
+        };
+        /**
+         * DraftProblem
+         * @description What is wrong with a draft, and where: `clauses.KEY` or `terms.NAME`.
+         */
+        DraftProblem: {
+            /** Where */
+            where: string;
+            /** Message */
+            message: string;
+        };
+        /**
+         * DraftSave
+         * @description The draft to save, and the version that it was made from.
+         */
+        DraftSave: {
+            /** Title */
+            title: string;
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+            /** Currency */
+            currency: string;
+            /** @default per_cue */
+            release_clause: components["schemas"]["ReleaseClause"];
+            /**
+             * Holdback Bp
+             * @default 0
+             */
+            holdback_bp: number;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /** Based On Version */
+            based_on_version: number;
+        };
+        /**
+         * EndAdd
+         * @description Why a contract ends.
+         */
+        EndAdd: {
+            /** Reason */
+            reason: string;
+        };
+        /**
          * EngagementChange
          * @description What is to be different; what is left out stays.
          */
@@ -4201,6 +5033,8 @@ export interface components {
             created_at: string;
             /** Ended At */
             ended_at: string | null;
+            /** Nda Accepted At */
+            nda_accepted_at: string | null;
         };
         /**
          * EngineRead
@@ -4209,6 +5043,26 @@ export interface components {
         EngineRead: {
             /** Adds */
             adds: string[];
+        };
+        /**
+         * EntryRead
+         * @description One entry of the record.
+         */
+        EntryRead: {
+            /** Seq */
+            seq: number;
+            /** At */
+            at: string;
+            /** Kind */
+            kind: string;
+            /** Payload */
+            payload: {
+                [key: string]: unknown;
+            };
+            /** Previous Sha256 */
+            previous_sha256: string;
+            /** Sha256 */
+            sha256: string;
         };
         /**
          * EstimateRead
@@ -4682,11 +5536,16 @@ export interface components {
              * Format: date-time
              */
             expires_at: string;
+            /**
+             * Nda Needed
+             * @description An NDA comes first: cues and spec open once it is accepted.
+             */
+            nda_needed: boolean;
             /** Cues */
             cues: components["schemas"]["PreviewCue"][];
             /** Accepted */
             accepted: boolean;
-            spec: components["schemas"]["ResolvedSpec"];
+            spec: components["schemas"]["ResolvedSpec"] | null;
         };
         /**
          * InvitationRead
@@ -5028,6 +5887,43 @@ export interface components {
             why: string;
         };
         /**
+         * LibraryClauseRead
+         * @description A clause of the library, and why one would want it.
+         */
+        LibraryClauseRead: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Text */
+            text: string;
+            /** Stands */
+            stands: boolean;
+            /** Why */
+            why: string;
+            /** Music */
+            music: boolean;
+            /** Instead Of */
+            instead_of: string | null;
+            /** Terms */
+            terms: components["schemas"]["TermRead"][];
+        };
+        /**
+         * LibraryRead
+         * @description What the library has for a kind of contract, and the variables that the server fills in.
+         */
+        LibraryRead: {
+            kind: components["schemas"]["ContractKind"];
+            /** Notice */
+            notice: string;
+            /** Clauses */
+            clauses: components["schemas"]["LibraryClauseRead"][];
+            /** Variables */
+            variables: {
+                [key: string]: string;
+            };
+        };
+        /**
          * LimitsRead
          * @description The levels and edges a file keeps to; null does not limit.
          */
@@ -5215,6 +6111,24 @@ export interface components {
             };
             /** File Bytes */
             file_bytes: number;
+        };
+        /**
+         * MayRead
+         * @description What the caller may do with the contract now.
+         */
+        MayRead: {
+            /** Change */
+            change: boolean;
+            /** Send */
+            send: boolean;
+            /** Take Back */
+            take_back: boolean;
+            /** Ask Change */
+            ask_change: boolean;
+            /** Accept */
+            accept: boolean;
+            /** End */
+            end: boolean;
         };
         /**
          * Me
@@ -5486,6 +6400,11 @@ export interface components {
             /** Is Decider */
             is_decider: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
+            /**
+             * Nda Open
+             * @description Brief, list and spec open once the caller has accepted the project's NDA.
+             */
+            nda_open: boolean;
         };
         /**
          * MissingFile
@@ -5934,6 +6853,12 @@ export interface components {
             links_expire_at: string;
         };
         /**
+         * Party
+         * @description Who agrees with whom.
+         * @enum {string}
+         */
+        Party: "studio" | "designer";
+        /**
          * PasswordChange
          * @description The password that is and the one to be.
          */
@@ -6190,6 +7115,8 @@ export interface components {
             cue_prefix?: string | null;
             /** Archived */
             archived?: boolean | null;
+            /** Nda Needed */
+            nda_needed?: boolean | null;
         };
         /**
          * ProjectMoney
@@ -6224,6 +7151,11 @@ export interface components {
             created_at: string;
             /** Archived At */
             archived_at: string | null;
+            /**
+             * Nda Needed
+             * @description Designers see brief, list and spec once they accepted an NDA.
+             */
+            nda_needed: boolean;
             studio: components["schemas"]["StudioBrief"];
             decider: components["schemas"]["PersonBrief"];
             /** Liaisons */
@@ -6318,6 +7250,27 @@ export interface components {
             min: number | null;
             /** Max */
             max: number | null;
+        };
+        /**
+         * RecordRead
+         * @description The record of a contract, and whether it is the one that was written.
+         */
+        RecordRead: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Title */
+            title: string;
+            /** Length */
+            length: number;
+            /** Sha256 */
+            sha256: string;
+            /** Faults */
+            faults: string[];
+            /** Entries */
+            entries: components["schemas"]["EntryRead"][];
         };
         /**
          * ReleaseClause
@@ -6711,6 +7664,19 @@ export interface components {
             created_at: string;
         };
         /**
+         * RunRead
+         * @description Words that stand in both texts, in the earlier alone, or in the later alone.
+         */
+        RunRead: {
+            /**
+             * Is In
+             * @enum {string}
+             */
+            is_in: "both" | "earlier" | "later";
+            /** Text */
+            text: string;
+        };
+        /**
          * Scope
          * @description What a build's token may do.
          * @enum {string}
@@ -6808,6 +7774,17 @@ export interface components {
             step_db: number | null;
             /** Slope Db */
             slope_db: number | null;
+        };
+        /**
+         * SendAdd
+         * @description What goes with the text.
+         */
+        SendAdd: {
+            /**
+             * Note
+             * @default
+             */
+            note: string;
         };
         /**
          * SendingAdd
@@ -7001,6 +7978,18 @@ export interface components {
              * @description The cursor of the following page, null at the end.
              */
             next: string | null;
+        };
+        /**
+         * SpanRead
+         * @description A run of letters of one weight.
+         */
+        SpanRead: {
+            /** Text */
+            text: string;
+            /** Strong */
+            strong: boolean;
+            /** Emphatic */
+            emphatic: boolean;
         };
         /**
          * SpecBrief
@@ -7319,6 +8308,14 @@ export interface components {
             note: string;
         };
         /**
+         * TakeBackAdd
+         * @description Why a text is taken back.
+         */
+        TakeBackAdd: {
+            /** Reason */
+            reason: string;
+        };
+        /**
          * TakeMatch
          * @description The cue that a take is for.
          */
@@ -7472,6 +8469,115 @@ export interface components {
             tax_bp: number;
             /** Amount Minor */
             amount_minor: number;
+        };
+        /**
+         * TemplateAdd
+         * @description A template to keep.
+         */
+        TemplateAdd: {
+            /** Name */
+            name: string;
+            kind: components["schemas"]["ContractKind"];
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+        };
+        /**
+         * TemplateBrief
+         * @description A template that the studio keeps.
+         */
+        TemplateBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            kind: components["schemas"]["ContractKind"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Changed At
+             * Format: date-time
+             */
+            changed_at: string;
+        };
+        /**
+         * TemplateChange
+         * @description What a template is to say.
+         */
+        TemplateChange: {
+            /** Name */
+            name: string;
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+        };
+        /**
+         * TemplateImport
+         * @description A template as TOML; under another name than its own if one is given.
+         */
+        TemplateImport: {
+            /** Toml */
+            toml: string;
+            /** Name */
+            name?: string | null;
+        };
+        /**
+         * TemplateRead
+         * @description A template with its clauses and terms.
+         */
+        TemplateRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            kind: components["schemas"]["ContractKind"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Changed At
+             * Format: date-time
+             */
+            changed_at: string;
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+        };
+        /**
+         * TermRead
+         * @description What a clause leaves open: `_bp` ends a part in basis points, `_minor` an amount in minor units.
+         */
+        TermRead: {
+            /** Name */
+            name: string;
+            /** Default */
+            default: number | string;
+            /** Label */
+            label: string;
+            /** Min */
+            min: number | null;
+            /** Max */
+            max: number | null;
         };
         /**
          * ThumbRead
@@ -7743,6 +8849,58 @@ export interface components {
             takes: components["schemas"]["TakeStanding"][];
             /** Draft Dropped */
             draft_dropped: boolean;
+        };
+        /**
+         * VersionBrief
+         * @description One version of a contract's text.
+         */
+        VersionBrief: {
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            author: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Sent At */
+            sent_at: string | null;
+            /** Text Sha256 */
+            text_sha256: string;
+            /** Pdf Sha256 */
+            pdf_sha256: string | null;
+        };
+        /**
+         * VersionRead
+         * @description One version with its text; what it was written from is the studio's alone.
+         */
+        VersionRead: {
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            author: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Sent At */
+            sent_at: string | null;
+            /** Text Sha256 */
+            text_sha256: string;
+            /** Pdf Sha256 */
+            pdf_sha256: string | null;
+            /** Blocks */
+            blocks: components["schemas"]["BlockRead"][];
+            /** Clauses */
+            clauses: components["schemas"]["ClauseRow"][];
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
         };
         /**
          * WaivedSound
@@ -11703,6 +12861,1376 @@ export interface operations {
                 };
             };
             /** @description `calendar-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_contract_library: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                kind: components["schemas"]["ContractKind"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LibraryRead"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_library_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                kind: components["schemas"]["ContractKind"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_contract_templates: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateBrief"][];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TemplateAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `template-name-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-template` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TemplateImport"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `template-name-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-template` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                template_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                template_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TemplateChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `template-name-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-template` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    drop_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                template_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_contract_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                template_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_contract_template_text: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+                template_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_contracts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractBrief"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    begin_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ContractAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `engagement-not-found`, `template-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-contract-needed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `framework-needed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_contract_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DraftSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state`, `draft-moved-on` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-draft` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    preview_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DraftChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftPreview"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    send_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SendAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    take_back_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakeBackAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    ask_contract_change: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ChangeAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    accept_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AcceptAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state`, `text-moved-on`, `already-accepted` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    end_contract: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["EndAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    keep_contract_as_template: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ContractTemplateAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `template-name-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-template` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_contract_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionBrief"][];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_contract_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                version: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionRead"];
+                };
+            };
+            /** @description `contract-not-found`, `contract-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_contract_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                version: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description `contract-not-found`, `contract-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    compare_contract_versions: {
+        parameters: {
+            query: {
+                from_version: number;
+                to_version: number;
+            };
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ComparisonRead"];
+                };
+            };
+            /** @description `contract-not-found`, `contract-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_contract_record: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RecordRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_contract_record: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description `contract-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -102,9 +102,30 @@ export const tried = (toml: string, tables: unknown = TABLES, warnings: string[]
 type Part = 'producer' | 'reviewer' | 'designer'
 
 const PARTS = {
-  producer: { is_team: true, is_producer: true, is_liaison: false, is_decider: false, engagement_kind: null },
-  reviewer: { is_team: true, is_producer: false, is_liaison: false, is_decider: false, engagement_kind: null },
-  designer: { is_team: false, is_producer: false, is_liaison: false, is_decider: false, engagement_kind: 'contract' },
+  producer: {
+    is_team: true,
+    is_producer: true,
+    is_liaison: false,
+    is_decider: false,
+    engagement_kind: null,
+    nda_open: false,
+  },
+  reviewer: {
+    is_team: true,
+    is_producer: false,
+    is_liaison: false,
+    is_decider: false,
+    engagement_kind: null,
+    nda_open: false,
+  },
+  designer: {
+    is_team: false,
+    is_producer: false,
+    is_liaison: false,
+    is_decider: false,
+    engagement_kind: 'contract',
+    nda_open: false,
+  },
 }
 
 export const aProject = (part: Part = 'producer', more: Record<string, unknown> = {}) => ({

@@ -94,12 +94,21 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         <section aria-labelledby="list">
           <div className={classes.listHead}>
             <h2 id="list">Sound list</h2>
-            <span className="small dim">
-              {plural(sum.cues, 'cue')}, {plural(sum.files, 'file')}
-              {sum.settled < sum.cues && `, ${sum.cues - sum.settled} not settled yet`}
-            </span>
+            {!invitation.nda_needed && (
+              <span className="small dim">
+                {plural(sum.cues, 'cue')}, {plural(sum.files, 'file')}
+                {sum.settled < sum.cues && `, ${sum.cues - sum.settled} not settled yet`}
+              </span>
+            )}
           </div>
-          {cues.length === 0 ? (
+          {invitation.nda_needed ? (
+            <div className={classes.empty}>
+              <EmptyState head="The list opens with the project’s NDA." level={3}>
+                Start delivering makes your account; the agreement then waits for you under Contract, and list and spec
+                open once both have accepted it.
+              </EmptyState>
+            </div>
+          ) : cues.length === 0 ? (
             <div className={classes.empty}>
               <EmptyState head="The list is empty yet." level={3}>
                 You hear by mail when there is something to make.
@@ -115,20 +124,22 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
           )}
         </section>
         <div className="stack">
-          <Card aria-labelledby="spec">
-            <CardHead id="spec" title="How files must come" note={spec.name} />
-            <dl className={classes.facts}>
-              {factsOf(spec).map(({ term, text }) => (
-                <div key={term}>
-                  <dt>{term}</dt>
-                  <dd>{text}</dd>
-                </div>
-              ))}
-            </dl>
-            <p className={`small mid ${classes.foot}`}>
-              What does not fit comes back at once with what was found and what to do. That uses up no round.
-            </p>
-          </Card>
+          {spec && (
+            <Card aria-labelledby="spec">
+              <CardHead id="spec" title="How files must come" note={spec.name} />
+              <dl className={classes.facts}>
+                {factsOf(spec).map(({ term, text }) => (
+                  <div key={term}>
+                    <dt>{term}</dt>
+                    <dd>{text}</dd>
+                  </div>
+                ))}
+              </dl>
+              <p className={`small mid ${classes.foot}`}>
+                What does not fit comes back at once with what was found and what to do. That uses up no round.
+              </p>
+            </Card>
+          )}
           <p className="small dim">The link works until {day(expires_at)}. Whoever holds it sees this page.</p>
         </div>
       </div>

@@ -64,6 +64,7 @@ const INVITATION = {
   expires_at: '2027-01-02T09:00:00Z',
   cues: [CUE, WHALE],
   accepted: false,
+  nda_needed: false,
   spec: SPEC,
 }
 const NOBODY = { signed_in: false, demo: false, person: null }
@@ -101,6 +102,13 @@ describe('the link', () => {
     expect(screen.getByText('44.1 kHz, 48 kHz or 96 kHz')).toBeVisible()
     expect(screen.queryByRole('textbox')).not.toBeInTheDocument()
     expect(new Set(asked.map(({ method }) => method))).toEqual(new Set(['GET']))
+  })
+
+  test('shows no list before the NDA that the project asks for', async () => {
+    serve(given({ 'GET /v1/invitations/s3cret': { ...INVITATION, nda_needed: true, cues: [], spec: null } }))
+    openApp('/invitation/s3cret')
+    expect(await screen.findByText('The list opens with the project’s NDA.')).toBeVisible()
+    expect(screen.queryByRole('heading', { name: 'How files must come' })).not.toBeInTheDocument()
   })
 
   test('one that is too old says so, and what to do', async () => {

@@ -1,0 +1,523 @@
+"""The endpoints of contracts."""
+
+import json
+from collections.abc import Sequence
+from typing import Annotated, Any
+from urllib.parse import quote
+from uuid import UUID
+
+from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi.responses import PlainTextResponse
+
+from app.accounts.endpoints import allows
+from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
+from app.accounts.errors import StudioNotFound
+from app.accounts.rules import Actor, Sight
+from app.accounts.schemas import PersonBrief
+from app.contracts import agreeing, clauses, comparison, queries, record, schemas, templates
+from app.contracts.documents import PDF
+from app.contracts.errors import (
+    AlreadyAccepted,
+    BadDraft,
+    BadTemplate,
+    ContractNotFound,
+    ContractVersionNotFound,
+    DraftMovedOn,
+    FrameworkNeeded,
+    NoContractNeeded,
+    NotYourContract,
+    TemplateNameTaken,
+    TemplateNotFound,
+    TextMovedOn,
+    WrongState,
+)
+from app.contracts.models import Contract, ContractTemplate, ContractVersion
+from app.contracts.rules import ContractKind, ContractState, Party
+from app.contracts.text import Block, blocks_of
+from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound
+
+router = APIRouter(prefix="/v1", tags=["contracts"], route_class=Route)
+VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
+TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
+
+
+def _blocks(blocks: Sequence[Block]) -> list[schemas.BlockRead]:
+    return [schemas.BlockRead.model_validate(block) for block in blocks]
+
+
+def _version(version: ContractVersion, *, is_team: bool) -> schemas.VersionRead:
+    rows = [row for row in version.clauses if is_team or row["stands"]]
+    return schemas.VersionRead(
+        **schemas.VersionBrief.model_validate(version).model_dump(),
+        blocks=_blocks(blocks_of(version.text)),
+        clauses=[schemas.ClauseRow.model_validate(row) for row in rows],
+        terms=version.terms,
+    )
+
+
+def _waits_for(contract: Contract, accepted: Sequence[Party]) -> list[Party]:
+    if contract.state is ContractState.DRAFT:
+        return [Party.STUDIO]
+    return [party for party in Party if party not in accepted] if contract.state is ContractState.SENT else []
+
+
+def _brief(contract: Contract, actor: Actor, accepted: Sequence[Party]) -> dict[str, Any]:
+    same = {
+        name: getattr(contract, name)
+        for name in schemas.ContractBrief.model_fields
+        if name not in ("designer", "my_party", "waits_for")
+    }
+    return same | {
+        "designer": PersonBrief.model_validate(contract.designer),
+        "my_party": agreeing.party_of(actor, contract),
+        "waits_for": _waits_for(contract, accepted),
+    }
+
+
+def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.ContractRead:
+    versions = agreeing.versions_in_sight(session, actor, contract)
+    shown, is_team = versions[0], bool(actor.roles_in(contract.studio_id))
+    acceptances = queries.acceptances_of(session, shown.id) if contract.state is not ContractState.DRAFT else []
+    accepted = [each.party for each in acceptances]
+    party, state = agreeing.party_of(actor, contract), contract.state
+    is_draft, is_sent = state is ContractState.DRAFT, state is ContractState.SENT
+    asked = queries.newest_event(session, contract.id) if is_draft else None
+    change = json.loads(asked.payload) if asked and asked.kind == "change_asked" else None
+    return schemas.ContractRead(
+        **_brief(contract, actor, accepted),
+        studio_name=contract.project.studio.name,
+        version=_version(shown, is_team=is_team),
+        acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
+        change_asked=schemas.ChangeAsked(text=change["text"], clause=change["clause"], by=change["by"], at=asked.at)
+        if asked and change
+        else None,
+        may=schemas.MayRead(
+            change=is_draft and party is Party.STUDIO,
+            send=is_draft and party is Party.STUDIO,
+            take_back=is_sent and party is Party.STUDIO,
+            ask_change=is_sent and party is Party.DESIGNER,
+            accept=is_sent and party is not None and party not in accepted,
+            end=party is not None and state is not ContractState.ENDED,
+        ),
+    )
+
+
+def _template(template: ContractTemplate) -> schemas.TemplateRead:
+    return schemas.TemplateRead(
+        **schemas.TemplateBrief.model_validate(template).model_dump(),
+        clauses=[schemas.ClauseRow.model_validate(row) for row in template.clauses],
+        terms=template.terms,
+    )
+
+
+def _clauses(rows: Sequence[schemas.ClauseRow]) -> list[clauses.Clause]:
+    return [clauses.Clause(row.key, row.title.strip(), row.text.strip(), row.stands) for row in rows]
+
+
+def _draft(body: schemas.DraftChange) -> agreeing.Draft:
+    return agreeing.Draft(
+        title=body.title,
+        clauses=_clauses(body.clauses),
+        terms=body.terms,
+        currency=body.currency,
+        release_clause=body.release_clause,
+        holdback_bp=body.holdback_bp,
+    )
+
+
+def _attachment(name: str) -> dict[str, str]:
+    return {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
+
+
+@router.get("/contract-library/{kind}")
+def read_contract_library(
+    kind: ContractKind,
+    actor: Actor = allows(Sight.PERSON),  # noqa: ARG001  nobody's in particular
+) -> schemas.LibraryRead:
+    """Return the clauses that the library has for a kind of contract, and what they leave open."""
+    return schemas.LibraryRead(
+        kind=kind,
+        notice=templates.NOTICE,
+        clauses=[
+            schemas.LibraryClauseRead(
+                **each.clause.as_row(),
+                why=each.why,
+                music=each.music,
+                instead_of=each.instead_of,
+                terms=[schemas.TermRead.model_validate(term) for term in each.terms],
+            )
+            for each in clauses.library()
+            if kind in each.kinds
+        ],
+        variables=dict(clauses.FACTS),
+    )
+
+
+@router.get("/contract-library/{kind}/template.toml", response_class=PlainTextResponse)
+def download_library_template(
+    kind: ContractKind,
+    actor: Actor = allows(Sight.PERSON),  # noqa: ARG001  nobody's in particular
+) -> PlainTextResponse:
+    """Return what the library has for a kind as a template file."""
+    return PlainTextResponse(templates.library_toml(kind), media_type=TOML, headers=_attachment(f"{kind}.toml"))
+
+
+@router.get(
+    "/studios/{studio_id}/contract-templates",
+    response_model=list[schemas.TemplateBrief],
+    responses=problems(StudioNotFound, StudioProducerNeeded),
+)
+def list_contract_templates(
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> Sequence[ContractTemplate]:
+    """Return the templates that a studio keeps, by name."""
+    return templates.templates_of(session, actor, studio_id)
+
+
+@router.post(
+    "/studios/{studio_id}/contract-templates",
+    status_code=201,
+    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
+)
+def add_contract_template(
+    studio_id: UUID, body: schemas.TemplateAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.TemplateRead:
+    """Keep a template."""
+    return _template(
+        templates.keep_template(
+            session, actor, studio_id, name=body.name, kind=body.kind, clauses=_clauses(body.clauses), terms=body.terms
+        )
+    )
+
+
+@router.post(
+    "/studios/{studio_id}/contract-templates/import",
+    status_code=201,
+    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
+)
+def import_contract_template(
+    studio_id: UUID, body: schemas.TemplateImport, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.TemplateRead:
+    """Keep a template that comes as TOML."""
+    return _template(templates.import_template(session, actor, studio_id, body.toml, name=body.name))
+
+
+@router.get(
+    "/studios/{studio_id}/contract-templates/{template_id}",
+    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+)
+def read_contract_template(
+    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.TemplateRead:
+    """Return a template with its clauses."""
+    return _template(templates.template_in_sight(session, actor, studio_id, template_id))
+
+
+@router.put(
+    "/studios/{studio_id}/contract-templates/{template_id}",
+    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound, BadTemplate, TemplateNameTaken),
+)
+def change_contract_template(
+    studio_id: UUID,
+    template_id: UUID,
+    body: schemas.TemplateChange,
+    session: DbSession,
+    actor: Actor = allows(Sight.PRODUCER),
+) -> schemas.TemplateRead:
+    """Change a template; contracts that began from it stay as they are."""
+    return _template(
+        templates.change_template(
+            session, actor, studio_id, template_id, name=body.name, clauses=_clauses(body.clauses), terms=body.terms
+        )
+    )
+
+
+@router.delete(
+    "/studios/{studio_id}/contract-templates/{template_id}",
+    status_code=204,
+    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+)
+def drop_contract_template(
+    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> None:
+    """Keep a template no longer."""
+    templates.drop_template(session, actor, studio_id, template_id)
+
+
+@router.get(
+    "/studios/{studio_id}/contract-templates/{template_id}/template.toml",
+    response_class=PlainTextResponse,
+    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+)
+def download_contract_template(
+    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> PlainTextResponse:
+    """Return a template as the file that an import reads."""
+    template = templates.template_in_sight(session, actor, studio_id, template_id)
+    rows = [clauses.Clause.of(row) for row in template.clauses]
+    toml = templates.write_toml(template.name, template.kind, rows, template.terms)
+    return PlainTextResponse(toml, media_type=TOML, headers=_attachment(f"{template.name}.toml"))
+
+
+@router.get(
+    "/studios/{studio_id}/contract-templates/{template_id}/template.md",
+    response_class=PlainTextResponse,
+    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+)
+def download_contract_template_text(
+    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> PlainTextResponse:
+    """Return a template's standing clauses as Markdown, for lawyers to read."""
+    template = templates.template_in_sight(session, actor, studio_id, template_id)
+    text = templates.write_markdown(template.name, [clauses.Clause.of(row) for row in template.clauses])
+    return PlainTextResponse(text, media_type=MARKDOWN, headers=_attachment(f"{template.name}.md"))
+
+
+@router.get(
+    "/projects/{project_id}/contracts",
+    response_model=list[schemas.ContractBrief],
+    responses=problems(ProjectNotFound),
+)
+def list_contracts(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> list[schemas.ContractBrief]:
+    """Return the project's contracts, the oldest first; a designer sees their own, once they were sent."""
+    found = agreeing.contracts_of(session, actor, project_id)
+    accepted = queries.parties_who_accepted(session, [contract.id for contract in found])
+    return [schemas.ContractBrief(**_brief(contract, actor, accepted[contract.id])) for contract in found]
+
+
+@router.post(
+    "/projects/{project_id}/contracts",
+    status_code=201,
+    responses=problems(
+        ProjectNotFound, ProducerNeeded, EngagementNotFound, NoContractNeeded, FrameworkNeeded, TemplateNotFound
+    ),
+)
+def begin_contract(
+    project_id: UUID, body: schemas.ContractAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ContractRead:
+    """Begin a draft with one designer, from the library or a template of the studio."""
+    contract = agreeing.begin_contract(
+        session,
+        actor,
+        project_id,
+        engagement_id=body.engagement_id,
+        kind=body.kind,
+        title=body.title,
+        currency=body.currency,
+        template_id=body.template_id,
+        framework_id=body.framework_id,
+        with_music=body.with_music,
+    )
+    return _contract(session, actor, contract)
+
+
+@router.get("/contracts/{contract_id}", responses=problems(ContractNotFound))
+def read_contract(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ContractRead:
+    """Return a contract with its newest text; the designer reads what was sent."""
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.put(
+    "/contracts/{contract_id}/draft",
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftMovedOn, BadDraft),
+)
+def save_contract_draft(
+    contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ContractRead:
+    """Save the draft as its next version."""
+    agreeing.save_draft(
+        session, actor, contract_id, _draft(body), based_on_version=body.based_on_version, note=body.note
+    )
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/preview", responses=problems(ContractNotFound, ProducerNeeded))
+def preview_contract(
+    contract_id: UUID, body: schemas.DraftChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.DraftPreview:
+    """Return the text that a draft would have; nothing is saved."""
+    text, found = agreeing.preview(session, actor, contract_id, _draft(body))
+    return schemas.DraftPreview(
+        blocks=_blocks(blocks_of(text)), problems=[schemas.DraftProblem.model_validate(each) for each in found]
+    )
+
+
+@router.post(
+    "/contracts/{contract_id}/send",
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState),
+)
+def send_contract(
+    contract_id: UUID,
+    body: schemas.SendAdd,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.PRODUCER),
+) -> schemas.ContractRead:
+    """Put the text before both parties as PDF, with the open questions of this moment."""
+    agreeing.send(session, runtime.store, actor, contract_id, note=body.note)
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/take-back", responses=problems(ContractNotFound, ProducerNeeded, WrongState))
+def take_back_contract(
+    contract_id: UUID, body: schemas.TakeBackAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.ContractRead:
+    """Make a sent contract a draft again."""
+    agreeing.take_back(session, actor, contract_id, reason=body.reason)
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/ask-change", responses=problems(ContractNotFound, NotYourContract, WrongState))
+def ask_contract_change(
+    contract_id: UUID, body: schemas.ChangeAsk, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> schemas.ContractRead:
+    """Send a contract back to the studio with what its designer wants otherwise."""
+    agreeing.ask_change(session, actor, contract_id, text=body.text, clause_key=body.clause_key)
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post(
+    "/contracts/{contract_id}/accept",
+    responses=problems(ContractNotFound, NotYourContract, WrongState, TextMovedOn, AlreadyAccepted),
+)
+def accept_contract(
+    contract_id: UUID,
+    body: schemas.AcceptAdd,
+    request: Request,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+) -> schemas.ContractRead:
+    """Say yes to the text that was sent, for the caller's party; with the second yes it is agreed."""
+    agreeing.accept(
+        session,
+        actor,
+        contract_id,
+        name=body.name,
+        text_sha256=body.text_sha256,
+        address=request.client.host if request.client else "",
+    )
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/end", responses=problems(ContractNotFound, NotYourContract, WrongState))
+def end_contract(
+    contract_id: UUID, body: schemas.EndAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.ContractRead:
+    """End a contract, or give up a draft."""
+    agreeing.end(session, actor, contract_id, reason=body.reason)
+    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+
+
+@router.post(
+    "/contracts/{contract_id}/template",
+    status_code=201,
+    responses=problems(ContractNotFound, ProducerNeeded, TemplateNameTaken, BadTemplate),
+)
+def keep_contract_as_template(
+    contract_id: UUID, body: schemas.ContractTemplateAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.TemplateRead:
+    """Keep the contract's clauses and terms as a template of the studio."""
+    return _template(templates.keep_contract_as_template(session, actor, contract_id, name=body.name))
+
+
+@router.get(
+    "/contracts/{contract_id}/versions",
+    response_model=list[schemas.VersionBrief],
+    responses=problems(ContractNotFound),
+)
+def list_contract_versions(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> Sequence[ContractVersion]:
+    """Return the versions that the caller may see, the newest first."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    return agreeing.versions_in_sight(session, actor, contract)
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}", responses=problems(ContractNotFound, ContractVersionNotFound)
+)
+def read_contract_version(
+    contract_id: UUID, version: VersionNumber, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.VersionRead:
+    """Return one version of the text."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    found = agreeing.version_in_sight(session, actor, contract, version)
+    return _version(found, is_team=bool(actor.roles_in(contract.studio_id)))
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}/contract.pdf",
+    response_class=Response,
+    responses={
+        **problems(ContractNotFound, ContractVersionNotFound),
+        200: {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def download_contract_pdf(
+    contract_id: UUID,
+    version: VersionNumber,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Response:
+    """Return the PDF of a version that was sent: the bytes that both saw."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    found = agreeing.version_in_sight(session, actor, contract, version)
+    if found.pdf_sha256 is None:
+        raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
+    pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
+    return Response(pdf, media_type=PDF, headers=_attachment(f"{contract.title}, version {version}.pdf"))
+
+
+@router.get("/contracts/{contract_id}/comparison", responses=problems(ContractNotFound, ContractVersionNotFound))
+def compare_contract_versions(
+    contract_id: UUID,
+    session: DbSession,
+    from_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    to_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    actor: Actor = allows(Sight.PROJECT),
+) -> schemas.ComparisonRead:
+    """Return two versions word by word."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    earlier = agreeing.version_in_sight(session, actor, contract, from_version)
+    later = agreeing.version_in_sight(session, actor, contract, to_version)
+    lines = comparison.compare(earlier.text, later.text)
+    return schemas.ComparisonRead(
+        from_version=from_version,
+        to_version=to_version,
+        lines=[schemas.ComparedRead.model_validate(line) for line in lines],
+    )
+
+
+@router.get("/contracts/{contract_id}/record", responses=problems(ContractNotFound))
+def read_contract_record(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.RecordRead:
+    """Return the record of a contract, verified now."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    document = record.document_of(session, contract)
+    entries = [entry | {"payload": json.loads(entry["payload"])} for entry in document["entries"]]
+    return schemas.RecordRead(
+        contract_id=contract.id,
+        title=contract.title,
+        length=contract.record_length,
+        sha256=contract.record_sha256,
+        faults=list(record.faults_of(session, contract)),
+        entries=[schemas.EntryRead.model_validate(entry) for entry in entries],
+    )
+
+
+@router.get(
+    "/contracts/{contract_id}/record.json",
+    response_class=Response,
+    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+)
+def download_contract_record(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> Response:
+    """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
+    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
+    headers = _attachment(f"{contract.title}, record.json")
+    return Response(text, media_type="application/json", headers=headers)
