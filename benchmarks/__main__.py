@@ -25,6 +25,7 @@ def main() -> None:
     )
     parser.add_argument("subjects", nargs="*", help=f"{', '.join(SUBJECTS)}; all without")
     parser.add_argument("--quick", action="store_true", help="fewer runs")
+    parser.add_argument("--full", action="store_true", help="rendering: all 33 pairs of rates")
     parser.add_argument("--docs", action="store_true", help="write the tables into docs/benchmarks.md")
     asked = parser.parse_args()
     if unknown := set(asked.subjects) - set(SUBJECTS):
@@ -32,7 +33,8 @@ def main() -> None:
     results = {}
     for subject in asked.subjects or SUBJECTS:
         with tempfile.TemporaryDirectory() as folder:
-            rows = import_module(f"benchmarks.{subject}").rows(Path(folder), asked.quick)
+            more = {"full": asked.full} if subject == "rendering" else {}
+            rows = import_module(f"benchmarks.{subject}").rows(Path(folder), asked.quick, **more)
         results[subject] = plain(rows)
         text = f"{markdown(rows)}\n\n{machine()}; {os.getloadavg()[0]:.1f} processes were running."
         print(f"\n## {subject.capitalize()}\n\n{text}", flush=True)
