@@ -5,7 +5,8 @@ const lower = {
   audio: 'app|api|judging|losses|mending|uploads|parts',
   uploads: 'app|audio|judging|losses|mending|ui|parts',
   judging: 'losses|mending|uploads|parts',
-  losses: 'app|judging|mending|uploads|parts',
+  losses: 'app|judging|mending|money|uploads|parts',
+  money: 'app|audio|judging|losses|mending|uploads|parts',
   mending: 'losses|uploads|parts',
 }
 

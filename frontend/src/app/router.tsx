@@ -6,6 +6,7 @@ import { createSession } from '@/features/accounts/session'
 import { checkRoutes } from '@/features/checks/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
+import { moneyRoutes } from '@/features/money/routes'
 import { operationRoutes } from '@/features/operations/routes'
 import { projectRoutes } from '@/features/projects/routes'
 import { reviewRoutes } from '@/features/review/routes'
@@ -23,6 +24,7 @@ const pages = [
   shellRoute.addChildren([
     ...todayRoutes,
     ...projectRoutes,
+    ...moneyRoutes,
     ...reviewRoutes,
     ...soundListRoutes,
     ...deskRoutes,

@@ -26,7 +26,7 @@ export const keys = {
 }
 
 /** What a verdict changes elsewhere: lists and dashboards of the project, whoever shows them. */
-const TOUCHED = ['today', 'overview', 'standing', 'judged', 'take-history']
+const TOUCHED = ['today', 'overview', 'standing', 'judged', 'take-history', 'money']
 
 export const meQuery = queryOptions({
   queryKey: keys.me,

@@ -6,6 +6,7 @@ import { ApiProblem } from '@/api'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { meQuery } from '@/judging/api'
+import { OwedCards } from '@/money/OwedCard'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
 import { filesOfField, type Picked, useLeaveWarning, usePageDrop, useUploads } from '@/uploads'
@@ -141,6 +142,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           </DeliveryCard>
         </div>
         <aside className="stack" aria-label="Beside the deliveries">
+          <OwedCards projectId={projectId} />
           <ToMakeCard
             projectId={projectId}
             toMake={desk.to_make}

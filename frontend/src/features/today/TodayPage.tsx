@@ -12,6 +12,9 @@ import { isNoted } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
+import { cueMoneyQuery, moneyQuery } from '@/money/api'
+import { MilestonesCard } from '@/money/MilestonesCard'
+import { MoneyLine } from '@/money/MoneyLine'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
@@ -43,6 +46,8 @@ export function TodayPage(): ReactNode {
   const open = items.filter((item) => !isNoted(item))
   const first = firstOpen(items)
   const rest = items.filter((item) => item !== first)
+  const money = useQuery(moneyQuery(projectId))
+  const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
   const mayDecide = project?.is_decider ?? false
   useReady(player, first?.takes ?? [], rest)
@@ -134,6 +139,7 @@ export function TodayPage(): ReactNode {
                 <Drafts projectId={projectId} mayDecide={mayDecide} />
               </Card>
             )}
+            <MilestonesCard contracts={money.data?.contracts ?? []} side="team" />
             <WithOthersCard waiting={side.with_others} />
             <Builds builds={side.builds} />
             <Placeholders
@@ -143,6 +149,17 @@ export function TodayPage(): ReactNode {
             />
           </aside>
         )}
+        {money.data?.totals.map(({ currency, figures }) => (
+          <div key={currency} className={classes.money}>
+            <MoneyLine
+              currency={currency}
+              figures={figures}
+              side="team"
+              projectId={projectId}
+              wouldOweMinor={ofFirst.data?.currency === currency ? ofFirst.data.would_owe_minor : 0}
+            />
+          </div>
+        ))}
       </div>
     </div>
   )

@@ -1,0 +1,42 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { estimatesQuery } from '@/money/api'
+import { Card, CardHead } from '@/ui/Card'
+import { day, figure, plural } from '@/ui/format'
+
+import classes from './Page.module.css'
+
+/** How estimates turn out; for the two parties only. */
+export function EstimatesCard({ contractId }: { contractId: string }) {
+  const { data } = useQuery(estimatesQuery(contractId))
+  if (!data || (data.cues.length === 0 && data.milestones.length === 0)) return null
+  const id = `estimates-${contractId}`
+  const habits = [
+    { name: 'Cues', habit: data.cue_habit },
+    { name: 'Milestones', habit: data.milestone_habit },
+  ]
+  return (
+    <Card aria-labelledby={id}>
+      <CardHead id={id} title="Estimates" end="seen by you two only" />
+      <div className={classes.pad}>
+        {habits.map(({ name, habit: { pairs, mean_percent: mean, spread_points: spread } }) => (
+          <p key={name} className={classes.line}>
+            <span className="mid">{name}</span>
+            <span>
+              {mean === null || spread === null
+                ? 'none finished yet'
+                : `${mean > 0 ? '+' : ''}${figure(mean)} %, spread ${figure(spread)} points, of ${plural(pairs, 'estimate')}`}
+            </span>
+          </p>
+        ))}
+        {data.forecasts.map(({ milestone, due_on: due, forecast_on: forecast }) => (
+          <p key={milestone} className="small">
+            {milestone}:{' '}
+            {due === forecast ? 'in time, by this habit' : `${day(forecast)} by this habit, agreed ${day(due)}`}.
+          </p>
+        ))}
+        {data.warning !== null && <p className="small tone-warn">{data.warning}</p>}
+      </div>
+    </Card>
+  )
+}

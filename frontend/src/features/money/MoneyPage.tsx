@@ -1,0 +1,91 @@
+import { useQuery } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { useTitle } from '@/app/title'
+import { useMyProject } from '@/judging/api'
+import { type ContractMoney, moneyQuery } from '@/money/api'
+import { MilestonesCard } from '@/money/MilestonesCard'
+import { MoneyLine } from '@/money/MoneyLine'
+import { EmptyState } from '@/ui/EmptyState'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { CalendarCard } from './CalendarCard'
+import { EstimatesCard } from './EstimatesCard'
+import { InvoicesCard } from './InvoicesCard'
+import { LedgerCard } from './LedgerCard'
+import classes from './Page.module.css'
+import { RoundsCard } from './RoundsCard'
+
+/** What was agreed in a project, what is due and paid, and every line that says why. */
+export function MoneyPage() {
+  useTitle('Money')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/money' })
+  const project = useMyProject(projectId)
+  const { data, error } = useQuery(moneyQuery(projectId))
+  const side = project?.part === 'designer' ? 'designer' : 'team'
+  return (
+    <div className="page">
+      <header className={classes.head}>
+        <div>
+          <h1>Money</h1>
+          <p className="mid">
+            {data &&
+              data.contracts.length > 0 &&
+              'Only accepted cues owe money; every line names its cue, its clause and whose act it was.'}
+          </p>
+        </div>
+      </header>
+      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      {data?.contracts.length === 0 && (
+        <EmptyState head="No contract is agreed here.">
+          {side === 'team'
+            ? 'Sounds can be made and accepted without one. Once a contract is agreed, its milestones, invoices and payments stand here.'
+            : 'Once you and the studio have agreed on a contract, what you are owed and paid stands here.'}
+        </EmptyState>
+      )}
+      <div className="stack">
+        {data?.totals.map(({ currency, figures }) => (
+          <MoneyLine key={currency} currency={currency} figures={figures} side={side} />
+        ))}
+        {data?.contracts.map((contract) => (
+          <Contract
+            key={contract.contract_id}
+            contract={contract}
+            projectId={projectId}
+            side={side}
+            isProducer={project?.is_producer ?? false}
+          />
+        ))}
+      </div>
+    </div>
+  )
+}
+
+interface ContractProps {
+  contract: ContractMoney
+  projectId: string
+  side: 'team' | 'designer'
+  isProducer: boolean
+}
+
+function Contract({ contract, projectId, side, isProducer }: ContractProps) {
+  const grows = contract.slip_growth_days ?? 0
+  return (
+    <section className="columns" aria-label={`${contract.title}, ${contract.designer.name}`}>
+      <div className="stack">
+        <InvoicesCard contract={contract} side={side} isProducer={isProducer} />
+        <LedgerCard contractId={contract.contract_id} />
+      </div>
+      <aside className="stack" aria-label={`Beside ${contract.title}`}>
+        <MilestonesCard contracts={[contract]} side={side} end={`${contract.title}, ${contract.designer.name}`} />
+        {grows > 0 && (
+          <p className="small mid">Each milestone slips by {grows.toFixed(1)} days more than the one before.</p>
+        )}
+        <RoundsCard rounds={contract.proposed_rounds} side={side} isProducer={isProducer} />
+        {(isProducer || side === 'designer') && <EstimatesCard contractId={contract.contract_id} />}
+        <CalendarCard projectId={projectId} />
+      </aside>
+    </section>
+  )
+}

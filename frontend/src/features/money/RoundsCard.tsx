@@ -1,0 +1,59 @@
+import { ApiProblem } from '@/api'
+import { type ExtraRound, useSettleRound } from '@/money/api'
+import { money } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { FieldError } from '@/ui/FieldError'
+import { Row, Rows } from '@/ui/Rows'
+
+interface RoundsCardProps {
+  rounds: readonly ExtraRound[]
+  side: 'team' | 'designer'
+  isProducer: boolean
+}
+
+/** Rounds beyond those included, which wait for somebody's word on their price. */
+export function RoundsCard({ rounds, side, isProducer }: RoundsCardProps) {
+  if (rounds.length === 0) return null
+  return (
+    <Card aria-labelledby="rounds">
+      <CardHead id="rounds" title="Rounds too many" count={rounds.length} end="priced by the contract" />
+      <Rows>
+        {rounds.map((round) => (
+          <Round key={round.id} round={round} side={side} isProducer={isProducer} />
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+function Round({ round, side, isProducer }: { round: ExtraRound; side: 'team' | 'designer'; isProducer: boolean }) {
+  const settle = useSettleRound(round.id)
+  const price = money(round.amount_minor, round.currency)
+  return (
+    <Row>
+      <span className="grow">
+        <span className="strong">{round.cue.name}</span>
+        <span className="small mid">
+          {' '}
+          round {round.number} of {round.included}, {price}
+        </span>
+        {settle.error instanceof ApiProblem && <FieldError>{settle.error.detail}</FieldError>}
+      </span>
+      {side === 'team' && isProducer && (
+        <Button onClick={() => settle.mutate('agree')} aria-label={`Agree to ${price} for ${round.cue.name}`}>
+          Agree to {price}
+        </Button>
+      )}
+      {side === 'designer' && (
+        <Button
+          variant="quiet"
+          onClick={() => settle.mutate('drop')}
+          aria-label={`Let the price of round ${round.number} of ${round.cue.name} go`}
+        >
+          Let it go
+        </Button>
+      )}
+    </Row>
+  )
+}

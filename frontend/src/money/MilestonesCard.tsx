@@ -1,0 +1,64 @@
+import type { ReactNode } from 'react'
+
+import { Card, CardHead } from '@/ui/Card'
+import { dueDay, shortDay } from '@/ui/format'
+
+import type { ContractMoney } from './api'
+import classes from './Money.module.css'
+import { money, slipInWords } from './words'
+
+interface MilestonesCardProps {
+  contracts: readonly ContractMoney[]
+  side: 'team' | 'designer'
+  end?: ReactNode
+}
+
+/** How far each milestone is, counted in accepted cues. */
+export function MilestonesCard({ contracts, side, end = 'accepted cues count' }: MilestonesCardProps) {
+  const rows = contracts.flatMap((contract) =>
+    contract.milestones
+      .filter(({ is_deposit }) => !is_deposit)
+      .map((milestone) => ({
+        milestone,
+        currency: contract.currency,
+        slip: contract.slips.find(({ milestone_id }) => milestone_id === milestone.id),
+      })),
+  )
+  if (rows.length === 0) return null
+  return (
+    <Card aria-labelledby="milestones">
+      <CardHead id="milestones" title="Milestones" end={end} />
+      <ul aria-labelledby="milestones">
+        {rows.map(({ milestone, currency, slip }) => (
+          <li key={milestone.id} className={classes.milestone}>
+            <span className="strong">{milestone.name}</span>
+            <span className={classes.progress} aria-hidden="true">
+              <span style={{ width: `${(100 * milestone.accepted) / Math.max(1, milestone.wanted)}%` }} />
+            </span>
+            <span className={classes.end}>
+              {milestone.accepted} of {milestone.wanted}
+            </span>
+            <span className="small dim">
+              {milestone.due_on === null
+                ? 'no date'
+                : milestone.done_at
+                  ? shortDay(milestone.due_on)
+                  : dueDay(milestone.due_on)}
+            </span>
+            <span className="small mid">
+              {slip && slip.days > 0
+                ? slipInWords(slip, side)
+                : standing(milestone.done_at, milestone.owed_minor, milestone.paid_minor)}
+            </span>
+            <span className={`small ${classes.end}`}>{money(milestone.left_minor, currency)}</span>
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+function standing(doneAt: string | null, owedMinor: number, paidMinor: number): string {
+  if (doneAt !== null) return owedMinor > 0 && paidMinor >= owedMinor ? 'accepted and paid' : 'accepted'
+  return ''
+}
