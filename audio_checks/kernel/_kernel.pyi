@@ -49,7 +49,9 @@ def maxima(block: _Floats, rows: _Floats, /) -> None: ...
 def outstanding(
     heights: _Floats, reach: int, core: int, times: float, least: float, places: NDArray[np.int64], /
 ) -> int: ...
+def powers(signal: _Floats, window: _Floats, first: int, hop: int, turns: _Floats, out: _Floats, /) -> None: ...
 def products(block: _Floats, sums: _Floats, /) -> None: ...
+def ranks(values: _Floats, size: int, without: int, out: _Floats, /) -> None: ...
 def records(
     block: _Floats,
     loudest: float,
@@ -96,4 +98,17 @@ def true_peak(
     seen: int,
     /,
 ) -> tuple[float, int]: ...
-def unforeseen(samples: _Floats, first: int, window: _Floats, order: int, size: int, out: _Floats, /) -> None: ...
+def unforeseen(
+    samples: _Floats,
+    starts: NDArray[np.int64],
+    window: _Floats,
+    order: int,
+    size: int,
+    reach: int,
+    core: int,
+    times: float,
+    least: float,
+    heights: _Floats,
+    kept: NDArray[np.int64],
+    /,
+) -> int: ...

@@ -57,6 +57,54 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_RETURN_NONE;
 }
 
+/* Of each segment the highest value, the highest of those that are left without the `without` highest, and their mean. */
+enum { MOST_WITHOUT = 16 };
+
+static void rank_segment(const double *values, Py_ssize_t size, Py_ssize_t without, double *highest, double *next,
+                         double *mean) {
+    double top[MOST_WITHOUT + 1] = {0};
+    Py_ssize_t known = 0, below = 0;
+    for (Py_ssize_t at = 0; at < size; at++) {
+        if (known > without && values[at] <= top[without]) continue;
+        Py_ssize_t place = known > without ? without : known++;
+        for (; place > 0 && top[place - 1] < values[at]; place--) top[place] = top[place - 1];
+        top[place] = values[at];
+    }
+    double sum = 0;
+    for (Py_ssize_t at = 0; at < size; at++) {
+        if (values[at] > top[without]) continue;
+        sum += values[at];
+        below++;
+    }
+    *highest = top[0], *next = top[without];
+    const double rest = (double)(size - without - below); /* as high as the next, and among those left out or not */
+    *mean = (sum + rest * top[without]) / (double)(size - without);
+}
+
+PyObject *ranks(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *values;
+    planar out;
+    if (arguments("ranks", count, 4) < 0) return NULL;
+    const Py_ssize_t size = PyLong_AsSsize_t(args[1]), without = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || take_planar(&held, args[3], &out, 1) < 0 ||
+        !(values = TAKE_DOUBLES(&held, args[0], size * out.frames, 0)) || out.channels != 3 || without < 0 ||
+        without > MOST_WITHOUT || without >= size) {
+        if (!PyErr_Occurred()) {
+            PyErr_SetString(PyExc_ValueError, "three figures of every segment, and at most 16 values left out of it, are wanted");
+        }
+        let_go(&held);
+        return NULL;
+    }
+    for (Py_ssize_t segment = 0; segment < out.frames; segment++) {
+        double *to = out.samples + segment;
+        rank_segment(values + segment * size, size, without, to, to + out.row, to + 2 * out.row);
+    }
+    let_go(&held);
+    Py_RETURN_NONE;
+}
+
 /* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
  * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
 enum { MOST_COEFFICIENTS = 64 };
@@ -74,60 +122,113 @@ static void fit(const double *products, Py_ssize_t order, double *coefficients) 
     }
 }
 
-PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    double *samples, *window, *out, *faded;
-    if (arguments("unforeseen", count, 6) < 0) return NULL;
-    const Py_ssize_t first = PyLong_AsSsize_t(args[1]), order = PyLong_AsSsize_t(args[3]), size = PyLong_AsSsize_t(args[4]);
-    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(window = TAKE_DOUBLES(&held, args[2], -1, 0)) || !(out = TAKE_DOUBLES(&held, args[5], -1, 1))) {
-        let_go(&held);
-        return NULL;
-    }
-    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t frames = held.views[1].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t cells_wanted = held.views[2].len / (Py_ssize_t)sizeof(double);
-    if (order < 1 || order > MOST_COEFFICIENTS || first < order || size < 1 || frames <= order || first + frames > length ||
-        cells_wanted * size > frames) {
-        let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "1 to 64 coefficients, as many frames of history, and whole cells are wanted");
-        return NULL;
-    }
-    if (!(faded = malloc((size_t)frames * sizeof *faded))) {
-        let_go(&held);
-        return PyErr_NoMemory();
-    }
-    Py_BEGIN_ALLOW_THREADS
-    double products[MOST_COEFFICIENTS + 1], coefficients[MOST_COEFFICIENTS] = {0};
-    for (Py_ssize_t at = 0; at < frames; at++) faded[at] = samples[first + at] * window[at];
-    in_lanes()->lagged(faded, frames, order, products);
-    products[0] *= 1 + 1e-10;
-    fit(products, order, coefficients);
-    in_lanes()->foretell(samples + first, coefficients, order, frames, faded);
-    for (Py_ssize_t cell = 0; cell < cells_wanted; cell++) out[cell] = in_lanes()->highest(faded + cell * size, size);
-    Py_END_ALLOW_THREADS
-    free(faded);
-    let_go(&held);
-    Py_RETURN_NONE;
-}
-
-/* Where a height is `times` what lies around it, `reach` cells before and after, and more than `least`. Of the `core`
- * cells on either side the one may belong to it too: only the lower of two neighbours counts. */
-static Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t reach, Py_ssize_t core,
-                                   double times, double least, int64_t *places) {
+/* Where, of the cells `from` until `until`, a height is `times` what lies around it, `reach` cells before and after, and
+ * more than `least`. Of the `core` cells on either side the one may belong to it too: only the lower of two neighbours
+ * counts. Beyond the heights given lies nothing. */
+static Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t from, Py_ssize_t until,
+                                   Py_ssize_t reach, Py_ssize_t core, double times, double least, int64_t *places) {
     Py_ssize_t found = 0;
-    for (Py_ssize_t at = reach; at < count - reach; at++) {
+    for (Py_ssize_t at = from; at < until; at++) {
         const double here = heights[at];
         if (!(here > least)) continue;
         int highest = 1;
         for (Py_ssize_t off = 1; off <= reach && highest; off++) {
-            const double before = heights[at - off] * times, after = heights[at + off] * times;
-            highest = off > core ? here > before && here > after : here > before || here > after;
+            const int beats_before = at < off || here > heights[at - off] * times;
+            const int beats_after = at + off >= count || here > heights[at + off] * times;
+            highest = off > core ? beats_before && beats_after : beats_before || beats_after;
         }
         if (highest) places[found++] = at;
     }
     return found;
+}
+
+/* A steady stretch of cells, and room to work on it. */
+typedef struct {
+    const double *window;
+    Py_ssize_t frames, order, size, cells, reach, core;
+    double times, least;
+    double *room;
+    int64_t *places;
+} steady;
+
+static void measure_rests(const steady *by, const double *samples, const double *coefficients, Py_ssize_t from,
+                          Py_ssize_t until, double *heights) {
+    const double *start = samples + from * by->size;
+    in_lanes()->foretell(start, coefficients, by->order, (until - from) * by->size, by->room);
+    for (Py_ssize_t cell = from; cell < until; cell++) {
+        heights[cell] = in_lanes()->highest(by->room + (cell - from) * by->size, by->size);
+    }
+}
+
+/* Measure what cannot be foretold of each cell, first of those that may stand out (all but `reach` on either side):
+ * what does not stand out among these does not among all, and the rest need not be measured. */
+static int look_closer(const steady *by, const double *samples, double *heights) {
+    double products[MOST_COEFFICIENTS + 1], coefficients[MOST_COEFFICIENTS] = {0};
+    const Py_ssize_t inner = by->cells - 2 * by->reach;
+    for (Py_ssize_t at = 0; at < by->frames; at++) by->room[at] = samples[at] * by->window[at];
+    in_lanes()->lagged(by->room, by->frames, by->order, products);
+    products[0] *= 1 + 1e-10;
+    fit(products, by->order, coefficients);
+    measure_rests(by, samples, coefficients, by->reach, by->reach + inner, heights);
+    if (!find_outstanding(heights + by->reach, inner, 0, inner, by->reach, by->core, by->times, by->least, by->places)) {
+        return 0;
+    }
+    measure_rests(by, samples, coefficients, 0, by->reach, heights);
+    measure_rests(by, samples, coefficients, by->reach + inner, by->cells, heights);
+    return 1;
+}
+
+/* samples, where stretches start, window, coefficients, frames of a cell, cells that are compared on either side, those
+ * that may belong to what stands out, times, least height, heights (stretches, cells) -> those in which something may
+ * stand out; of these the heights are whole, and they come first */
+PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *samples;
+    const int64_t *starts;
+    planar heights;
+    steady by;
+    if (arguments("unforeseen", count, 11) < 0) return NULL;
+    by.order = PyLong_AsSsize_t(args[3]), by.size = PyLong_AsSsize_t(args[4]);
+    by.reach = PyLong_AsSsize_t(args[5]), by.core = PyLong_AsSsize_t(args[6]);
+    by.times = PyFloat_AsDouble(args[7]), by.least = PyFloat_AsDouble(args[8]);
+    int64_t *kept;
+    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(starts = take_row(&held, args[1], -1, sizeof(int64_t), 0)) || !(by.window = TAKE_DOUBLES(&held, args[2], -1, 0)) ||
+        take_planar(&held, args[9], &heights, 1) < 0 ||
+        !(kept = take_row(&held, args[10], heights.channels, sizeof(int64_t), 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t stretches = held.views[1].len / (Py_ssize_t)sizeof(int64_t);
+    by.frames = held.views[2].len / (Py_ssize_t)sizeof(double), by.cells = heights.frames;
+    int fits = by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.reach >= 0 && by.frames > by.order &&
+               by.cells > 2 * by.reach && by.cells * by.size <= by.frames && heights.channels == stretches;
+    for (Py_ssize_t at = 0; at < stretches && fits; at++) fits = starts[at] >= by.order && starts[at] + by.frames <= length;
+    if (!fits) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "1 to 64 coefficients, as many frames of history, and whole cells are wanted");
+        return NULL;
+    }
+    by.room = malloc((size_t)by.frames * sizeof *by.room);
+    by.places = malloc((size_t)by.cells * sizeof *by.places);
+    if (!by.room || !by.places) {
+        free(by.room);
+        free(by.places);
+        let_go(&held);
+        return PyErr_NoMemory();
+    }
+    Py_ssize_t found = 0;
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t at = 0; at < stretches; at++) {
+        if (look_closer(&by, samples + starts[at], heights.samples + found * heights.row)) kept[found++] = at;
+    }
+    Py_END_ALLOW_THREADS
+    free(by.room);
+    free(by.places);
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
 }
 
 PyObject *outstanding(PyObject *module, PyObject *const *args, Py_ssize_t count) {
@@ -149,7 +250,8 @@ PyObject *outstanding(PyObject *module, PyObject *const *args, Py_ssize_t count)
         PyErr_SetString(PyExc_ValueError, "a reach of 0 cells or more is wanted");
         return NULL;
     }
-    const Py_ssize_t found = find_outstanding(heights, heights_given, reach, core, times, least, places);
+    const Py_ssize_t found =
+        find_outstanding(heights, heights_given, reach, heights_given - reach, reach, core, times, least, places);
     let_go(&held);
     return PyLong_FromSsize_t(found);
 }

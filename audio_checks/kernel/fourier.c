@@ -184,7 +184,7 @@ CLONES static void cut(const double *RESTRICT x, double *RESTRICT y, const doubl
 
 typedef struct {
     planar stream, out;
-    Py_buffer response, turns_in, turns_out;
+    const double *response, *turns_in, *turns_out;
     length hop_in, hop_out, edge_out, n, m;
 } conversion;
 
@@ -199,9 +199,9 @@ static void convert_blocks(const conversion *c, double *x, double *y) {
             to[v] = c->out.samples + channel * c->out.row + block * c->hop_out;
         }
         gather(x, window, c->n);
-        double *spectrum = transform(x, y, c->turns_in.buf, c->n), *room = spectrum == x ? y : x;
-        cut(spectrum, room, c->response.buf, c->n, c->m);
-        const double *answer = transform(room, spectrum, c->turns_out.buf, c->m);
+        double *spectrum = transform(x, y, c->turns_in, c->n), *room = spectrum == x ? y : x;
+        cut(spectrum, room, c->response, c->n, c->m);
+        const double *answer = transform(room, spectrum, c->turns_out, c->m);
         for (int v = 0; v < VALUE; v++) {
             if (!to[v]) continue;
             const double *from = answer + VALUE * c->edge_out + (v + LANES) % VALUE;
@@ -210,71 +210,69 @@ static void convert_blocks(const conversion *c, double *x, double *y) {
     }
 }
 
+/* How many items the buffer holds that was taken last. */
+static length items(const holding *held, Py_ssize_t size) { return held->views[held->count - 1].len / size; }
+
+enum { TURN = 2 * sizeof(double) };
+
 PyObject *convert(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
-    conversion c = {0};
+    holding held = {.count = 0};
+    conversion c;
+    double *room = NULL;
     if (arguments("convert", count, 8) < 0) return NULL;
     c.hop_in = PyLong_AsSsize_t(args[5]);
     c.hop_out = PyLong_AsSsize_t(args[6]);
     c.edge_out = PyLong_AsSsize_t(args[7]);
-    if (PyErr_Occurred()) return NULL;
-    if (planar_open(args[0], &c.stream, 0) < 0) return NULL;
-    PyObject *answer = NULL;
-    double *room = NULL;
-    if (planar_open(args[1], &c.out, 1) < 0) goto close_stream;
-    if (row_open(args[2], &c.response, -1, sizeof(double), 0) < 0) goto close_out;
-    if (row_open(args[3], &c.turns_in, -1, 2 * sizeof(double), 0) < 0) goto close_response;
-    if (row_open(args[4], &c.turns_out, -1, 2 * sizeof(double), 0) < 0) goto close_turns_in;
-    c.n = c.turns_in.len / (2 * (length)sizeof(double));
-    c.m = c.turns_out.len / (2 * (length)sizeof(double));
-    const length blocks = c.hop_out > 0 ? c.out.frames / c.hop_out : 0;
-    if (!transforms(c.n) || !transforms(c.m) || c.hop_out < 1 || c.hop_in < 1 || c.edge_out < 0 || c.m < 1 || c.m > c.n || c.edge_out + c.hop_out > c.m ||
-        c.out.channels != c.stream.channels || blocks * c.hop_out != c.out.frames || blocks < 1 ||
-        (blocks - 1) * c.hop_in + c.n > c.stream.frames || c.response.len < (c.m / 2 + 1) * (length)sizeof(double)) {
-        PyErr_SetString(PyExc_ValueError, "the stream, the room for its blocks and their plan do not fit together");
-        goto close_turns_out;
+    if (PyErr_Occurred() || take_planar(&held, args[0], &c.stream, 0) < 0 || take_planar(&held, args[1], &c.out, 1) < 0 ||
+        !(c.response = TAKE_DOUBLES(&held, args[2], -1, 0))) {
+        goto refused;
     }
-    room = PyMem_Malloc((size_t)c.n * 2 * VALUE * sizeof(double));
-    if (!room) {
+    const length bins = items(&held, sizeof(double));
+    if (!(c.turns_in = take_row(&held, args[3], -1, TURN, 0))) goto refused;
+    c.n = items(&held, TURN);
+    if (!(c.turns_out = take_row(&held, args[4], -1, TURN, 0))) goto refused;
+    c.m = items(&held, TURN);
+    const length blocks = c.hop_out > 0 ? c.out.frames / c.hop_out : 0;
+    if (!transforms(c.n) || !transforms(c.m) || c.hop_out < 1 || c.hop_in < 1 || c.edge_out < 0 || c.m < 1 || c.m > c.n ||
+        c.edge_out + c.hop_out > c.m || c.out.channels != c.stream.channels || blocks * c.hop_out != c.out.frames ||
+        blocks < 1 || (blocks - 1) * c.hop_in + c.n > c.stream.frames || bins < c.m / 2 + 1) {
+        PyErr_SetString(PyExc_ValueError, "the stream, the room for its blocks and their plan do not fit together");
+        goto refused;
+    }
+    if (!(room = PyMem_Malloc((size_t)c.n * 2 * VALUE * sizeof(double)))) {
         PyErr_NoMemory();
-        goto close_turns_out;
+        goto refused;
     }
     Py_BEGIN_ALLOW_THREADS
     convert_blocks(&c, room, room + VALUE * c.n);
     Py_END_ALLOW_THREADS
     PyMem_Free(room);
-    answer = Py_None;
-    Py_INCREF(answer);
-close_turns_out:
-    PyBuffer_Release(&c.turns_out);
-close_turns_in:
-    PyBuffer_Release(&c.turns_in);
-close_response:
-    PyBuffer_Release(&c.response);
-close_out:
-    planar_close(&c.out);
-close_stream:
-    planar_close(&c.stream);
-    return answer;
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
 }
 
 PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
+    holding held = {.count = 0};
     planar re, im;
-    Py_buffer turns;
-    PyObject *answer = NULL;
+    const double *turns;
+    double *x = NULL;
     if (arguments("fourier", count, 3) < 0) return NULL;
-    if (planar_open(args[0], &re, 1) < 0) return NULL;
-    if (planar_open(args[1], &im, 1) < 0) goto close_re;
-    if (row_open(args[2], &turns, re.frames, 2 * sizeof(double), 0) < 0) goto close_im;
+    if (take_planar(&held, args[0], &re, 1) < 0 || take_planar(&held, args[1], &im, 1) < 0 ||
+        !(turns = take_row(&held, args[2], re.frames, TURN, 0))) {
+        goto refused;
+    }
     if (im.frames != re.frames || im.channels != re.channels || !transforms(re.frames)) {
         PyErr_SetString(PyExc_ValueError, "two parts of one shape are wanted, their length a product of 2, 3, 5 and 7");
-        goto close_turns;
+        goto refused;
     }
-    double *x = PyMem_Malloc((size_t)re.frames * 2 * VALUE * sizeof(double));
-    if (!x) {
+    if (!(x = PyMem_Malloc((size_t)re.frames * 2 * VALUE * sizeof(double)))) {
         PyErr_NoMemory();
-        goto close_turns;
+        goto refused;
     }
     Py_BEGIN_ALLOW_THREADS
     for (length first = 0; first < re.channels; first += LANES) {
@@ -285,7 +283,7 @@ PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count) {
             from[LANES + l] = im.samples + (first + l) * im.row;
         }
         gather(x, from, re.frames);
-        const double *done = transform(x, x + VALUE * re.frames, turns.buf, re.frames);
+        const double *done = transform(x, x + VALUE * re.frames, turns, re.frames);
         for (length l = 0; l < here; l++)
             for (length i = 0; i < re.frames; i++) {
                 re.samples[(first + l) * re.row + i] = done[VALUE * i + l];
@@ -294,39 +292,104 @@ PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     Py_END_ALLOW_THREADS
     PyMem_Free(x);
-    answer = Py_None;
-    Py_INCREF(answer);
-close_turns:
-    PyBuffer_Release(&turns);
-close_im:
-    planar_close(&im);
-close_re:
-    planar_close(&re);
-    return answer;
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
+}
+
+/* Power of the bins of two real signals that were transformed as the parts of a complex one, z = a + ib: twice the
+ * spectrum of a is z[k] + z*[n-k], and twice that of b, but for a quarter turn, z[k] - z*[n-k]. */
+CLONES static void split_powers(const double *RESTRICT z, length n, length bins, double *RESTRICT powers) {
+    for (length k = 0; k < bins; k++) {
+        const double *here = z + VALUE * k, *mirror = z + VALUE * (k ? n - k : 0);
+        double *to = powers + VALUE * k;
+        EACH {
+            const double ar = here[l] + mirror[l], ai = here[LANES + l] - mirror[LANES + l];
+            const double br = here[l] - mirror[l], bi = here[LANES + l] + mirror[LANES + l];
+            to[l] = (ar * ar + ai * ai) * 0.25;
+            to[LANES + l] = (br * br + bi * bi) * 0.25;
+        }
+    }
+}
+
+CLONES static void fade(double *RESTRICT x, const double *RESTRICT window, length n) {
+    for (length i = 0; i < n; i++, x += VALUE)
+        for (int v = 0; v < VALUE; v++) x[v] *= window[i];
+}
+
+/* signal, window, first start, distance of starts, turns, powers to fill: (windows of all channels, bins), the channels
+ * of one window after each other */
+PyObject *powers(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar signal, out;
+    const double *window, *turns;
+    double *x = NULL;
+    if (arguments("powers", count, 6) < 0) return NULL;
+    const length first = PyLong_AsSsize_t(args[2]), hop = PyLong_AsSsize_t(args[3]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &signal, 0) < 0 || !(window = TAKE_DOUBLES(&held, args[1], -1, 0))) {
+        goto refused;
+    }
+    const length n = items(&held, sizeof(double));
+    if (!(turns = take_row(&held, args[4], n, TURN, 0)) || take_planar(&held, args[5], &out, 1) < 0) goto refused;
+    const length windows = signal.channels ? out.channels / signal.channels : 0;
+    if (n < 1 || !transforms(n) || first < 0 || hop < 0 || out.frames > n || windows * signal.channels != out.channels ||
+        (windows && first + (windows - 1) * hop + n > signal.frames)) {
+        PyErr_SetString(PyExc_ValueError, "windows inside the signal and a row of bins for each channel of each are wanted");
+        goto refused;
+    }
+    if (!(x = PyMem_Malloc((size_t)n * 2 * VALUE * sizeof(double)))) {
+        PyErr_NoMemory();
+        goto refused;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (length done = 0; done < out.channels; done += VALUE) {
+        const double *from[VALUE] = {0};
+        const length here = out.channels - done < VALUE ? out.channels - done : VALUE;
+        for (length v = 0; v < here; v++) {
+            const length number = (done + v) / signal.channels, channel = (done + v) % signal.channels;
+            from[v] = signal.samples + channel * signal.row + first + number * hop;
+        }
+        gather(x, from, n);
+        fade(x, window, n);
+        double *spectrum = transform(x, x + VALUE * n, turns, n), *room = spectrum == x ? x + VALUE * n : x;
+        split_powers(spectrum, n, out.frames, room);
+        for (length v = 0; v < here; v++)
+            for (length k = 0; k < out.frames; k++) out.samples[(done + v) * out.row + k] = room[VALUE * k + v];
+    }
+    Py_END_ALLOW_THREADS
+    PyMem_Free(x);
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
 }
 
 PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
+    holding held = {.count = 0};
     planar stream, out;
-    Py_buffer first, last;
-    PyObject *answer = NULL;
+    const int64_t *from, *until;
     if (arguments("hush", count, 4) < 0) return NULL;
-    if (planar_open(args[0], &stream, 0) < 0) return NULL;
-    if (planar_open(args[1], &out, 1) < 0) goto close_stream;
-    if (row_open(args[2], &first, out.frames, sizeof(int64_t), 0) < 0) goto close_out;
-    if (row_open(args[3], &last, out.frames, sizeof(int64_t), 0) < 0) goto close_first;
-    const int64_t *from = first.buf, *until = last.buf;
+    if (take_planar(&held, args[0], &stream, 0) < 0 || take_planar(&held, args[1], &out, 1) < 0 ||
+        !(from = take_row(&held, args[2], out.frames, sizeof(int64_t), 0)) ||
+        !(until = take_row(&held, args[3], out.frames, sizeof(int64_t), 0))) {
+        goto refused;
+    }
     int64_t least = 0;
     for (length i = 0; i < out.frames; i++) {
         if (from[i] < least || until[i] < from[i] || until[i] >= stream.frames) {
             PyErr_SetString(PyExc_ValueError, "what a frame hears must lie inside the stream, in rising order");
-            goto close_last;
+            goto refused;
         }
         least = from[i];
     }
     if (out.channels != stream.channels) {
         PyErr_SetString(PyExc_ValueError, "the stream and what came of it have different channels");
-        goto close_last;
+        goto refused;
     }
     Py_BEGIN_ALLOW_THREADS
     for (length channel = 0; channel < out.channels; channel++) {
@@ -340,15 +403,9 @@ PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         }
     }
     Py_END_ALLOW_THREADS
-    answer = Py_None;
-    Py_INCREF(answer);
-close_last:
-    PyBuffer_Release(&last);
-close_first:
-    PyBuffer_Release(&first);
-close_out:
-    planar_close(&out);
-close_stream:
-    planar_close(&stream);
-    return answer;
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
 }

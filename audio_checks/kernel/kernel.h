@@ -76,17 +76,9 @@ static inline double largest(together each) { return each; }
 
 /* Samples by channel: each row contiguous, rows `row` apart. */
 typedef struct {
-    Py_buffer view;
     double *samples;
     Py_ssize_t channels, frames, row;
 } planar;
-
-/* Open `object` as a planar block of float64, shape (channels, frames); 0, or -1 with an error set. */
-int planar_open(PyObject *object, planar *block, int writable);
-void planar_close(planar *block);
-
-/* Open `object` as `count` numbers of `size` bytes in a row; a count of -1 takes any. */
-int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t size, int writable);
 
 /* The buffers that a call holds, let go of together. */
 enum { MAX_HELD = 8 };
@@ -158,14 +150,16 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(loud_rows, "Find the first and the last row with a maximum above a level; both -1 where there is none.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
+    EACH(powers, "Find the power of the bins of windows of real signals.") \
     EACH(products, "Add to the products of every two channels.") \
+    EACH(ranks, "Find each segment's highest value, and highest and mean of those without the few highest.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
-    EACH(unforeseen, "Foretell each sample from those before it; measure the largest error of each cell.")
+    EACH(unforeseen, "Foretell samples of steady stretches from those before; find where an error may stand out.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);
 FUNCTIONS(DECLARED)

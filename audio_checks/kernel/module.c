@@ -7,26 +7,6 @@ int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted) {
     return -1;
 }
 
-int planar_open(PyObject *object, planar *block, int writable) {
-    holding held = {.count = 0};
-    const int result = take_planar(&held, object, block, writable);
-    if (result < 0) let_go(&held);
-    else block->view = held.views[0];
-    return result;
-}
-
-void planar_close(planar *block) { PyBuffer_Release(&block->view); }
-
-int row_open(PyObject *object, Py_buffer *view, Py_ssize_t count, Py_ssize_t size, int writable) {
-    holding held = {.count = 0};
-    if (!take_row(&held, object, count, size, writable)) {
-        let_go(&held);
-        return -1;
-    }
-    *view = held.views[0];
-    return 0;
-}
-
 void let_go(holding *held) {
     while (held->count > 0) PyBuffer_Release(&held->views[--held->count]);
 }

@@ -124,24 +124,44 @@ class Clicks:
         place = self._segment - self._first
         shape = (len(samples), count, SEGMENT)
         inner = slice(place, place + count * SEGMENT)
-        rest = SEGMENT - CLICKED
-        sharpness = np.partition(recent.sharpness[:, inner].reshape(shape), (rest - 1, SEGMENT - 1), axis=2)
-        power = np.partition(recent.edges[:, inner].reshape(shape), rest - 1, axis=2)[:, :, :rest].mean(axis=2)
-        steady = (sharpness[:, :, -1] > self._least) & (
-            np.square(sharpness[:, :, rest - 1]) < STEADY**2 / self._cell * power
-        )
-        for channel, number in np.argwhere(steady).tolist():
-            before = at + (number * SEGMENT - REACH) * self._cell
-            if before < ORDER:  # of many channels less is kept
-                continue
-            around = slice(place + number * SEGMENT - LEVEL_CELLS, place + (number + 1) * SEGMENT + LEVEL_CELLS)
-            if recent.squares[channel, around].max() < self._quietest:
-                continue
-            heights = np.empty(SEGMENT + 2 * REACH)
-            kernel.unforeseen(samples[channel], before, self._window, ORDER, self._cell, heights)
-            if heights[REACH:-REACH].max() < ABOVE_MEAN * heights.mean():
-                continue
-            self._keep(recent, channel, self._segment + number * SEGMENT, heights, STANDS_OUT)
+        steady = np.empty((len(samples), count), np.bool_)
+        ranks = np.empty((3, count))
+        for channel in range(len(samples)):
+            kernel.ranks(recent.sharpness[channel, inner], SEGMENT, CLICKED, ranks)
+            sharpest, sharp = ranks[0].copy(), ranks[1].copy()
+            kernel.ranks(recent.edges[channel, inner], SEGMENT, CLICKED, ranks)
+            steady[channel] = (sharpest > self._least) & (np.square(sharp) < STEADY**2 / self._cell * ranks[2])
+        steady &= _loudest_nearby(recent.squares[:, inner].reshape(shape)) >= self._quietest
+        starts = at + (np.arange(count) * SEGMENT - REACH) * self._cell
+        steady &= starts >= ORDER  # of many channels less is kept
+        for channel in np.flatnonzero(steady.any(axis=1)).tolist():
+            numbers = np.flatnonzero(steady[channel])
+            heights = np.empty((len(numbers), SEGMENT + 2 * REACH))
+            kept = np.empty(len(numbers), np.int64)
+            found = kernel.unforeseen(
+                samples[channel],
+                starts[numbers],
+                self._window,
+                ORDER,
+                self._cell,
+                REACH,
+                CORE,
+                STANDS_OUT,
+                self._lowest,
+                heights,
+                kept,
+            )
+            for place, row in zip(kept[:found].tolist(), heights, strict=False):
+                if row[REACH:-REACH].max() >= ABOVE_MEAN * row.mean():
+                    self._keep(recent, channel, self._segment + int(numbers[place]) * SEGMENT, row, STANDS_OUT)
+
+
+def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the largest of each segment and of those beside it, (channels, segments); inf where one is not known."""
+    loudest = np.full((squares.shape[0], squares.shape[1] + 2), np.inf)
+    loudest[:, 1:-1] = squares.max(axis=2)
+    nearby: NDArray[np.float64] = np.maximum(np.maximum(loudest[:, :-2], loudest[:, 2:]), loudest[:, 1:-1])
+    return nearby
 
 
 def _power_around(squares: NDArray[np.float64], place: int) -> tuple[float, float]:

@@ -120,12 +120,24 @@ def test_what_is_reported_did_come_twice(samples: Samples, seed: int):
         assert start == lag or row[start - 1] != row[start - 1 - lag]
 
 
+REACH, CORE, TIMES = 3, 1, 3.5
+
+
+def unforeseen(row: NDArray[np.float64], window: NDArray[np.float64], order: int, cells: int, least: float = 0.0):
+    """The heights of one stretch that starts at `order`; None where nothing may stand out."""
+    heights, kept = np.empty((1, cells)), np.empty(1, np.int64)
+    starts = np.array([order])
+    found = kernel.unforeseen(row, starts, window, order, 24, REACH, CORE, TIMES, least, heights, kept)
+    return heights[0] if found else None
+
+
 @pytest.mark.parametrize("frames", [400, 1_003])
 @pytest.mark.parametrize("order", [1, 8, 20])
 def test_what_cannot_be_foretold(frames: int, order: int):
     rng = np.random.default_rng(frames + order)
     times = np.arange(frames + order)
     row = np.sin(0.3 * times) + 0.5 * np.sin(1.1 * times) + 0.01 * rng.standard_normal(len(times))
+    row[order + 200] += 5.0
     window = np.hanning(frames)
     faded = row[order:] * window
     products = np.array([faded[: frames - lag] @ faded[lag:] for lag in range(order + 1)])
@@ -135,15 +147,67 @@ def test_what_cannot_be_foretold(frames: int, order: int):
     rest = row[order:].copy()
     for place in range(order):
         rest -= coefficients[place] * row[order - 1 - place :][:frames]
-    out = np.empty(frames // 24)
-    kernel.unforeseen(row, order, window, order, 24, out)
-    np.testing.assert_allclose(out, np.abs(rest[: len(out) * 24]).reshape(-1, 24).max(axis=1), rtol=1e-6)
+    cells = frames // 24
+    wanted = np.abs(rest[: cells * 24]).reshape(-1, 24).max(axis=1)
+    inner = wanted[REACH:-REACH].tolist()
+    found = unforeseen(row, window, order, cells)
+    if found is None:
+        assert not any(stands_out(inner, at) for at in range(len(inner)))
+    else:
+        np.testing.assert_allclose(found, wanted, rtol=1e-6)
+
+
+def stands_out(heights: list[float], at: int) -> bool:
+    """Whether one is so many times those around it, of the nearest two the lower."""
+    beside = [heights[near] if 0 <= near < len(heights) else 0.0 for near in (at - 1, at + 1)]
+    far = [*heights[max(at - REACH, 0) : max(at - CORE, 0)], *heights[at + CORE + 1 : at + REACH + 1]]
+    return heights[at] > TIMES * max([min(beside), *far])
+
+
+@given(st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=2 * REACH + 1, max_size=40))
+def test_what_stands_out(heights: list[float]):
+    row, places = np.array(heights), np.empty(len(heights), np.int64)
+    count = kernel.outstanding(row, REACH, CORE, TIMES, 0.15, places)
+    wanted = [at for at in range(REACH, len(row) - REACH) if heights[at] > 0.15 and stands_out(heights, at)]
+    assert places[:count].tolist() == wanted
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 0.5, 3.0]))
+def test_a_stretch_that_is_passed_over_has_nothing_that_stands_out(seed: int, click: float):
+    # The bound: what stands out of all cells stands out of the inner ones, which are looked at first.
+    rng = np.random.default_rng(seed)
+    row = np.convolve(rng.standard_normal(520), np.hanning(rng.integers(1, 9) + 2), "same")
+    row[rng.integers(20, 500)] += click
+    all_inner = np.empty((1, 20))
+    kernel.unforeseen(
+        row, np.array([20]), np.hanning(480), 20, 24, 0, CORE, 0.0, -1.0, all_inner, np.empty(1, np.int64)
+    )  # a reach of 0: all cells, and each stands out of nothing
+    places = np.empty(20, np.int64)
+    count = kernel.outstanding(all_inner[0], REACH, CORE, TIMES, 0.01, places)
+    found = unforeseen(row, np.hanning(480), 20, 20, least=0.01)
+    if count:
+        assert found is not None
+    if found is not None:
+        np.testing.assert_array_equal(found, all_inner[0])
+
+
+@given(st.lists(st.sampled_from([0.0, 0.5, 1.0, 1.5, 7.0]), min_size=24, max_size=24), st.integers(0, 7))
+def test_ranks_of_segments(values: list[float], without: int):
+    row, out = np.array(values), np.empty((3, 3))
+    kernel.ranks(row, 8, without, out)
+    for segment, found in zip(np.sort(row.reshape(3, 8), axis=1), out.T.tolist(), strict=True):
+        rest = segment[: 8 - without]
+        assert found == pytest.approx([segment[-1], rest[-1], rest.mean()], abs=1e-12)
+
+
+@pytest.mark.parametrize(("size", "without", "rows"), [(9, 1, 3), (8, 8, 3), (8, -1, 3), (8, 1, 2), (24, 17, 3)])
+def test_ranks_refuse_what_does_not_fit(size: int, without: int, rows: int):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.ranks(np.zeros(24), size, without, np.empty((rows, 24 // size)))
 
 
 def test_silence_is_foretold():
-    out = np.ones(4)
-    kernel.unforeseen(np.zeros(200), 20, np.hanning(180), 20, 45, out)
-    assert out.tolist() == [0.0] * 4
+    assert unforeseen(np.zeros(300), np.hanning(280), 20, 10) is None
 
 
 @pytest.mark.parametrize(
@@ -152,10 +216,11 @@ def test_silence_is_foretold():
         lambda: kernel.cells(np.zeros((1, 100)), 5, 10, np.empty((5, 9))),
         lambda: kernel.cells(np.zeros((1, 100)), 6, 10, np.empty((5, 10))),
         lambda: kernel.cells(np.zeros((2, 100)), 6, 10, np.empty((5, 9))),
-        lambda: kernel.unforeseen(np.zeros(100), 10, np.ones(90), 20, 10, np.empty(9)),
-        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(90), 20, 10, np.empty(9)),
-        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(80), 65, 10, np.empty(8)),
-        lambda: kernel.unforeseen(np.zeros(100), 20, np.ones(80), 20, 10, np.empty(9)),
+        lambda: unforeseen(np.zeros(300), np.ones(290), 20, 9),
+        lambda: unforeseen(np.zeros(300), np.ones(280), 65, 9),
+        lambda: unforeseen(np.zeros(300), np.ones(200), 20, 9),
+        lambda: unforeseen(np.zeros(300), np.ones(200), 20, 2 * REACH),
+        lambda: unforeseen(np.zeros(300), np.ones(20), 20, 9),
     ],
 )
 def test_what_would_reach_beyond_the_samples_is_refused(wrong):

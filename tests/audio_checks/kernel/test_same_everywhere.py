@@ -55,8 +55,20 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         kernel.cells(samples, 6, size, figures)
     stereo = np.zeros((frames // 1_000 + 1, 4))
     kernel.stereo_products(samples[:2], 0, 1_000, stereo)
-    unforeseen = np.empty(20)
-    kernel.unforeseen(np.ascontiguousarray(samples[0]), 40, np.hanning(3_001), 20, 150, unforeseen)
+    unforeseen = np.empty((2, 20))
+    kernel.unforeseen(
+        samples[0],
+        np.array([40, 16_000]),
+        np.hanning(3_001),
+        20,
+        150,
+        0,
+        1,
+        0.0,
+        -1.0,
+        unforeseen,
+        np.empty(2, np.int64),
+    )
     even = channels + channels % 2
     hops = np.empty(frames * 100 // rate + 2)
     kernel.hop_energies(samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), hops, rate, 0, 0)

@@ -1,0 +1,34 @@
+"""Powers of bins, held to numpy's transform."""
+
+import numpy as np
+import pytest
+
+from audio_checks import kernel
+
+
+def turns_of(length: int) -> np.ndarray:
+    return np.exp(-2j * np.pi * np.arange(length) / length).view(np.float64).reshape(length, 2)
+
+
+@pytest.mark.parametrize("length", [1, 2, 14, 45, 400, 2_000])
+@pytest.mark.parametrize("channels", [1, 2, 3])
+def test_powers_of_windows(length: int, channels: int):
+    rng = np.random.default_rng(length + channels)
+    hop, count, first, bins = max(1, length // 3), 5, 2, length // 2 + 1
+    signal = rng.standard_normal((channels, first + (count - 1) * hop + length + 1))
+    window = np.hanning(length + 1)[:-1] + 0.1
+    powers = np.empty((count * channels, bins))
+    kernel.powers(signal, window, first, hop, turns_of(length), powers)
+    for number in range(count):
+        start = first + number * hop
+        wanted = np.abs(np.fft.rfft(signal[:, start : start + length] * window, axis=1)) ** 2
+        np.testing.assert_allclose(powers[number * channels :][:channels], wanted, rtol=1e-9, atol=1e-9 * length)
+
+
+@pytest.mark.parametrize(
+    ("frames", "length", "first", "rows", "bins"),
+    [(99, 100, 0, 1, 10), (150, 100, 51, 1, 10), (150, 100, 0, 3, 10), (150, 100, 0, 1, 101), (150, 121, 0, 1, 10)],
+)
+def test_what_would_reach_beyond_is_refused(frames: int, length: int, first: int, rows: int, bins: int):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.powers(np.zeros((1, frames)), np.ones(length), first, 30, turns_of(length), np.empty((rows, bins)))
