@@ -329,8 +329,10 @@ class AudioFile:
         decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
+        bytes_read = memoryview(bytearray(min(left, decoder.room() if decoder else most) * layout.frame_bytes))
         while left:
-            raw = wav.read_frames(self._file, layout, min(left, decoder.room() if decoder else most))
+            raw = bytes_read[: min(left, decoder.room() if decoder else most) * layout.frame_bytes]
+            wav.fill(self._file, raw)
             hashes.add_sound(raw)
             block, bits = wav.decode(raw, layout, decoder)
             used |= bits

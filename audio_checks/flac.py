@@ -209,7 +209,7 @@ def _inconsistent(message: str) -> Unreadable:
     return Unreadable(f"the FLAC header is wrong: {message}", "R4", "structure:flac-header", EXPORT_AGAIN)
 
 
-def opened_as_wav(path: str | os.PathLike[str]) -> BinaryIO:
+def opened_as_wav(path: str | os.PathLike[str]) -> io.FileIO:
     """Return a WAV file of the same sound, open for reading; it is gone when it is closed.
 
     Raises

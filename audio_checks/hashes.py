@@ -15,14 +15,14 @@ class Hashes:
         self._together = (kernel.hash_begin(), kernel.hash_begin()) if kernel.hashes_two() else None
         self._whole, self._sound = hashlib.sha256(), hashlib.sha256()
 
-    def add_around(self, piece: bytes) -> None:
+    def add_around(self, piece: bytes | memoryview) -> None:
         """Take bytes before or after the sound."""
         if self._together:
             kernel.hash_add(self._together[0], piece)
         else:
             self._whole.update(piece)
 
-    def add_sound(self, piece: bytes) -> None:
+    def add_sound(self, piece: bytes | memoryview) -> None:
         """Take bytes of the sound."""
         if self._together:
             kernel.hash_add(*self._together, piece)

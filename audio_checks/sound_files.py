@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 from dataclasses import dataclass
+from io import FileIO
 from pathlib import PurePath
 from types import TracebackType
 from typing import TYPE_CHECKING, BinaryIO, Self
@@ -35,7 +36,7 @@ class OpenSound:
         What the header of a FLAC says.
     """
 
-    file: BinaryIO
+    file: FileIO
     layout: wav.WavLayout
     original: BinaryIO
     flac: FlacLayout | None = None

@@ -13,6 +13,7 @@ import stat
 import struct
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import FileIO
 from pathlib import Path
 from typing import BinaryIO, Literal, Protocol
 
@@ -170,7 +171,7 @@ class WavLayout:
         return self.frames / self.sample_rate_hz
 
 
-def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
+def open_regular(path: str | os.PathLike[str]) -> FileIO:
     """Open a regular file for reading; a FIFO, a device or a directory is refused without waiting for it.
 
     Raises
@@ -679,6 +680,22 @@ def read_frames(file: BinaryIO, layout: WavLayout, frames: int) -> bytes:
     return raw
 
 
+def fill(file: FileIO, room: memoryview) -> None:
+    """Fill all of `room` from where the file stands.
+
+    Raises
+    ------
+    Unreadable
+        R1, when the file became shorter meanwhile.
+    """
+    filled = 0
+    while filled < len(room):
+        count = file.readinto(room[filled:])
+        if not count:
+            raise _shrunk()
+        filled += count
+
+
 def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[bytes]:
     """Yield the bytes of the data chunk in whole frames, in order.
 
@@ -698,11 +715,15 @@ def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAM
 class Decoder(Protocol):
     """Something that decodes to a place of its own; `measure.faults.Faults` is one."""
 
-    def decode(self, raw: bytes, container_bits: int, *, floats: bool) -> tuple[NDArray[np.float64], int, int]:
+    def decode(
+        self, raw: bytes | memoryview, container_bits: int, *, floats: bool
+    ) -> tuple[NDArray[np.float64], int, int]:
         """Return the block, all PCM samples or-ed together, and the first channel that is not finite or 0."""
 
 
-def decode(raw: bytes, layout: WavLayout, decoder: Decoder | None = None) -> tuple[NDArray[np.float64], int]:
+def decode(
+    raw: bytes | memoryview, layout: WavLayout, decoder: Decoder | None = None
+) -> tuple[NDArray[np.float64], int]:
     """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
 
     The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are

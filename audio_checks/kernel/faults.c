@@ -57,9 +57,10 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_RETURN_NONE;
 }
 
-/* Of each segment the highest value, the highest of those that are left without the `without` highest, and their mean. */
+/* Segments are steady where the sharpest cell says little more than the mean, the few sharpest left out of both. */
 enum { MOST_WITHOUT = 16 };
 
+/* The highest value, the highest of those that are left without the `without` highest, and their mean. */
 static void rank_segment(const double *values, Py_ssize_t size, Py_ssize_t without, double *highest, double *next,
                          double *mean) {
     double top[MOST_WITHOUT + 1] = {0};
@@ -81,28 +82,82 @@ static void rank_segment(const double *values, Py_ssize_t size, Py_ssize_t witho
     *mean = (sum + rest * top[without]) / (double)(size - without);
 }
 
-PyObject *ranks(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+static int is_steady(const double *sharpness, const double *powers, Py_ssize_t size, Py_ssize_t without, double least,
+                     double most) {
+    double highest, next, mean, lanes[4] = {0};
+    Py_ssize_t at = 0, sharper = 0;
+    for (; at + 4 <= size; at += 4) {
+        for (int lane = 0; lane < 4; lane++) lanes[lane] += powers[at + lane];
+    }
+    for (; at < size; at++) lanes[0] += powers[at];
+    /* The mean of the rest is no higher than if the few left out were zero: most segments show so that they are not. */
+    const double bound = 1.000001 * most * ((lanes[0] + lanes[2]) + (lanes[1] + lanes[3])) / (double)(size - without);
+    for (at = 0; at < size; at++) sharper += sharpness[at] * sharpness[at] >= bound;
+    if (sharper > without) return 0;
+    rank_segment(sharpness, size, without, &highest, &next, &mean);
+    if (!(highest > least)) return 0;
+    const double sharp = next;
+    rank_segment(powers, size, without, &highest, &next, &mean);
+    return sharp * sharp < most * mean;
+}
+
+/* sharpness of cells, power of their sixth differences, cells of a segment, how many to leave out, least sharpness,
+ * most that its square may be times the mean power, flags to fill */
+PyObject *steady_segments(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    const double *values;
-    planar out;
-    if (arguments("ranks", count, 4) < 0) return NULL;
-    const Py_ssize_t size = PyLong_AsSsize_t(args[1]), without = PyLong_AsSsize_t(args[2]);
-    if (PyErr_Occurred() || take_planar(&held, args[3], &out, 1) < 0 ||
-        !(values = TAKE_DOUBLES(&held, args[0], size * out.frames, 0)) || out.channels != 3 || without < 0 ||
-        without > MOST_WITHOUT || without >= size) {
-        if (!PyErr_Occurred()) {
-            PyErr_SetString(PyExc_ValueError, "three figures of every segment, and at most 16 values left out of it, are wanted");
-        }
-        let_go(&held);
-        return NULL;
+    const double *sharpness, *powers;
+    uint8_t *flags;
+    if (arguments("steady_segments", count, 7) < 0) return NULL;
+    const Py_ssize_t size = PyLong_AsSsize_t(args[2]), without = PyLong_AsSsize_t(args[3]);
+    const double least = PyFloat_AsDouble(args[4]), most = PyFloat_AsDouble(args[5]);
+    if (PyErr_Occurred() || !(flags = take_row(&held, args[6], -1, 1, 1))) goto refused;
+    const Py_ssize_t segments = held.views[0].len;
+    if (without < 0 || without > MOST_WITHOUT || without >= size) {
+        PyErr_SetString(PyExc_ValueError, "at most 16 cells left out of a segment, and one that stays, are wanted");
+        goto refused;
     }
-    for (Py_ssize_t segment = 0; segment < out.frames; segment++) {
-        double *to = out.samples + segment;
-        rank_segment(values + segment * size, size, without, to, to + out.row, to + 2 * out.row);
+    if (!(sharpness = TAKE_DOUBLES(&held, args[0], size * segments, 0)) ||
+        !(powers = TAKE_DOUBLES(&held, args[1], size * segments, 0))) {
+        goto refused;
+    }
+    for (Py_ssize_t at = 0; at < segments; at++) {
+        flags[at] = (uint8_t)is_steady(sharpness + at * size, powers + at * size, size, without, least, most);
     }
     let_go(&held);
     Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
+}
+
+static double mean_of(const double *values, Py_ssize_t count) {
+    double sum = 0;
+    for (Py_ssize_t at = 0; at < count; at++) sum += values[at];
+    return count > 0 ? sum / (double)count : 0;
+}
+
+/* values, a place, reach, core -> the mean of those before it, and of those after it, out to the reach and beyond the core */
+PyObject *means_beside(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *values;
+    if (arguments("means_beside", count, 4) < 0) return NULL;
+    const Py_ssize_t place = PyLong_AsSsize_t(args[1]), reach = PyLong_AsSsize_t(args[2]), core = PyLong_AsSsize_t(args[3]);
+    if (PyErr_Occurred() || !(values = TAKE_DOUBLES(&held, args[0], -1, 0))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t given = held.views[0].len / (Py_ssize_t)sizeof(double);
+    if (core < 0 || reach < core || place < reach || place + reach >= given) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "a place with values on either side, out to the reach, is wanted");
+        return NULL;
+    }
+    const double before = mean_of(values + place - reach, reach - core);
+    const double after = mean_of(values + place + core + 1, reach - core);
+    let_go(&held);
+    return Py_BuildValue("dd", before, after);
 }
 
 /* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
@@ -299,6 +354,33 @@ static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t en
     figures[5] = (double)(to - from);
     figures[6] = (double)longest_run(samples, start, end, wanted->sign, wanted->rail, &place);
     figures[7] = (double)(fall - rise);
+}
+
+/* samples, maxima of their rows, first row, (highest, deepest) so far: these rise where a row that may exceed one does */
+PyObject *extremes(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *samples, *maxima;
+    double *known;
+    if (arguments("extremes", count, 4) < 0) return NULL;
+    Py_ssize_t row = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || row < 0 || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(maxima = TAKE_DOUBLES(&held, args[1], rows_of(held.views[0].len / (Py_ssize_t)sizeof(double)), 0)) ||
+        !(known = TAKE_DOUBLES(&held, args[3], 2, 1))) {
+        if (!PyErr_Occurred()) PyErr_SetString(PyExc_ValueError, "a row of 0 or more is wanted");
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
+    for (; row < rows_of(frames); row++) {
+        if (maxima[row] <= known[0] && maxima[row] <= known[1]) continue;
+        for (Py_ssize_t at = row * ROW; at < frames && at < (row + 1) * ROW; at++) {
+            known[0] = larger_of(samples[at], known[0]);
+            known[1] = larger_of(-samples[at], known[1]);
+        }
+    }
+    let_go(&held);
+    Py_RETURN_NONE;
 }
 
 PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {

@@ -78,7 +78,7 @@ class Clicks:
         if total - start > REACH:
             for channel in range(len(samples)):
                 near = slice(start - REACH - self._first, None)
-                self._keep(recent, channel, start, recent.sharpness[channel, near] / IMPULSE, STANDS_OUT)
+                self._keep(recent, channel, start, recent.sharpness[channel, near], STANDS_OUT, IMPULSE)
                 self._keep(recent, channel, start, recent.steps[channel, near], STEPS_OUT)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
@@ -105,19 +105,30 @@ class Clicks:
         """Return the height that a click must have in a file of that peak, and the power that the sound around must."""
         return max(self._least, peak * BELOW_PEAK), peak**2 * SOUND_BELOW_PEAK * self._cell
 
-    def _keep(self, recent: Cells, channel: int, start: int, heights: NDArray[np.float64], times: float) -> None:
-        """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`."""
-        if len(self._places) < len(heights):
-            self._places = np.empty(len(heights), np.int64)
-        places = self._places[: len(heights)]
-        found = kernel.outstanding(heights, REACH, CORE, times, self._lowest, places)
+    def _keep(
+        self,
+        recent: Cells,
+        channel: int,
+        start: int,
+        sizes: NDArray[np.float64],
+        times: float,
+        scale: float = 1.0,
+    ) -> None:
+        """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`.
+
+        A size is so many times the height of the click that it stands for.
+        """
+        if len(self._places) < len(sizes):
+            self._places = np.empty(len(sizes), np.int64)
+        places = self._places[: len(sizes)]
+        found = kernel.outstanding(sizes, REACH, CORE, times, self._lowest * scale, places)
         for cell in places[:found].tolist():
             place = start - self._first + cell - REACH
-            quieter, louder = _power_around(recent.squares[channel], place)
-            lower, higher = _power_around(recent.edges[channel], place)
+            quieter, louder = sorted(kernel.means_beside(recent.squares[channel], place, LEVEL_CELLS, CORE))
+            lower, higher = sorted(kernel.means_beside(recent.edges[channel], place, LEVEL_CELLS, CORE))
             goes_on = louder <= quieter * GOES_ON or higher <= lower * GOES_ON
             if goes_on and quieter >= self._quietest and len(self._found) < MAX_KEPT:
-                self._found.add((start + cell - REACH, channel, float(heights[cell]), quieter))
+                self._found.add((start + cell - REACH, channel, float(sizes[cell]) / scale, quieter))
 
     def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
         """Look at the next segments in channels where they are steady; the first starts at frame `at`."""
@@ -125,12 +136,12 @@ class Clicks:
         shape = (len(samples), count, SEGMENT)
         inner = slice(place, place + count * SEGMENT)
         steady = np.empty((len(samples), count), np.bool_)
-        ranks = np.empty((3, count))
-        for channel in range(len(samples)):
-            kernel.ranks(recent.sharpness[channel, inner], SEGMENT, CLICKED, ranks)
-            sharpest, sharp = ranks[0].copy(), ranks[1].copy()
-            kernel.ranks(recent.edges[channel, inner], SEGMENT, CLICKED, ranks)
-            steady[channel] = (sharpest > self._least) & (np.square(sharp) < STEADY**2 / self._cell * ranks[2])
+        most = STEADY**2 / self._cell
+        for channel, flags in enumerate(steady):
+            sharpness, edges = recent.sharpness[channel, inner], recent.edges[channel, inner]
+            kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, flags)
+        if not steady.any():
+            return
         steady &= _loudest_nearby(recent.squares[:, inner].reshape(shape)) >= self._quietest
         starts = at + (np.arange(count) * SEGMENT - REACH) * self._cell
         steady &= starts >= ORDER  # of many channels less is kept
@@ -162,10 +173,3 @@ def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:
     loudest[:, 1:-1] = squares.max(axis=2)
     nearby: NDArray[np.float64] = np.maximum(np.maximum(loudest[:, :-2], loudest[:, 2:]), loudest[:, 1:-1])
     return nearby
-
-
-def _power_around(squares: NDArray[np.float64], place: int) -> tuple[float, float]:
-    """Return the mean of the 10 ms before a cell and of those after it, the smaller one first."""
-    before = float(squares[place - LEVEL_CELLS : place - CORE].mean())
-    after = float(squares[place + CORE + 1 : place + LEVEL_CELLS + 1].mean())
-    return min(before, after), max(before, after)

@@ -91,7 +91,9 @@ class Faults:
         """Return for how many more samples there is room until the next look."""
         return self._history + self._stretch - self._end
 
-    def decode(self, raw: bytes, container_bits: int, *, floats: bool) -> tuple[NDArray[np.float64], int, int]:
+    def decode(
+        self, raw: bytes | memoryview, container_bits: int, *, floats: bool
+    ) -> tuple[NDArray[np.float64], int, int]:
         """Decode the next samples to where `add` wants them; see `Survey.decode`.
 
         Whoever gives the very array to `add` saves a copy, and a look at every sample. It holds others later.

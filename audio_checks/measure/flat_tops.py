@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
+from audio_checks.measure.maxima import ROW_FRAMES
 
 SHORTEST_RUN = 3  # one or two samples on one level are a crest
 FULL_SCALE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-bit sample
@@ -63,13 +64,12 @@ class FlatTops:
     def add(self, samples: NDArray[np.float64], maxima: NDArray[np.float64], first: int, frame: int) -> None:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
-        `maxima` are those of all samples; `frame` is where in the whole signal the first of them lies.
+        `maxima` are those of all samples, and `first` starts one of their rows; `frame` is where in the whole
+        signal the first of all samples lies.
         """
         for channel, row in enumerate(samples):
             extremes = self._extremes[channel]
-            if maxima[channel].max() > extremes.min():
-                highest, lowest = float(row[first:].max(initial=0.0)), float(row[first:].min(initial=0.0))
-                np.maximum(extremes, (highest, -lowest), out=extremes)
+            kernel.extremes(row, maxima[channel], first // ROW_FRAMES, extremes)
             for sign, extreme in zip((1.0, -1.0), extremes.tolist(), strict=True):
                 if extreme > 0:
                     self._look(row, maxima[channel], first, frame, channel, sign, extreme)

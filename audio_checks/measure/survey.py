@@ -49,7 +49,7 @@ class Survey:
 
     def decode(
         self,
-        raw: bytes,
+        raw: bytes | memoryview,
         container_bits: int,
         floats: bool,
         samples: NDArray[np.float64],
@@ -61,7 +61,7 @@ class Survey:
 
         Parameters
         ----------
-        raw : bytes
+        raw : bytes or memoryview
             Interleaved PCM or IEEE float, little-endian.
         container_bits : int
             Of each sample.

@@ -91,6 +91,14 @@ def test_crests(samples: Samples, first: int, sign: float, grain: float):
         assert out[:count].tolist() == crests_of(row, first, shape)
 
 
+@given(signals(most_channels=1), st.integers(0, 5), st.floats(0, 2), st.floats(0, 2))
+def test_extremes_of_rows_that_may_hold_them(samples: Samples, row: int, high: float, deep: float):
+    signal, known = np.ascontiguousarray(samples[:, 0]), np.array([high, deep])
+    kernel.extremes(signal, maxima_of(signal[np.newaxis])[0], row, known)
+    rest = signal[row * 32 :]
+    assert known.tolist() == [max(high, rest.max(initial=0.0)), max(deep, -rest.min(initial=0.0))]
+
+
 @pytest.mark.parametrize("times", [1, 2, 4])
 def test_a_stretch_that_comes_again_is_found_to_the_frame(times: int):
     found = 0
@@ -191,19 +199,32 @@ def test_a_stretch_that_is_passed_over_has_nothing_that_stands_out(seed: int, cl
         np.testing.assert_array_equal(found, all_inner[0])
 
 
-@given(st.lists(st.sampled_from([0.0, 0.5, 1.0, 1.5, 7.0]), min_size=24, max_size=24), st.integers(0, 7))
-def test_ranks_of_segments(values: list[float], without: int):
-    row, out = np.array(values), np.empty((3, 3))
-    kernel.ranks(row, 8, without, out)
-    for segment, found in zip(np.sort(row.reshape(3, 8), axis=1), out.T.tolist(), strict=True):
-        rest = segment[: 8 - without]
-        assert found == pytest.approx([segment[-1], rest[-1], rest.mean()], abs=1e-12)
+@given(st.integers(0, 2**32 - 1), st.integers(0, 7), st.floats(0.5, 3.0), st.sampled_from([0.0, 1.0]))
+def test_steady_segments(seed: int, without: int, most: float, least: float):
+    # The bound that passes most segments over gives the answer of sorting each.
+    rng = np.random.default_rng(seed)
+    sharpness, powers = rng.choice([0.2, 0.5, 1.0, 1.5, 7.0], (2, 40))
+    flags = np.empty(5, np.bool_)
+    kernel.steady_segments(sharpness, powers, 8, without, least, most, flags)
+    for flag, sharp, power in zip(flags.tolist(), sharpness.reshape(5, 8), powers.reshape(5, 8), strict=True):
+        rest, mean = np.sort(sharp)[: 8 - without], np.sort(power)[: 8 - without].mean()
+        if abs(rest[-1] ** 2 / (most * mean) - 1) > 1e-9:
+            assert flag == (sharp.max() > least and rest[-1] ** 2 < most * mean)
 
 
-@pytest.mark.parametrize(("size", "without", "rows"), [(9, 1, 3), (8, 8, 3), (8, -1, 3), (8, 1, 2), (24, 17, 3)])
-def test_ranks_refuse_what_does_not_fit(size: int, without: int, rows: int):
+@pytest.mark.parametrize(("size", "without"), [(9, 1), (8, 8), (8, -1), (24, 17), (0, 0)])
+def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
     with pytest.raises(ValueError, match="wanted"):
-        kernel.ranks(np.zeros(24), size, without, np.empty((rows, 24 // size)))
+        kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
+
+
+def test_means_beside_a_place():
+    values = np.arange(30.0) ** 2
+    before, after = kernel.means_beside(values, 12, 5, 1)
+    assert (before, after) == pytest.approx((values[7:11].mean(), values[14:18].mean()))
+    for place in (4, 25):
+        with pytest.raises(ValueError, match="wanted"):
+            kernel.means_beside(values, place, 5, 1)
 
 
 def test_silence_is_foretold():
