@@ -276,6 +276,12 @@ def test_every_byte_of_sound_is_read_once_with_all_checks_on(monkeypatch, tmp_pa
             reads.append((place, len(content)))
             return content
 
+        def readinto(self, room):
+            place = self.tell()
+            count = super().readinto(room)
+            reads.append((place, count))
+            return count
+
     monkeypatch.setattr(wav, "open_regular", lambda opened: real(opened).close() or Counted(opened, "rb"))
     entry = check_file(path, spec, cue=CueFacts("SW-1", variations=2, duration_s=2.0), all_figures=True)
     assert entry.facts["metadata"]["fields"]["INFO.ICMT"] == "wind"
