@@ -237,9 +237,11 @@ def _moved_ixml(payload: bytes, move: Move) -> bytes:
         for tag in RATES:
             payload = _with_ixml_number(payload, tag, move.to_hz)
     if move.changed:
-        payload = re.sub(rb"\s*<(%b)>[^<]*</\1>" % b"|".join(MEASURED), b"", payload)
+        payload = re.sub(rb"<(%b)>[^<]*</\1>" % b"|".join(MEASURED), b"", payload)
     if move.new_channels:  # which track was which recorder's input is true no more
-        payload = re.sub(rb"\s*<TRACK_LIST>.*?</TRACK_LIST>", b"", payload, flags=re.DOTALL)
+        before, _, rest = payload.partition(b"<TRACK_LIST>")
+        _, closed, after = rest.partition(b"</TRACK_LIST>")
+        payload = before + after if closed else payload
     return payload if move.new_depth is None else _with_ixml_number(payload, b"AUDIO_BIT_DEPTH", move.new_depth)
 
 

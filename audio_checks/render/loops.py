@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from audio_checks.render.resample import frames_after, loop_blocks, position_after
 
-HELD_FRAMES = 1 << 20  # a loop of so few frames is held in memory: a short one turns often
+HELD_SAMPLES = 1 << 21  # of all channels: a loop of so few is held in memory, since a short one turns often
 
 Block = NDArray[np.float64]
 Blocks = Callable[[], Iterable[Block]]
@@ -63,7 +63,7 @@ def fitted_loop(start: int, end: int, frames_out: int, sample_rate_hz: int, to_h
     )
 
 
-def part(blocks: Blocks, start: int, frames: int) -> Blocks:
+def part(blocks: Blocks, start: int, frames: int, channels: int) -> Blocks:
     """Return the stream of `frames` frames from `start` on; one short enough is read once, and held."""
 
     def cut() -> Iterator[Block]:
@@ -76,7 +76,7 @@ def part(blocks: Blocks, start: int, frames: int) -> Blocks:
             if at >= end:
                 return
 
-    if frames > HELD_FRAMES:
+    if frames * channels > HELD_SAMPLES:
         return cut
     held = list(cut())
     return lambda: held
@@ -101,7 +101,7 @@ def with_turns(
     for loop in sorted(loops, key=lambda loop: loop.first):
         if loop.first >= end:
             turn = loop_blocks(
-                part(blocks, loop.start, loop.end + 1 - loop.start),
+                part(blocks, loop.start, loop.end + 1 - loop.start, channels),
                 frames=loop.end + 1 - loop.start,
                 channels=channels,
                 sample_rate_hz=sample_rate_hz,

@@ -336,7 +336,7 @@ class _Work:
             yield block if self._recipe.gains is None else mixed(block, self._recipe.gains)
 
     def _kept_blocks(self) -> Iterator[NDArray[np.float64]]:
-        yield from part(self._mixed, self._cut[0], self._kept)() if any(self._cut) else self._mixed()
+        yield from part(self._mixed, self._cut[0], self._kept, self._channels)() if any(self._cut) else self._mixed()
 
     def _floats(self, lowered_db: float) -> Iterator[NDArray[np.float64]]:
         rates = {"sample_rate_hz": self._layout.sample_rate_hz, "to_hz": self._recipe.sample_rate_hz}

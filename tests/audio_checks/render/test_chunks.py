@@ -1,18 +1,24 @@
 """What a master carries beside its sound: kept where asked, moved with the sound, taken back where untrue."""
 
+import io
 import struct
+import time
 from dataclasses import replace
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from audio_checks import RenderRefused, check_file, is_placeholder, parse_spec, wav
+from audio_checks.metadata.carrying import Move, carried
 from audio_checks.render import render as rendering
 from audio_checks.render.render import render_master
 from audio_checks.spec import Target
-from tests.support.waves import chunk, join, noise, placeholder_mark, silence, sine, write_wav
+from tests.support.waves import chunk, join, noise, placeholder_mark, silence, sine, wav_bytes, write_wav
 
 HALF = Target("half", 48_000, 16, chunks="all")
 RATE, FRAMES = 96_000, 96_000
+SHORT = noise(seconds=0.01, rate=RATE)
 
 
 def cue(*points):
@@ -205,3 +211,40 @@ def test_points_move_with_what_is_trimmed(tmp_path):
     frames = [struct.unpack_from("<I", one(kept, "cue "), 4 + 24 * place + 20)[0] for place in range(4)]
     assert frames == [0, 0, 2_400, 4_799]
     assert struct.unpack_from("<Q", one(kept, "bext"), 338) == ((1_000 + 9_600) // 2,)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"<BWFXML>" + b" " * 400_000,
+        b"<TRACK_LIST>" * 30_000,
+        b"<loudness>" * 30_000,
+        b"<FILE_SAMPLE_RATE>" * 20_000 + b" " * 100_000,
+        b"<SYNC_POINT_LOW>1</SYNC_POINT_LOW>" * 20_000,
+        b"\xff\xfe" + bytes(50_000),
+    ],
+)
+def test_no_document_takes_long(tmp_path, text):
+    before = time.process_time()
+    rendered(
+        tmp_path,
+        replace(HALF, channels=1),
+        samples=noise(seconds=0.05, channels=2),
+        chunks={"before": [chunk(b"iXML", text)]},
+    )
+    assert time.process_time() - before < 2.0
+
+
+CHUNKS_OF_STRANGERS = st.sampled_from(["bext", "iXML", "cue ", "smpl", "LIST", "acid", "inst", "xYz1"])
+BEGINNINGS = st.sampled_from([b"", b"adtlltxt\x40\0\0\0", struct.pack("<I", 9), bytes(28) + struct.pack("<I", 1 << 31)])
+
+
+@given(name=CHUNKS_OF_STRANGERS, beginning=BEGINNINGS, rest=st.binary(max_size=700))
+@settings(max_examples=200, deadline=None)
+def test_no_chunk_of_a_stranger_stops_a_render(name, beginning, rest):
+    told = chunk(name.encode(), beginning + rest)
+    file = io.BytesIO(wav_bytes(SHORT, rate=RATE, before=[told]))
+    move = Move(cut=10, frames=475, changed=True, new_depth=16, sample_rate_hz=96_000, to_hz=48_000, new_channels=True)
+    ((kept, payload),), after = carried(file, wav.read_layout(file), replace(move, history="A=PCM", stretch=1.01))
+    assert (kept, after) == (name, [])
+    assert len(payload) >= len(beginning + rest) or name == "iXML"

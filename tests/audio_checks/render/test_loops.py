@@ -7,6 +7,7 @@ import pytest
 
 from audio_checks import wav
 from audio_checks.errors import RenderRefused
+from audio_checks.render import loops
 from audio_checks.render.loops import fitted_loop, part, with_turns
 from audio_checks.render.render import render_master
 from audio_checks.spec import Target
@@ -89,13 +90,23 @@ def test_points_outside_are_refused(tmp_path, points):
     assert refused.value.code == "render:loop-points"
 
 
+def test_a_long_loop_is_read_again_and_not_held(tmp_path, monkeypatch):
+    sound = noise(dbfs=-20, seconds=1, rate=96_000)
+    master = write_wav(tmp_path / "a.wav", sound, rate=96_000, before=[smpl([(9_600, 49_602)], rate=96_000)])
+    held = render_master(master, FILM, tmp_path / "held.wav")
+    monkeypatch.setattr(loops, "HELD_SAMPLES", 100)
+    assert render_master(master, FILM, tmp_path / "read.wav").sha256 == held.sha256
+
+
 def test_two_loops_and_one_that_begins_inside_another():
     sound = noise(dbfs=-20, seconds=0.5, rate=96_000)
-    loops = [fitted_loop(*points, 24_000, 96_000, 48_000) for points in ((0, 9_599), (4_800, 14_399), (20_000, 29_999))]
+    fitted = [
+        fitted_loop(*points, 24_000, 96_000, 48_000) for points in ((0, 9_599), (4_800, 14_399), (20_000, 29_999))
+    ]
     rates = {"channels": 1, "sample_rate_hz": 96_000, "to_hz": 48_000, "shelf": 1.0}
     once = np.zeros((24_000, 1))
     cuts = [once[start : start + 777] for start in range(0, len(once), 777)]
-    blocks = list(with_turns(cuts, lambda: [sound], loops, **rates))
+    blocks = list(with_turns(cuts, lambda: [sound], fitted, **rates))
     turned = np.concatenate(blocks)[:, 0]
     assert turned[:4_800].any()
     assert not turned[4_800:10_000].any()
@@ -107,6 +118,6 @@ def test_a_part_of_a_stream_however_it_is_cut():
     whole = np.arange(100.0)[:, np.newaxis]
     for size in (1, 7, 100):
         blocks = [whole[at : at + size] for at in range(0, 100, size)]
-        got = np.concatenate(list(part(lambda blocks=blocks: iter(blocks), 13, 50)()))
+        got = np.concatenate(list(part(lambda blocks=blocks: iter(blocks), 13, 50, 1)()))
         assert np.array_equal(got, whole[13:63])
-    assert len(list(itertools.chain.from_iterable(part(lambda: [whole], 90, 50)()))) == 10
+    assert len(list(itertools.chain.from_iterable(part(lambda: [whole], 90, 50, 1)()))) == 10
