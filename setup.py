@@ -1,5 +1,6 @@
 """How the compiled kernel is built; everything else is in pyproject.toml."""
 
+import runpy
 import sys
 import sysconfig
 from pathlib import Path
@@ -9,6 +10,7 @@ from setuptools.command.build_ext import build_ext
 from setuptools.errors import CompileError, LinkError, PlatformError
 
 KERNEL = Path("audio_checks/kernel")
+MADE_FROM = runpy.run_path(str(KERNEL / "sources.py"))["digest_of"](KERNEL)
 # No flag for one CPU and none that reorders sums: figures and renders must be the same on every machine.
 UNIX_FLAGS = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fvisibility=hidden"]
 MSVC_FLAGS = ["/std:c11", "/O2", "/fp:precise"]
@@ -47,6 +49,7 @@ setup(
             "audio_checks.kernel._kernel",
             sources=sorted(str(source) for source in KERNEL.glob("*.c")),
             depends=sorted(str(header) for header in KERNEL.glob("*.h")),
+            define_macros=[("SOURCES_SHA256", f'"{MADE_FROM}"')],
             py_limited_api=True,
         )
     ],

@@ -12,8 +12,9 @@ The server shows it to both sides, and returns no take for it.
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from statistics import median
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from audio_checks.findings import Finding
 from audio_checks.measure.likeness import unlikeness_db
@@ -108,7 +109,7 @@ def _off(
         others = [other for variation, other in chosen.items() if variation != files[place].variation]
         told = [figures[other] for other in others if other in figures]
         if place in figures and told:
-            far[place] = figures[place] - median(told)
+            far[place] = figures[place] - float(np.median(told))
     return far
 
 

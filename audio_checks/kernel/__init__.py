@@ -4,8 +4,12 @@ Every function has a plain numpy reference in `tests/audio_checks/kernel`, which
 answers. Blocks are float64 of shape (channels, frames), each channel contiguous, full scale ±1.0.
 """
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
+
+from audio_checks.kernel.sources import digest_of
 
 try:
     from audio_checks.kernel._kernel import (
@@ -24,6 +28,7 @@ try:
         hop_energies,
         hush,
         loud_rows,
+        made_from,
         maxima,
         means_beside,
         outstanding,
@@ -43,6 +48,13 @@ except ImportError as error:
         f"the compiled part of audio-checks cannot be loaded ({error}): it is missing, or older than the rest;"
         " install audio-checks again where there is a C compiler (in a checkout: make setup)"
     ) from error
+
+# An installed package has no sources beside it; in a checkout the kernel may be older or newer than they are.
+if (_WANTED := digest_of(Path(__file__).parent)) not in (None, made_from()):
+    raise ImportError(
+        "the compiled part of audio-checks was not made from the C files beside it; rebuild it: make setup"
+        " (or, without make: pip install --no-deps --editable .)"
+    )
 
 __all__ = [
     "by_channel",

@@ -149,6 +149,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
     EACH(loud_rows, "Find the first and the last row with a maximum above a level; both -1 where there is none.") \
+    EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(means_beside, "Return the mean of the values before a place, and of those after it.") \
     EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
