@@ -38,6 +38,8 @@ class MoneyTerms:
         known = {field.name: terms[field.name] for field in fields(cls) if terms.get(field.name) is not None}
         if "price_mode" in known:
             known["price_mode"] = PriceMode(known["price_mode"])
+        if "reverse_charge" in known:
+            known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
         return cls(**known)
 
     def to_dict(self) -> dict[str, Any]:
