@@ -75,6 +75,9 @@ def recurrences(
     out: NDArray[np.int64],
     /,
 ) -> int: ...
+def shaped_steps(
+    wanted: _Floats, noise: _Floats, silent: NDArray[np.uint8], weights: _Floats, errors: _Floats, /
+) -> None: ...
 def steady_segments(
     sharpness: _Floats, powers: _Floats, size: int, without: int, least: float, most: float, flags: NDArray[np.bool_], /
 ) -> None: ...

@@ -157,6 +157,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
+    EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
     EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
+from audio_checks.kernel import shaped_steps
 from audio_checks.measure.decibels import power_decibels
 
 Dither = Literal["tpdf", "shaped", "none"]
@@ -24,6 +25,7 @@ SILENCE_FRAMES = 64  # so many zeros in a row, or a file's edge, make digital si
 SHAPED_FROM_HZ = 44_100
 DITHERED_TO_BITS = 16  # at 24 bit the noise of any converter covers the error of rounding
 SHAPE = (2.033, -2.165, 1.959, -1.590, 0.6149)
+WEIGHTS = np.array(SHAPE)
 
 
 def ensure_shapeable(dither: Dither, sample_rate_hz: int) -> None:
@@ -126,33 +128,15 @@ class _Shaper:
     """Rounds sample after sample, subtracting weighted earlier errors, so that the noise moves up out of hearing."""
 
     def __init__(self, channels: int) -> None:
-        self._errors = [(0.0,) * len(SHAPE) for _ in range(channels)]
+        self._errors = np.zeros((channels, len(SHAPE)))
 
     def rounded(
         self, wanted: NDArray[np.float64], noise: NDArray[np.float64], silent: NDArray[np.bool_]
     ) -> NDArray[np.int64]:
-        whole = np.empty(wanted.shape, dtype=np.int64)
-        for channel in range(wanted.shape[1]):
-            whole[:, channel] = self._channel(channel, wanted[:, channel], noise[:, channel], silent[:, channel])
-        return whole
-
-    def _channel(
-        self, channel: int, wanted: NDArray[np.float64], noise: NDArray[np.float64], silent: NDArray[np.bool_]
-    ) -> list[int]:
-        a, b, c, d, e = SHAPE
-        one, two, three, four, five = self._errors[channel]
-        result = []
-        for value, extra, quiet in zip(wanted.tolist(), noise.tolist(), silent.tolist(), strict=True):
-            if quiet:
-                one = two = three = four = five = 0.0
-                result.append(0)
-                continue
-            aim = value - (a * one + b * two + c * three + d * four + e * five)
-            step = math.floor(aim + extra + 0.5)
-            one, two, three, four, five = step - aim, one, two, three, four
-            result.append(step)
-        self._errors[channel] = (one, two, three, four, five)
-        return result
+        steps = np.array(wanted.T, order="C")
+        quiet = np.ascontiguousarray(silent.T).view(np.uint8)
+        shaped_steps(steps, np.ascontiguousarray(noise.T), quiet, WEIGHTS, self._errors)
+        return steps.T.astype(np.int64)
 
 
 def _with_silence(

@@ -17,6 +17,7 @@ import pytest
 from numpy._core._multiarray_umath import __cpu_dispatch__, __cpu_features__
 
 import audio_checks.kernel
+from audio_checks.kernel.sources import digest_of
 from tests.support.waves import noise, sine, smpl, swelling, write_wav
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -98,6 +99,7 @@ def compiled(folder, compiler, *flags):
         pytest.skip(f"{compiler} is not installed")
     kernel = folder / "_kernel.abi3.so"
     kept = ["-std=c11", "-ffp-contract=off", "-shared", "-fPIC", "-I", sysconfig.get_path("include")]
+    kept.append(f'-DSOURCES_SHA256="{digest_of(KERNEL)}"')
     sources = sorted(map(str, KERNEL.glob("*.c")))
     subprocess.run([compiler, *kept, *flags, *sources, "-o", str(kernel), "-lm"], check=True, timeout=60)
     return kernel
