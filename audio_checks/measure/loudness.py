@@ -30,6 +30,7 @@ TABULATED_SCALE = 1.0049948987146884  # the highpass of the table is that much l
 REAR_WEIGHT = 10**0.15  # +1.5 dB
 
 
+@lru_cache(maxsize=64)
 def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float64]:
     """Return how much each channel counts: 1 in front, 1.41 at the sides, 0 for the LFE.
 
@@ -51,6 +52,7 @@ def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float6
             weights[channel] = 0.0
         elif position & sides:
             weights[channel] = REAR_WEIGHT
+    weights.flags.writeable = False
     return weights
 
 
@@ -137,13 +139,12 @@ class Loudness:
         self._whole += ended
         self._seen += len(block)
         if self._whole % HOPS_AT_ONCE < ended:
-            self._look(whole=True)
+            self._look(ends=False)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name; -inf for silence."""
-        self._look(whole=True)
         self._pending.append(np.array([self._open @ self._weights]))
-        self._look(whole=False)
+        self._look(ends=True)
         loudest = {count: _lufs(power) for count, power in self._loudest.items()}
         gating, ranging = (np.concatenate([np.empty(0), *self._loud[count]]) for count in self._loudest)
         return {
@@ -154,22 +155,21 @@ class Loudness:
             "short_loudness_lufs": loudest[MOMENTARY_HOPS],
         }
 
-    def _look(self, *, whole: bool) -> None:
-        """Measure all windows that end in the pending hops; only whole ones are gated."""
+    def _look(self, *, ends: bool) -> None:
+        """Measure all windows that end in the pending hops; where the sound ends, the last hop is open, not gated."""
         hops = np.concatenate((self._kept, *self._pending))
         new = len(hops) - len(self._kept)
-        first = self._whole + (not whole) - len(hops)  # negative at first: there is silence before the signal
-        sums = np.concatenate(([0.0], np.cumsum(hops)))
+        first = self._whole + ends - len(hops)  # negative at first: there is silence before the signal
+        sums = np.concatenate(([0.0], hops.cumsum()))
         bounds = _hop_start(np.arange(first, first + len(hops) + 1), self._rate)
         for count, loud in self._loud.items():
             energies = np.maximum(sums[count:] - sums[:-count], 0.0)[-new:]
             powers = energies / (bounds[count:] - bounds[:-count])[-new:]
             self._loudest[count] = max(self._loudest[count], float(powers.max(initial=0.0)))
-            if whole and new:
-                start = first + len(hops) - count + 1 - new  # of the first window
-                skipped = -start % self._gate_hops if start >= 0 else -start
-                gated = powers[skipped :: self._gate_hops]
-                loud.append(gated[gated >= GATE_POWER])
+            start = first + len(hops) - count + 1 - new  # of the first window
+            skipped = -start % self._gate_hops if start >= 0 else -start
+            gated = powers[skipped : new - ends : self._gate_hops]
+            loud.append(gated[gated >= GATE_POWER])
         self._kept = hops[-SHORT_TERM_HOPS:]
         self._pending = []
 
