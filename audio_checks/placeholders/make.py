@@ -279,4 +279,4 @@ def _leveled(samples: NDArray[np.float64], view: DeliverySpec, form: _Form) -> N
     high = loudness if wanted.max is None else wanted.max - INSIDE_LU
     ceiling_db = min(limits.sample_peak_dbfs or 0.0, limits.true_peak_dbtp or 0.0) - UNDER_LIMIT_DB - peak_dbfs
     change_db = min(max(loudness, low), max(high, low)) - loudness
-    return sound * gain_of(min(change_db, ceiling_db))
+    return sound * gain_of(round(min(change_db, ceiling_db), 3))  # no machine's logarithm shows in the bytes
