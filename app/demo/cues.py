@@ -56,7 +56,25 @@ CUES: list[dict[str, Any]] = [
     _cue("mine_arm", "weapon", "Mine wakes as a ship nears", 0.50, description="Three clicks and a hum."),
 ]  # fmt: skip
 QUESTION = ("coolant_splash", "What falls in: a drop, a tool, a person?")
-CHANGE = ("suit_hit", "Add a dull metallic clank", 0.06)
+CHANGES = (
+    ("suit_hit", "Add a dull metallic clank", 0.06),
+    ("missile_launch", "More of the release before it goes", 0.10),
+    ("mine_arm", "The third click comes too early", 0.20),
+)
+SECOND_CHANGE = ("missile_launch", "The thrust comes too late", 0.45)
+THIRD_CHANGE = ("missile_launch", "Thrust comes too late; I want it at 0.3, not 0.5", 0.30)
 CUT = ("mine_arm", "Mines left the game")
 PALETTE = ("ui_confirm", "ui_back", "laser_fire", "engine_idle_loop", "amb_bridge_loop", "hull_impact")
+ACCEPTED_OF_ALPHA = ("radar_ping", "dock_clamp", "explosion_far")
+ALPHA = (
+    *("shield_hit", "foot_deck_walk", "airlock_cycle", "coolant_splash", "suit_hit", "thruster_burst"),
+    *("victory_sting", *ACCEPTED_OF_ALPHA),
+)
+BETA = (
+    *("alarm_red_alert", "warp_in", "missile_launch", "vo_oath", "void_whale", "amb_engine_room_loop"),
+    *("drone_swarm_loop", "mine_arm"),
+)
+DEPOSIT_MINOR = 144_000
+MILESTONES = (("Palette", PALETTE, 24_000, 0), ("Alpha", ALPHA, 18_000, 3), ("Beta", BETA, 31_500, 31))
+ESTIMATE_MIN = 120
 DESCRIPTION = "Space strategy game for PC and handheld. Played on TV and headphones; music under every battle."

@@ -6,6 +6,7 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Callable, Iterable
+from datetime import timedelta
 from pathlib import Path
 from typing import Any, Self
 
@@ -18,6 +19,7 @@ from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import cues
 from app.demo.sounds import DemoSound, demo_sounds
+from app.kit import clock
 from app.kit.runtime import Runtime
 from app.settings import Settings
 
@@ -124,19 +126,35 @@ class _Maker:
         self._open_project()
         self._invite_designer()
         self._post_list()
+        self._agree_on_contract()
+        self._pay_what_is_due("Deposit")
         self._deliver("The palette first.", self._files(cues.PALETTE))
         self._accept(cues.PALETTE)
+        self._pay_what_is_due("Palette")
         token = self._make_token()
         self._build(token, "481")
         self._deliver(
             "A: struck bowl over own hum, band-passed. B: same, lower bowl. C: bowl replaced by glass.",
-            [*self._files(("shield_hit", "foot_deck_walk", "airlock_cycle", "mine_arm")), self._sounds["suit_hit"]],
+            [
+                *self._files(("shield_hit", "foot_deck_walk", "airlock_cycle", "mine_arm", *cues.ACCEPTED_OF_ALPHA)),
+                self._sounds["suit_hit"],
+                self._sounds["missile_launch"],
+            ],
         )
-        self._request_change(*cues.CHANGE)
+        self._accept(cues.ACCEPTED_OF_ALPHA)
+        self._request_changes(*cues.CHANGES)
+        self._deliver("Missile, with more of the release.", [self._sounds["missile_launch_take2"]])
+        self._request_changes(cues.SECOND_CHANGE)
         self._deliver(
             "Suit hit with the clank; thrusters; and the sting.",
-            [self._sounds["suit_hit_take2"], self._sounds["final_FINAL_sting2"], *self._files(("thruster_burst",))],
+            [
+                self._sounds["suit_hit_take2"],
+                self._sounds["missile_launch_take3"],
+                self._sounds["final_FINAL_sting2"],
+                *self._files(("thruster_burst",)),
+            ],
         )
+        self._request_changes(cues.THIRD_CHANGE)
         self._ask(*cues.QUESTION)
         self._cut(*cues.CUT)
         self._build(token, "482", strays=[self._sounds["airlock_cycle"]])
@@ -225,13 +243,63 @@ class _Maker:
                 accept = {"note": "", "take_ids": [take["id"] for take in takes]}
                 self._decider.ask("POST", f"/cues/{self._cues[name]}/accept-set", json=accept)
 
-    def _request_change(self, name: str, text: str, start_s: float) -> None:
-        takes = self._queue().get(name)
-        if not takes:
-            return
-        verdict = {"kind": "request_change", "note": text, "start_s": start_s}
-        self._decider.ask("POST", f"/takes/{takes[0]['id']}/verdict", json=verdict)
-        self._decider.ask("POST", f"/projects/{self._project}/sendings", json={"note": ""})
+    def _request_changes(self, *changes: tuple[str, str, float]) -> None:
+        queue = self._queue()
+        waiting = [change for change in changes if queue.get(change[0])]
+        for name, text, start_s in waiting:
+            if text in self._asked():  # said already, by a demo that was stopped
+                continue
+            verdict = {"kind": "request_change", "note": text, "start_s": start_s}
+            self._decider.ask("POST", f"/takes/{queue[name][0]['id']}/verdict", json=verdict)
+        drafts = self._decider.ask("GET", f"/projects/{self._project}/change-requests", params={"state": "draft"})
+        if drafts["items"]:
+            self._decider.ask("POST", f"/projects/{self._project}/sendings", json={"note": ""})
+
+    def _asked(self) -> set[str]:
+        path, params = f"/projects/{self._project}/change-requests", {"state": "sent"}
+        return {one["text"] for one in self._decider.ask("GET", path, params=params)["items"]}
+
+    def _agree_on_contract(self) -> None:
+        """Begin, plan and send the contract as the producer, and have both say yes to the same text."""
+        path = f"/projects/{self._project}"
+        (engagement,) = self._producer.ask("GET", path)["engagements"]
+        body = {"engagement_id": engagement["id"], "kind": "single", "title": "Effects", "currency": "USD"}
+        self._contract = self._producer.ask("POST", f"{path}/contracts", once="demo-contract", json=body)["id"]
+        contract = f"/contracts/{self._contract}"
+        if self._producer.ask("GET", contract)["state"] == "draft":
+            self._producer.ask("PUT", f"{contract}/milestones", json={"milestones": self._plan()})
+            self._producer.ask("POST", f"{contract}/send", json={"note": ""})
+        for visitor, name in ((self._producer, "Producer"), (self._designer, "Sound designer")):
+            read = visitor.ask("GET", contract)
+            if read["may"]["accept"]:
+                accept = {"name": name, "text_sha256": read["version"]["text_sha256"]}
+                visitor.ask("POST", f"{contract}/accept", json=accept)
+
+    def _plan(self) -> list[dict[str, Any]]:
+        today = clock.now().date()
+        deposit = {"name": "Deposit", "amount_minor": cues.DEPOSIT_MINOR, "is_deposit": True}
+        milestones = [
+            {
+                "name": name,
+                "due_on": (today + timedelta(days=days)).isoformat(),
+                "cues": [
+                    {"cue_id": self._cues[cue], "price_minor": price_minor, "estimate_min": cues.ESTIMATE_MIN}
+                    for cue in of_it
+                ],
+            }
+            for name, of_it, price_minor, days in cues.MILESTONES
+        ]
+        return [deposit, *milestones]
+
+    def _pay_what_is_due(self, what: str) -> None:
+        """Issue an invoice as the designer, and pay it as the producer."""
+        body = {"seller": "Sound designer", "buyer": "Shield Wing studio", "po_number": "SW-2026"}
+        path = f"/contracts/{self._contract}/invoices"
+        invoice = self._designer.ask("POST", path, once=f"demo-invoice-{what}", json=body)
+        now = self._producer.ask("GET", f"/invoices/{invoice['id']}")
+        if now["open_minor"]:
+            paid = {"amount_minor": now["open_minor"], "reference": what, "paid_on": clock.now().date().isoformat()}
+            self._producer.ask("POST", f"/invoices/{invoice['id']}/payments", json=paid)
 
     def _ask(self, name: str, text: str) -> None:
         path = f"/cues/{self._cues[name]}/questions"

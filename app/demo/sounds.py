@@ -77,7 +77,7 @@ class DemoSound:
 
 
 def demo_sounds() -> dict[str, DemoSound]:
-    """Return every sound by its key: the stem of its file, and `suit_hit_take2` for the second take of that name."""
+    """Return every sound by its key: the stem of its file, and `suit_hit_take2` for a second take of that name."""
     sounds = [
         DemoSound("ui_confirm.wav", 48_000, 24, 0.13, 101, partial(_two_notes, first_hz=880.0, second_hz=1318.5)),
         DemoSound("ui_back.wav", 48_000, 24, 0.13, 102, partial(_two_notes, first_hz=987.8, second_hz=659.3)),
@@ -95,9 +95,17 @@ def demo_sounds() -> dict[str, DemoSound]:
         DemoSound("final_FINAL_sting2.wav", 96_000, 24, 3.02, 190, _victory_sting),
         DemoSound("alarm_red_alert.wav", 44_100, 16, 2.00, 195, _alarm),
         DemoSound("mine_arm.wav", 44_100, 16, 0.50, 196, _mine_arm),
+        DemoSound("radar_ping.wav", 48_000, 24, 0.60, 200, _radar_ping),
+        DemoSound("dock_clamp.wav", 48_000, 24, 0.80, 210, _dock_clamp),
+        DemoSound("explosion_far.wav", 48_000, 24, 2.50, 220, _explosion_far),
+        DemoSound("missile_launch.wav", 96_000, 24, 1.40, 230, partial(_missile_launch, thrust_s=0.50)),
     ]
     by_key = {Path(sound.file_name).stem: sound for sound in sounds}
     by_key["suit_hit_take2"] = DemoSound("suit_hit.wav", 48_000, 24, 0.50, 170, partial(_suit_hit, clank_db=-9.0))
+    for number, thrust_s in ((2, 0.45), (3, 0.40)):
+        by_key[f"missile_launch_take{number}"] = DemoSound(
+            "missile_launch.wav", 96_000, 24, 1.40, 230, partial(_missile_launch, thrust_s=thrust_s)
+        )
     return by_key
 
 
@@ -429,3 +437,49 @@ def _mine_arm(clock: Clock) -> Signal:
         pips += np.sin(TURN * hz * since) * struck(since, 0.002, 0.024 if hz < 2_000 else 0.034)
     mixed = latch + servo + 0.5 * pips
     return at_true_peak(mono(faded(rumble_off(mixed, clock, 60.0), clock, 0.03)), -4.0)
+
+
+def _radar_ping(clock: Clock) -> Signal:
+    """Return a sweep's find: one glassy ping with a short tail of its own."""
+    times = clock.times()
+    ring = np.sin(TURN * 1_460 * times + 0.8 * np.exp(-times / 0.03) * np.sin(TURN * 2_920 * times))
+    tail = noise(clock, 1, 1_100, 3_800) * 0.05 * struck(times, 0.01, 0.12)
+    return at_true_peak(mono(_rounded(ring * struck(times, 0.002, 0.13) + tail, clock, 0.06)), -6.0)
+
+
+def _dock_clamp(clock: Clock) -> Signal:
+    """Return two clamps that take the hull, the second heavier."""
+    modes = [(318, 0, 0.10), (527, -4, 0.09), (861, -8, 0.07), (1_530, -13, 0.05)]
+    light = metal(clock, 1, 0.0, modes) + burst(clock, 2, 0.0, [(90, 700, 0, 0.04), (700, 5_000, -8, 0.015)])
+    heavy = metal(clock, 10, 0.26, [(hz * 0.62, level_db + 2, decay_s * 1.2) for hz, level_db, decay_s in modes])
+    heavy += 1.6 * burst(clock, 20, 0.26, [(45, 420, 0, 0.07), (420, 3_600, -7, 0.02)])
+    return at_true_peak(mono(_rounded(driven(light + heavy, 1.6), clock, 0.07)), -2.5)
+
+
+def _explosion_far(clock: Clock) -> Signal:
+    """Return a ship that dies far off: low and wide, without a crack."""
+
+    def side(channel: int) -> Signal:
+        times = clock.times()
+        swell = ramp(times, -0.01, 0.09) * np.exp(-np.maximum(times - 0.1, 0.0) / 0.42)
+        low = noise(clock, 1 + channel, 32, 260, -3.5) * swell
+        rubble = noise(clock, 11 + channel, 180, 1_300, -4) * 0.22 * swell * ramp(times, 0.1, 0.5)
+        body = 0.8 * tone(clock, fall(times, 74, 38, 0.3)) * swell
+        return _rounded(driven(low + rubble + body, 1.4), clock, 0.25)
+
+    return at_true_peak(wide(side), -4.0)
+
+
+def _missile_launch(clock: Clock, thrust_s: float) -> Signal:
+    """Return a missile that leaves: release, then ignition and departure from `thrust_s` on."""
+    times, since = clock.times(), clock.times(thrust_s)
+    release = metal(clock, 1, 0.0, [(402, -3, 0.06), (977, -8, 0.04), (1_850, -13, 0.03)])
+    hiss = noise(clock, 5, 900, 7_500, -3) * 0.10 * struck(times, 0.01, 0.16)
+    going = ramp(since, -0.005, 0.06) * np.exp(-np.maximum(since - 0.06, 0.0) / 0.26)
+    thrust = noise(clock, 10, 60, 1_800, -2.5) * going * (1 + 0.3 * np.sin(TURN * 31 * times))
+    kick = burst(clock, 20, thrust_s, [(50, 500, 2, 0.06), (500, 6_000, -6, 0.03)])
+    return at_true_peak(mono(_rounded(driven(0.5 * release + hiss + thrust + kick, 1.5), clock, 0.10)), -2.0)
+
+
+def _rounded(signal: Signal, clock: Clock, out_s: float) -> Signal:
+    return faded(rumble_off(signal, clock, 30.0), clock, out_s)

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react'
 import { Card, CardHead } from '@/ui/Card'
 import { dueDay, shortDay } from '@/ui/format'
 
-import type { ContractMoney } from './api'
+import type { ContractMoney, MilestoneMoney } from './api'
 import classes from './Money.module.css'
 import { money, slipInWords } from './words'
 
@@ -38,17 +38,9 @@ export function MilestonesCard({ contracts, side, end = 'accepted cues count' }:
             <span className={classes.end}>
               {milestone.accepted} of {milestone.wanted}
             </span>
-            <span className="small dim">
-              {milestone.due_on === null
-                ? 'no date'
-                : milestone.done_at
-                  ? shortDay(milestone.due_on)
-                  : dueDay(milestone.due_on)}
-            </span>
-            <span className="small mid">
-              {slip && slip.days > 0
-                ? slipInWords(slip, side)
-                : standing(milestone.done_at, milestone.owed_minor, milestone.paid_minor)}
+            <span className={`small ${classes.when}`}>
+              <span className="dim">{when(milestone)}</span>
+              <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : standing(milestone)}</span>
             </span>
             <span className={`small ${classes.end}`}>{money(milestone.left_minor, currency)}</span>
           </li>
@@ -58,7 +50,12 @@ export function MilestonesCard({ contracts, side, end = 'accepted cues count' }:
   )
 }
 
-function standing(doneAt: string | null, owedMinor: number, paidMinor: number): string {
-  if (doneAt !== null) return owedMinor > 0 && paidMinor >= owedMinor ? 'accepted and paid' : 'accepted'
-  return ''
+function when({ due_on: due, done_at: done }: MilestoneMoney): string {
+  if (due === null) return 'no date'
+  return done === null ? dueDay(due) : shortDay(due)
+}
+
+function standing({ done_at: done, owed_minor: owed, paid_minor: paid }: MilestoneMoney): string {
+  if (done === null) return ''
+  return owed > 0 && paid >= owed ? 'accepted and paid' : 'accepted'
 }

@@ -102,7 +102,8 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert next(guess["name"] for guess in stray["guesses"]) == "victory_sting"
         counts = client.get(f"{path}/sound-list/counts").json()["counts"]
         assert counts == {
-            "accepted": 6, "to_review": 4, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 10,
+            "accepted": 9, "to_review": 4, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 6,
+            "change_requested": 1,
         }  # fmt: skip
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
         standing = client.get(f"{path}/sound-list/standing").json()
@@ -110,6 +111,7 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert row["worst_finding"]["message"] == "_03 stands 4.0 dB over its set, limit 2 LU"
         queue = client.get("/v1/review-queue", params={"project_id": project["id"]}).json()["items"]
         assert {item["cue"]["name"]: item["last_change"] for item in queue}["suit_hit"] == "Add a dull metallic clank"
+        ensure_money(client, path, next(item["cue"]["id"] for item in queue if item["cue"]["name"] == "shield_hit"))
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         # Nobody enters the demo but from this machine, directly.
@@ -119,6 +121,30 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
     with demo(data, port, SECOND_START_S) as client:  # what was done is kept, and made only once
         assert len(client.get("/v1/projects").json()["items"]) == 1
         assert client.get(f"{path}/sound-list/counts").json()["counts"] == counts
+
+
+def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
+    """Hold the demo's contract to the figures that its screens were drawn with."""
+    (contract,) = client.get(f"{path}/money").json()["contracts"]
+    assert contract["figures"] == {
+        "agreed_minor": 720_000, "accepted_minor": 357_750, "paid_minor": 288_000,
+        "due_minor": 69_750, "open_minor": 346_500, "saved_minor": 15_750,
+    }  # fmt: skip
+    milestones = [(one["name"], one["accepted"], one["wanted"], one["left_minor"]) for one in contract["milestones"]]
+    assert milestones == [
+        ("Deposit", 0, 0, 144_000),
+        ("Palette", 6, 6, 144_000),
+        ("Alpha", 3, 10, 180_000),
+        ("Beta", 0, 7, 236_250),
+    ]
+    (extra,) = contract["proposed_rounds"]
+    assert (extra["cue"]["name"], extra["number"], extra["included"], extra["amount_minor"]) == (
+        "missile_launch", 3, 2, 7_875,
+    )  # fmt: skip
+    mine = next(cue for one in contract["milestones"] for cue in one["cues"] if cue["cue"]["name"] == "mine_arm")
+    assert (mine["cut_in"], mine["owed_minor"]) == ("in_work", 15_750)
+    shield = client.get(f"/v1/cues/{shield_id}/money").json()
+    assert (shield["accepted_then"], shield["wanted"], shield["would_owe_minor"]) == (4, 10, 18_000)
 
 
 @pytest.fixture

@@ -22,6 +22,7 @@ REQUESTED_S = {
     "ui_confirm": 0.12, "ui_back": 0.12, "laser_fire": 0.30, "engine_idle_loop": 4.0, "amb_bridge_loop": 24.0,
     "hull_impact": 0.90, "shield_hit": 0.80, "foot_deck_walk": 0.40, "airlock_cycle": 2.0, "suit_hit": 0.50,
     "thruster_burst": 0.80, "final_FINAL_sting2": 3.0, "alarm_red_alert": 2.0, "mine_arm": 0.50,
+    "radar_ping": 0.60, "dock_clamp": 0.80, "explosion_far": 2.5, "missile_launch": 1.4,
 }  # fmt: skip
 
 
@@ -62,6 +63,7 @@ def test_every_file_of_the_demo_is_there():
         *(f"foot_deck_walk_{n:02d}.wav" for n in range(1, 7)), "airlock_cycle.wav", "suit_hit.wav",
         *(f"thruster_burst_{n:02d}.wav" for n in range(1, 5)), "final_FINAL_sting2.wav",
         "alarm_red_alert.wav", "mine_arm.wav",
+        "radar_ping.wav", "dock_clamp.wav", "explosion_far.wav", "missile_launch.wav",
     }  # fmt: skip
     assert SOUNDS["suit_hit"].file_name == SOUNDS["suit_hit_take2"].file_name
 
