@@ -4,7 +4,7 @@ import logging
 import sys
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
-from typing import Any
+from typing import Any, TextIO
 
 import structlog
 
@@ -12,6 +12,14 @@ OURS = "app"  # the loggers of all modules here begin so
 REQUEST_ID = "request_id"
 TRACEBACK = structlog.tracebacks.ExceptionDictTransformer(show_locals=False)  # they may hold secrets
 Cause = dict[str, str]  # what a job's log lines carry on from the request, or the job, that asked for it
+
+
+class _Stderr(logging.StreamHandler[TextIO]):
+    """Writes to what stderr is now: a thread that ends late may outlive what it was when logging began."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.stream = sys.stderr
+        super().emit(record)
 
 
 def configure(level: str = "WARNING") -> None:
@@ -34,7 +42,7 @@ def configure(level: str = "WARNING") -> None:
         wrapper_class=structlog.stdlib.BoundLogger,
         cache_logger_on_first_use=True,
     )
-    handler = logging.StreamHandler()
+    handler = _Stderr()
     handler.setFormatter(
         structlog.stdlib.ProcessorFormatter(
             foreign_pre_chain=shared,

@@ -45,6 +45,12 @@ class Place:
     @contextmanager
     def running(self, *command: str, name: str, **environment: str) -> Iterator[subprocess.Popen[bytes]]:
         """Run a command of the server for the length of a block; its log is kept in the folder."""
+        with self.running_python("-m", "app", *command, name=name, **environment) as process:
+            yield process
+
+    @contextmanager
+    def running_python(self, *command: str, name: str, **environment: str) -> Iterator[subprocess.Popen[bytes]]:
+        """Run Python in the server's environment for the length of a block; its log is kept in the folder."""
         variables = {
             "SOUNDLIST_DATA_DIR": str(self.folder),
             "SOUNDLIST_DATABASE_URL": self.database_url,
@@ -53,7 +59,7 @@ class Place:
         }
         with (self.folder / f"{name}.log").open("ab") as log:
             process = subprocess.Popen(
-                [sys.executable, "-m", "app", *command],
+                [sys.executable, *command],
                 env=os.environ | variables | self.environment | environment,
                 stdout=log,
                 stderr=log,

@@ -9,6 +9,7 @@ import struct
 import zlib
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 HEIGHT = 128
@@ -35,26 +36,27 @@ class SpectrumPicture:
     def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:
         self.width = max(1, min(MAX_WIDTH, math.ceil(frames / (sample_rate_hz * COLUMN_S))))
         self._window_frames = 1 << max(4, round(math.log2(sample_rate_hz * WINDOW_S)))
-        self._window = np.hanning(self._window_frames + 1)[:-1, np.newaxis]
+        # Single precision: its noise lies far below black, and its transforms take half the time.
+        self._window = np.hanning(self._window_frames + 1)[:-1].astype(np.float32)
         per_column = max(1, math.ceil(frames / self.width / (self._window_frames / 2)))
         windows = self.width * per_column
         centres = ((np.arange(windows) + 0.5) * frames / windows).astype(np.int64)
         self._starts = centres  # in a stream with half a window of silence before it
         self._columns = np.arange(windows) // per_column
         self._next = 0
-        self._held = np.zeros((self._window_frames // 2, channels))
+        self._held = np.zeros((channels, self._window_frames // 2), np.float32)
         self._held_from = 0
         self._power = np.zeros((self.width, HEIGHT))
         self._rows = _Rows(sample_rate_hz, self._window_frames)
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take in the next frames, shape (frames, channels)."""
-        self._held = np.concatenate([self._held, block])
+        self._held = np.concatenate([self._held, block.T.astype(np.float32)], axis=1)
         self._measure()
 
     def levels(self) -> NDArray[np.float64]:
         """Return the level of every point in dBFS of a tone, shape (HEIGHT, width), and end the stream."""
-        self.add(np.zeros((self._window_frames, self._held.shape[1])))
+        self.add(np.zeros((self._window_frames, len(self._held))))
         return 10 * np.log10(np.maximum(self._power.T, 1e-30))
 
     def png(self) -> bytes:
@@ -63,21 +65,23 @@ class SpectrumPicture:
         return grey_png(np.rint(grey).astype(np.uint8))
 
     def _measure(self) -> None:
-        ready = int(
-            np.searchsorted(self._starts, self._held_from + len(self._held) - self._window_frames, side="right")
-        )
+        held_until = self._held_from + self._held.shape[1]
+        ready = int(np.searchsorted(self._starts, held_until - self._window_frames, side="right"))
         while self._next < ready:
             last = min(ready, self._next + WINDOWS_AT_ONCE)
             starts = self._starts[self._next : last] - self._held_from
-            frames = starts[:, np.newaxis] + np.arange(self._window_frames)
-            spectra = np.fft.rfft(self._held[frames] * self._window, axis=1)
-            power = (np.abs(spectra) ** 2).mean(axis=2) / (self._window_frames / 4) ** 2
+            power = np.zeros((len(starts), self._window_frames // 2 + 1), np.float32)
+            for channel in self._held:
+                windows = sliding_window_view(channel, self._window_frames)[starts]
+                spectra = np.fft.rfft(windows * self._window)
+                power += spectra.real**2 + spectra.imag**2
+            power *= 1 / len(self._held) / (self._window_frames / 4) ** 2
             # The loudest of a column's windows counts, so that a click in a long sound is seen.
             np.maximum.at(self._power, self._columns[self._next : last], self._rows.of(power))
             self._next = last
-        needed_from = self._starts[self._next] if self._next < len(self._starts) else self._held_from + len(self._held)
-        drop = int(min(needed_from - self._held_from, len(self._held)))
-        self._held = self._held[drop:]
+        needed_from = self._starts[self._next] if self._next < len(self._starts) else held_until
+        drop = int(min(needed_from, held_until) - self._held_from)
+        self._held = self._held[:, drop:]
         self._held_from += drop
 
 
@@ -97,11 +101,11 @@ class _Rows:
         self._wide = end - first >= 2
         self._spans = np.stack([first, np.maximum(end, first + 1)], axis=1)[self._wide].ravel()
 
-    def of(self, power: NDArray[np.float64]) -> NDArray[np.float64]:
+    def of(self, power: NDArray[np.float32]) -> NDArray[np.float64]:
         """Return rows for spectra of shape (windows, bins): the loudest bin of a row, or between two bins."""
         rows: NDArray[np.float64] = power[:, self._below] * (1 - self._share) + power[:, self._below + 1] * self._share
         if self._spans.size:
-            silent_end = np.zeros((len(power), 1))  # reduceat wants the end of the last span to exist
+            silent_end = np.zeros((len(power), 1), np.float32)  # reduceat wants the end of the last span to exist
             rows[:, self._wide] = np.maximum.reduceat(np.hstack([power, silent_end]), self._spans, axis=1)[:, ::2]
         rows[:, ~self._lit] = 0
         return rows
@@ -115,7 +119,7 @@ def grey_png(values: NDArray[np.uint8]) -> bytes:
         [
             PNG_SIGNATURE,
             _png_chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)),
-            _png_chunk(b"IDAT", zlib.compress(lines.tobytes(), 6)),
+            _png_chunk(b"IDAT", zlib.compress(lines.tobytes(), 3)),
             _png_chunk(b"IEND", b""),
         ]
     )

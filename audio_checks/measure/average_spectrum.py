@@ -66,7 +66,7 @@ class AverageSpectrum:
         start = 0
         while start + self._size <= held.shape[1]:
             spectra = np.fft.rfft(held[:, start : start + self._size] * self._window, axis=1)
-            self._power += np.square(np.abs(spectra)).sum(axis=0)
+            self._power += (spectra.real**2 + spectra.imag**2).sum(axis=0)
             start += self._hop
         self._held = held[:, start:]
 

@@ -159,7 +159,10 @@ def _with_silence(
 
 def _in_silence(held: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Tell of each sample between the two margins whether a whole run of silence around it is zeros."""
-    zeros = np.concatenate([np.zeros((1, held.shape[1]), dtype=np.int64), np.cumsum(held == 0.0, axis=0)])
+    is_zero = held == 0.0
+    if np.count_nonzero(is_zero) < SILENCE_FRAMES:  # most of a sound
+        return np.zeros((len(held) - 2 * (SILENCE_FRAMES - 1), held.shape[1]), dtype=bool)
+    zeros = np.concatenate([np.zeros((1, held.shape[1]), dtype=np.int64), np.cumsum(is_zero, axis=0)])
     runs = zeros[SILENCE_FRAMES:] - zeros[:-SILENCE_FRAMES] == SILENCE_FRAMES
     starts = np.concatenate([np.zeros((1, held.shape[1]), dtype=np.int64), np.cumsum(runs, axis=0)])
     inside: NDArray[np.bool_] = starts[SILENCE_FRAMES:] > starts[:-SILENCE_FRAMES]

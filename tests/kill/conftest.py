@@ -6,7 +6,7 @@ from typing import cast
 
 import pytest
 
-from tests.kill.processes import ProcessServer, Zygote
+from tests.kill.processes import ProcessServer, SomeOf, Zygote
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.server import RunningServer, World
 
@@ -20,6 +20,13 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     kinds = [marker.args[0]] if runs == 1 or marker.kwargs.get("only") else ["sqlite", "postgres"]
     tries = [pytest.param(kind, id=f"{kind}-{run}") for kind in kinds for run in range(1, runs + 1)]
     metafunc.parametrize("killed_on", tries)
+
+
+@pytest.fixture
+def some_of(request: pytest.FixtureRequest) -> SomeOf:
+    """Choose the points of a kill: every one where kills are tried often, each so-many-th where they are tried once."""
+    is_short = request.config.getoption("--kill-runs") == 1
+    return lambda points, step: points[1::step] if is_short else points
 
 
 @pytest.fixture(scope="session")

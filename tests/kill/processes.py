@@ -1,13 +1,15 @@
 """Real server processes over one data folder and database, to be killed and started again."""
 
+import inspect
 import json
 import os
+import select
 import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +25,7 @@ from app.settings import Settings
 ROOT = Path(__file__).resolve().parents[2]
 SECRET_KEY = "only for tests, nowhere else"
 PATIENCE_S = 60.0  # nothing may be stuck for longer
+SomeOf = Callable[[Sequence[str], int], Sequence[str]]
 
 
 class Process:
@@ -79,6 +82,8 @@ class Zygote:
 
     def _line(self) -> str:
         assert self._process.stdout is not None
+        ready, _, _ = select.select([self._process.stdout], [], [], PATIENCE_S)
+        assert ready, f"what the processes are forked from said nothing for {PATIENCE_S:.0f} s"
         return self._process.stdout.readline().strip()
 
 
@@ -136,7 +141,10 @@ class ProcessServer:
         self._running.clear()
 
     def close(self) -> None:
-        """End everything."""
+        """End everything, at once: what a process does when it is told to end has its own test."""
+        for process in self._running:
+            if process.poll() is None:
+                process.send(signal.SIGKILL)
         self.stop()
         self.runtime.close()
 
@@ -170,7 +178,7 @@ def free_port() -> int:
 def answers(port: int) -> bool:
     """Whether a web process answers at a port."""
     try:
-        return httpx.get(f"http://127.0.0.1:{port}/healthz").status_code == 200
+        return httpx.get(f"http://127.0.0.1:{port}/healthz", timeout=5).status_code == 200
     except httpx.TransportError:
         return False
 
@@ -179,6 +187,6 @@ def wait_until(done: Callable[[], Any]) -> Any:
     """Return what `done` returns, once it is true."""
     deadline = time.monotonic() + PATIENCE_S
     while not (answer := done()):
-        assert time.monotonic() < deadline, "waited in vain"
+        assert time.monotonic() < deadline, f"waited {PATIENCE_S:.0f} s in vain: {inspect.getsource(done).strip()}"
         time.sleep(0.05)
     return answer

@@ -9,7 +9,7 @@ import pytest
 
 from app.deliveries.models import Delivery
 from tests.kill.effects import assert_done_once, is_idle, nothing_failed, rows, told, verdicts
-from tests.kill.processes import Process, ProcessServer, wait_until
+from tests.kill.processes import Process, ProcessServer, SomeOf, wait_until
 from tests.support.deliver import BYTES, TUS, add_cues, metadata, open_delivery
 from tests.support.postgres import Postgres
 from tests.support.server import World
@@ -35,7 +35,7 @@ def instead_of(web: Process, server: ProcessServer, point: str, postgres: Postgr
 
 @pytest.mark.killed_on("postgres", only=True)
 def test_a_killed_database_loses_nothing_and_stops_nobody(
-    server: ProcessServer, world: World, durable_postgres: Postgres
+    server: ProcessServer, world: World, durable_postgres: Postgres, some_of: SomeOf
 ) -> None:
     """It dies while an upload ends, while a check and a render are recorded, and while a verdict is given."""
     (cue,) = add_cues(world, {"name": "laser"})
@@ -57,7 +57,7 @@ def test_a_killed_database_loses_nothing_and_stops_nobody(
     take_id = UUID(made.json()["id"])
     assert made.json()["cue"]["id"] == cue["id"]
 
-    for point in ("conformance.before_commit", "renders.before_commit"):
+    for point in some_of(("conformance.before_commit", "renders.before_commit"), 2):
         worker = server.work(point, victim=durable_postgres.pid)
         die_and_come_back(server, durable_postgres, point)
         if point.startswith("renders"):

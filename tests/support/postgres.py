@@ -17,6 +17,7 @@ from psycopg import sql
 OWNER = "soundlist"  # the login that the application uses: it owns its database and is no superuser
 SUPERUSER = "postgres"
 START_WITHIN_S = 30.0
+MADE_WITHIN_S = 120.0
 
 
 class PostgresMissing(Exception):
@@ -96,7 +97,10 @@ class Postgres:
 
     def superuser(self, database: str = "postgres") -> psycopg.Connection:
         """Return a connection without limits, each statement a transaction of its own."""
-        return psycopg.connect(host=str(self.folder), user=SUPERUSER, dbname=database, autocommit=True)
+        within_s = int(START_WITHIN_S)
+        return psycopg.connect(
+            host=str(self.folder), user=SUPERUSER, dbname=database, autocommit=True, connect_timeout=within_s
+        )
 
     def url(self, database: str) -> str:
         """Return what SOUNDLIST_DATABASE_URL would say."""
@@ -125,7 +129,8 @@ class Postgres:
     def _run(self, program: str, *arguments: str) -> None:
         ran = subprocess.run(
             [str(self._programs / program), *arguments],
-            capture_output=True, text=True, user=self._user, group=self._group, extra_groups=self._extra_groups,
+            capture_output=True, text=True, timeout=MADE_WITHIN_S,
+            user=self._user, group=self._group, extra_groups=self._extra_groups,
             cwd="/",
         )  # fmt: skip
         if ran.returncode:

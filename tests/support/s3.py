@@ -24,6 +24,7 @@ KEY = Key("soundlist-tests", "only for tests")
 REGION = "us-east-1"
 READ_BYTES = 1 << 18
 STARTS_WITHIN_S = 20.0
+BUILT_WITHIN_S = 900.0
 _numbers = itertools.count(1)
 _folders: dict[str, Path] = {}  # of the servers that run, by endpoint
 
@@ -79,7 +80,8 @@ def run_s3(folder: Path) -> Iterator[S3Server]:
 
 def s3_program() -> str:
     """Return the server that the set-up builds; where it is being built, wait for it."""
-    return subprocess.run([ROOT / ".ci/s3"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    ran = subprocess.run([ROOT / ".ci/s3"], stdout=subprocess.PIPE, text=True, check=True, timeout=BUILT_WITHIN_S)
+    return ran.stdout.strip()
 
 
 @contextmanager

@@ -32,6 +32,7 @@ from app.settings import Settings
 from app.worker import start_worker
 
 LONG_AGO_S = 30.0
+JOBS_END_WITHIN_S = 30
 
 
 @dataclass
@@ -97,7 +98,7 @@ def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
         with start_blocking_portal() as portal:
             yield RunningServer(runtime, application, portal, worker)
     finally:
-        worker.stop(wait_s=2)
+        worker.stop(wait_s=JOBS_END_WITHIN_S)  # a job that outlives its runtime fails where nobody looks
         runtime.close()
 
 

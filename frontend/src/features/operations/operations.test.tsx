@@ -6,7 +6,7 @@ import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
 
 import type { JobState, Lane } from './api'
-import { inOneLine, laneLine, laneWords } from './words'
+import { inOneLine, jobWords, laneLine, laneWords } from './words'
 
 const AT = '2026-11-21T12:00:00Z'
 const NOW = new Date('2026-11-21T12:05:00Z')
@@ -188,4 +188,9 @@ test('a lane says how much of what it has, and nothing of what it has not', () =
   expect(laneLine({ ...LANE, waiting: 0, running: 0, delayed: 3, oldest_at: null }, NOW)).toBe('3 later')
   expect(laneWords(LANE, 'server')).toBe('the server itself, in bulk')
   expect(laneWords({ ...LANE, urgency: 'urgent' }, { studioId: 's1' })).toBe('What people wait for')
+})
+
+test('a job is called by what it does, and one without words by its own name', () => {
+  expect(jobWords('conformance.check_take')).toBe('Check a version')
+  expect(jobWords('orchards.pick_ripe_apples')).toBe('Pick ripe apples')
 })

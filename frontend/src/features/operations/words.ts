@@ -3,8 +3,9 @@ import type { StateKind } from '@/ui/State'
 
 import type { JobCount, JobState, Lane, Scope } from './api'
 
-/** What each job does, for people; a job that is new here is called by its own name. */
+/** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
+  'builds.seal_pack': 'Seal a pack',
   'conformance.check_take': 'Check a version',
   'conformance.recheck_takes': 'Check again what a change touches',
   'conformance.make_mend': 'Make a mended copy',
@@ -16,6 +17,7 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.tell_build': 'Tell what a build refused',
   'notifications.tell_changes': 'Tell requested changes',
   'notifications.tell_check': 'Tell what a check said',
+  'notifications.tell_contract': 'Tell what became of a contract',
   'notifications.tell_cut': 'Tell of a cut',
   'notifications.tell_list_revised': 'Tell a new revision',
   'notifications.tell_question': 'Tell a question',
@@ -30,7 +32,10 @@ const JOBS: Partial<Record<string, string>> = {
   'server.sweep_uploads': 'Clear away unfinished uploads',
 }
 
-export const jobWords = (job: string): string => JOBS[job] ?? job
+export function jobWords(job: string): string {
+  const verb = job.slice(job.indexOf('.') + 1).replaceAll('_', ' ')
+  return JOBS[job] ?? verb.charAt(0).toUpperCase() + verb.slice(1)
+}
 
 /** In the order of need: who looks here looks for what gave up. */
 export const STATES_SHOWN: readonly JobState[] = ['parked', 'broken', 'running', 'waiting', 'delayed']

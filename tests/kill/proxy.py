@@ -1,0 +1,87 @@
+"""A reverse proxy before several web processes: keeps connections open, and never sends a request twice."""
+
+import asyncio
+import threading
+from collections.abc import AsyncIterator, Iterator, Sequence
+from contextlib import asynccontextmanager, contextmanager
+
+import httpx
+import uvicorn
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+
+from tests.kill.processes import answers, free_port, wait_until
+
+CHECK_EVERY_S = 0.2
+TRY_FOR_S = 20.0
+METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE"]
+
+
+class Proxy:
+    """Takes turns among those that take a line; where `checks_health`, only while their /readyz says so."""
+
+    def __init__(self, ports: Sequence[int], *, checks_health: bool) -> None:
+        self._ports = list(ports)
+        self._checks_health = checks_health
+        self._healthy = set(ports)
+        self._turn = 0
+        self._client = httpx.AsyncClient(timeout=30, limits=httpx.Limits(max_keepalive_connections=20))
+
+    async def forward(self, request: Request) -> Response:
+        """Hand a request on; to another only where no line could be opened, since then nothing was sent."""
+        body = await request.body()
+        headers = [(name, value) for name, value in request.headers.raw if name != b"connection"]
+        deadline = asyncio.get_running_loop().time() + TRY_FOR_S
+        while asyncio.get_running_loop().time() < deadline:
+            self._turn += 1
+            port = self._ports[self._turn % len(self._ports)]
+            if port not in self._healthy:
+                await asyncio.sleep(0.01)
+                continue
+            address = f"http://127.0.0.1:{port}{request.url.path}?{request.url.query}"
+            try:
+                answer = await self._client.request(request.method, address, content=body, headers=headers)
+            except httpx.ConnectError:
+                await asyncio.sleep(0.05)
+                continue
+            except httpx.TransportError as error:
+                return Response(f"the line to {port} broke: {error!r}", 502)
+            kept = {name: value for name, value in answer.headers.items() if name in ("content-type", "location")}
+            return Response(answer.content, answer.status_code, kept)
+        return Response("nobody answers", 502)
+
+    async def check(self) -> None:
+        """Ask each process now and then whether it is ready."""
+        while self._checks_health:
+            for port in self._ports:
+                try:
+                    ready = (await self._client.get(f"http://127.0.0.1:{port}/readyz")).status_code == 200
+                except httpx.TransportError:
+                    ready = False
+                (self._healthy.add if ready else self._healthy.discard)(port)
+            await asyncio.sleep(CHECK_EVERY_S)
+
+
+@contextmanager
+def running_proxy(ports: Sequence[int], *, checks_health: bool) -> Iterator[int]:
+    """Run a proxy before these ports, and give its own."""
+    proxy, port = Proxy(ports, checks_health=checks_health), free_port()
+
+    @asynccontextmanager
+    async def checking(_app: Starlette) -> AsyncIterator[None]:
+        checks = asyncio.create_task(proxy.check())
+        yield
+        checks.cancel()
+
+    app = Starlette(routes=[Route("/{path:path}", proxy.forward, methods=METHODS)], lifespan=checking)
+    server = uvicorn.Server(uvicorn.Config(app, port=port, log_config=None, access_log=False))
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    wait_until(lambda: answers(port))
+    try:
+        yield port
+    finally:
+        server.should_exit = True
+        thread.join(timeout=10)
