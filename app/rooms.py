@@ -47,6 +47,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
+    "placeholders.asked": ("builds.make_stand_ins",),
     "pack.asked": ("builds.seal_pack",),
     "batch.asked": ("renders.plan_batch",),
     "list.revised": ("notifications.tell_list_revised",),

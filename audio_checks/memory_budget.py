@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
+from functools import cache
 from typing import Any
 
 from audio_checks.spec import CueFacts, DeliverySpec, Target
@@ -114,8 +115,9 @@ def memory_use(spec: DeliverySpec, target: str, sounds: Iterable[SoundSize]) -> 
     """
     base = spec.for_target(target)
     uses: dict[str | None, MemoryUse] = {}
+    view_of = cache(spec.for_category)
     for sound in sounds:
-        view = spec.for_category(sound.category)
+        view = view_of(sound.category)
         known = uses.get(sound.category) or MemoryUse(
             sound.category, 0, 0, 0, 0, 0, _own_budget(spec, target, sound.category)
         )

@@ -10,7 +10,7 @@ from fastapi.responses import StreamingResponse
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Scope, Sight
-from app.builds import packs, sealing, service
+from app.builds import packs, placeholders, sealing, service, targets
 from app.builds.documentation_key import key_csv, key_xlsx
 from app.builds.errors import (
     BlobDamaged,
@@ -19,6 +19,7 @@ from app.builds.errors import (
     PackIncomplete,
     PackNotFound,
     PackNotSealed,
+    PlaceholderAccepted,
     ReportInvalid,
 )
 from app.builds.key_pdf import key_pdf
@@ -31,8 +32,11 @@ from app.builds.schemas import (
     CiLines,
     PackAdd,
     PackRead,
+    PlaceholderRegister,
+    PlaceholdersAdd,
     SealedPackRead,
     SealedPackSummary,
+    TargetsRead,
 )
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
@@ -41,6 +45,7 @@ from app.renders.errors import TargetUnknown
 
 router = APIRouter(prefix="/v1", tags=["builds"], route_class=Route)
 PAGE = 50
+NOT_PACKED = (NothingAccepted, PackIncomplete, PlaceholderAccepted)
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
 BINARY = {"schema": {"type": "string", "format": "binary"}}
@@ -65,7 +70,15 @@ def get_pack(
     "/projects/{project_id}/pack.zip",
     response_class=StreamingResponse,
     responses={
-        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, NothingAccepted, PackIncomplete, BlobDamaged),
+        **problems(
+            ProjectNotFound,
+            TeamNeeded,
+            TargetUnknown,
+            NothingAccepted,
+            PackIncomplete,
+            PlaceholderAccepted,
+            BlobDamaged,
+        ),
         200: {"content": {"application/zip": BINARY}},
     },
 )
@@ -78,11 +91,18 @@ def download_pack(
     allow_missing: Annotated[
         bool, Query(description="Leave out accepted sounds that have no game file; the key says why.")
     ] = False,
+    with_placeholders: Annotated[
+        bool, Query(alias="placeholders", description="Put marked stand-ins in for the sounds that are not accepted.")
+    ] = False,
     actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
 ) -> StreamingResponse:
     """Stream the approved pack; an answer shorter than its Content-Length is a broken one."""
     pack = packs.pack_in_sight(session, actor, project_id, target)
-    files = packs.pack_files(runtime.store, pack, masters=masters, allow_missing=allow_missing)
+    if with_placeholders:
+        pack = placeholders.with_stand_ins(session, pack)
+    files = packs.pack_files(
+        runtime.store, pack, masters=masters, allow_missing=allow_missing, placeholders=with_placeholders
+    )
     return _zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
 
 
@@ -153,25 +173,58 @@ def get_documentation_key_pdf(
     return Response(content, media_type="application/pdf", headers=headers)
 
 
+@router.get(
+    "/projects/{project_id}/targets", response_model=TargetsRead, responses=problems(ProjectNotFound, TeamNeeded)
+)
+def get_targets(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ)
+) -> TargetsRead:
+    """Return what game files are made to, what they take in memory, and what the whole list will take."""
+    return targets.targets_in_sight(session, actor, project_id)
+
+
+@router.get(
+    "/projects/{project_id}/placeholders",
+    response_model=PlaceholderRegister,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+)
+def get_placeholders(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> PlaceholderRegister:
+    """Return what the game has no accepted sound for yet, and which of it has a stand-in."""
+    return placeholders.register(session, actor, project_id, target)
+
+
+@router.post(
+    "/projects/{project_id}/placeholders",
+    status_code=202,
+    response_class=Response,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+)
+def make_placeholders(
+    project_id: UUID, body: PlaceholdersAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+) -> Response:
+    """Have a stand-in made for everything that a target's pack lacks: to spec, by name, and marked."""
+    placeholders.ask_for_stand_ins(session, actor, project_id, body.target)
+    return Response(status_code=202)
+
+
 @router.post(
     "/projects/{project_id}/packs",
     status_code=201,
     response_model=SealedPackSummary,
-    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown, NothingAccepted, PackIncomplete),
+    responses=problems(
+        ProjectNotFound, TeamNeeded, TargetUnknown, NothingAccepted, PackIncomplete, PlaceholderAccepted
+    ),
 )
 def add_pack(
     project_id: UUID, body: PackAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
 ) -> SealedPackSummary:
     """Seal what is accepted now as a numbered pack, which never changes; the worker puts it together."""
-    pack = sealing.ask_for_pack(
-        session,
-        actor,
-        project_id,
-        target=body.target,
-        note=body.note,
-        masters=body.masters,
-        allow_missing=body.allow_missing,
-    )
+    pack = sealing.ask_for_pack(session, actor, project_id, body)
     (summary,) = sealing.summaries(session, [pack])
     return summary
 

@@ -31,3 +31,7 @@ class PackNotFound(NotFound):
 
 class PackNotSealed(Conflict):
     """The pack is being put together, or could not be."""
+
+
+class PlaceholderAccepted(Conflict):
+    """An accepted sound is a stand-in, and nobody asked for a pack with stand-ins."""

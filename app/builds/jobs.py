@@ -1,14 +1,17 @@
-"""The jobs of this room: packs put together."""
+"""The jobs of this room: packs put together, stand-ins made."""
 
+import tempfile
+from pathlib import Path
 from uuid import UUID
 
-from app.builds import packs, queries, sealing
+from app.builds import packs, placeholders, queries, sealing
 from app.builds.rules import FileKind, PackState
 from app.kit import kill
 from app.kit.errors import Refused
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.projects.models import Project
+from audio_checks import RenderRefused, make_placeholder
 
 
 @job("builds.seal_pack")
@@ -20,8 +23,16 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
         if asked is None or asked.state is not PackState.SEALING:
             return
         pack = packs.pack_of(session, session.get_one(Project, asked.project_id), asked.target)
+        if asked.placeholders:
+            pack = placeholders.with_stand_ins(session, pack)
     try:
-        files = packs.pack_files(runtime.store, pack, masters=asked.with_masters, allow_missing=asked.allow_missing)
+        files = packs.pack_files(
+            runtime.store,
+            pack,
+            masters=asked.with_masters,
+            allow_missing=asked.allow_missing,
+            placeholders=asked.placeholders,
+        )
     except Refused as error:
         with runtime.database.writing() as session:
             sealing.refuse(session, pack_id, error.message)
@@ -33,3 +44,22 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
     kill.point("builds.before_seal")
     with runtime.database.writing() as session:
         sealing.seal(session, pack_id, files)
+
+
+@job("builds.make_stand_ins")
+def make_stand_ins(runtime: Runtime, payload: Payload) -> None:
+    """Make what the pack of a target lacks, each on record before the next."""
+    target = payload["target"]
+    with runtime.database.reading() as session:
+        project, slots = placeholders.slots_to_make(session, UUID(payload["project_id"]), target)
+    for slot in slots:
+        blob, is_spoken, refusal = None, False, ""
+        with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+            try:
+                made = make_placeholder(slot.facts, slot.variation, slot.view, Path(folder, "stand_in.wav"))
+                blob, is_spoken = runtime.store.put_file(project.studio_id, made.path), made.is_spoken
+            except RenderRefused as error:
+                refusal = f"{error}; {error.fix}"
+        kill.point("builds.before_stand_in")
+        with runtime.database.writing() as session:
+            placeholders.keep(session, project, target, slot, blob, is_spoken=is_spoken, refusal=refusal)

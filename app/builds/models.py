@@ -49,6 +49,7 @@ class SealedPack(Base):
     note: Mapped[str] = mapped_column(default="")
     with_masters: Mapped[bool] = mapped_column(default=False)
     allow_missing: Mapped[bool] = mapped_column(default=False)
+    placeholders: Mapped[bool] = mapped_column(default=False)  # stand-ins are in it, because somebody asked for them
     state: Mapped[PackState] = mapped_column(default=PackState.SEALING)
     refusal: Mapped[str] = mapped_column(default="")
     sealed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
@@ -72,3 +73,26 @@ class PackedFile(Base):
     size_bytes: Mapped[int] = mapped_column(BigInteger)
     pcm_sha256: Mapped[str | None]  # None: it is no game file
     render_id: Mapped[UUID | None] = mapped_column(ForeignKey("renders_renders.id"))
+
+
+class StandIn(Base):
+    """A placeholder that was made for one variation of a cue and one target, marked as such in the file."""
+
+    __tablename__ = "builds_stand_ins"
+    __table_args__ = (
+        UniqueConstraint("cue_id", "variation", "target"),
+        CheckConstraint("(refusal is null) = (sha256 is not null)", name="made_or_refused"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    variation: Mapped[int]
+    target: Mapped[str]
+    key: Mapped[str]  # of the cue's facts and the spec: another key wants another stand-in
+    sha256: Mapped[str | None]
+    file_bytes: Mapped[int | None] = mapped_column(BigInteger)
+    is_spoken: Mapped[bool] = mapped_column(default=False)
+    refusal: Mapped[str | None]
+    made_at: Mapped[datetime] = mapped_column(default=clock.now)

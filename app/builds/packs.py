@@ -3,7 +3,7 @@
 import hashlib
 import io
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import PurePosixPath
 from uuid import UUID
@@ -13,11 +13,12 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.documentation_key import KeyRow, key_csv, key_xlsx
-from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete
+from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete, PlaceholderAccepted
 from app.builds.key_pdf import key_pdf
 from app.builds.rules import FileKind, changes_between, sums
 from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
 from app.builds.zip_stream import Entry
+from app.conformance.queries import takes_with_finding
 from app.deliveries.models import Take
 from app.kit.storage import Store
 from app.projects.models import Project
@@ -34,6 +35,7 @@ from audio_checks import Target
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
 SUMS = "SHA256SUMS"
+PLACEHOLDER_CODE = "placeholder:marked"
 SAME_SOUND = ("sample_rate_hz", "bit_depth", "encoding", "channels", "loop_points")
 NAMES_SHOWN = 3
 PATHS_SHOWN = 200
@@ -73,6 +75,17 @@ class PackedSound:
 
 
 @dataclass(frozen=True)
+class PackedStandIn:
+    """A marked placeholder in the place of a sound that is not accepted yet."""
+
+    cue: Cue
+    variation: int
+    path: str
+    sha256: str
+    file_bytes: int
+
+
+@dataclass(frozen=True)
 class Pack:
     """What a pack of a target holds."""
 
@@ -83,6 +96,8 @@ class Pack:
     cues_wanted: int
     last_number: int | None  # of the target's newest sealed pack
     last_marks: dict[str, str]  # what its game files sounded like, by path
+    marked: set[UUID]  # takes that say of themselves that they are stand-ins
+    stand_ins: list[PackedStandIn] = field(default_factory=list)  # only where somebody asked for them
 
     @property
     def marks(self) -> dict[str, str]:
@@ -138,6 +153,7 @@ def pack_of(session: Session, project: Project, target: str | None) -> Pack:
         cues_wanted=queries.wanted_cues(session, project.id),
         last_number=last.number if last else None,
         last_marks={path: mark_of(render) for path, render in last_renders.items()},
+        marked=takes_with_finding(session, [take.id for _, _, take in accepted], PLACEHOLDER_CODE),
     )
 
 
@@ -192,7 +208,33 @@ def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[st
 
 def key_rows(pack: Pack, *, masters: bool) -> list[KeyRow]:
     """Return the rows of the documentation key."""
-    return [_key_row(pack, sound, masters=masters) for sound in pack.sounds]
+    rows = [_key_row(pack, sound, masters=masters) for sound in pack.sounds]
+    return rows + [_stand_in_row(pack, one) for one in pack.stand_ins]
+
+
+def _stand_in_row(pack: Pack, one: PackedStandIn) -> KeyRow:
+    return KeyRow(
+        file=one.path,
+        cue=label(pack.project.cue_prefix, one.cue.number),
+        name=one.cue.name,
+        category=one.cue.category,
+        variation=one.variation,
+        variations=one.cue.variations,
+        description=one.cue.description,
+        use=one.cue.use,
+        trigger=one.cue.trigger,
+        loop="yes" if one.cue.loop else "no",
+        duration_s=one.cue.duration_s,
+        sample_rate_hz=None,
+        bit_depth=None,
+        channels=None,
+        attenuation_db=None,
+        version=None,
+        note="PLACEHOLDER: a stand-in, not the sound; it must not ship",
+        master="",
+        file_sha256=one.sha256,
+        master_sha256="",
+    )
 
 
 def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
@@ -231,7 +273,9 @@ class Packed:
     render: Render | None = None
 
 
-def pack_files(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) -> list[Packed]:
+def pack_files(
+    store: Store, pack: Pack, *, masters: bool, allow_missing: bool, placeholders: bool = False
+) -> list[Packed]:
     """Return the files of the ZIP in their order: the game files in list order, the masters, the key, the sums.
 
     The key's workbook is a ZIP itself: before the sounds, a pack that broke off could be taken for it.
@@ -239,7 +283,7 @@ def pack_files(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) 
     Raises NothingAccepted, PackIncomplete where an accepted sound has no file and that is not allowed,
     BlobDamaged where the store does not hold what the database names.
     """
-    ensure_packable(pack, allow_missing=allow_missing)
+    ensure_packable(pack, allow_missing=allow_missing, placeholders=placeholders)
     studio_id = pack.project.studio_id
     files = [
         Packed(
@@ -249,6 +293,10 @@ def pack_files(store: Store, pack: Pack, *, masters: bool, allow_missing: bool) 
         )
         for sound in pack.sounds
         if (render := sound.made)
+    ]
+    files += [
+        Packed(stored_entry(store, studio_id, one.path, one.sha256, one.file_bytes), FileKind.PLACEHOLDER)
+        for one in pack.stand_ins
     ]
     if masters:
         files += [
@@ -271,10 +319,17 @@ def title_of(pack: Pack) -> str:
     return f"{pack.project.name}, {pack.target}"
 
 
-def ensure_packable(pack: Pack, *, allow_missing: bool) -> None:
-    """Raise NothingAccepted or PackIncomplete."""
-    if not pack.sounds:
+def ensure_packable(pack: Pack, *, allow_missing: bool, placeholders: bool) -> None:
+    """Raise NothingAccepted, PackIncomplete, or PlaceholderAccepted where a stand-in would ship unnoticed."""
+    if not pack.sounds and not pack.stand_ins:
         raise NothingAccepted("no cue is accepted yet; approve every variation of one first")
+    if disguised := [sound for sound in pack.sounds if sound.take.id in pack.marked and not placeholders]:
+        named = ", ".join(sound.path for sound in disguised[:NAMES_SHOWN])
+        raise PlaceholderAccepted(
+            f"{named}: the accepted version is marked as a stand-in, not the sound itself; {len(disguised)} in all",
+            errors=[{"where": sound.path, "message": "its master is marked as a stand-in"} for sound in disguised],
+            fix="have the real sound delivered, or ask for a pack with placeholders (placeholders=true)",
+        )
     missing = [sound for sound in pack.sounds if not sound.made]
     if missing and not allow_missing:
         named = ", ".join(sound.path for sound in missing[:NAMES_SHOWN])

@@ -7,7 +7,7 @@ from uuid import UUID
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
-from app.builds.models import Build, PackedFile, SealedPack
+from app.builds.models import Build, PackedFile, SealedPack, StandIn
 from app.builds.rules import FileKind, PackState
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
@@ -119,3 +119,16 @@ def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
         .order_by(PackedFile.place)
     )
     return {row[0]: row[1] for row in rows}
+
+
+def stand_ins_of(session: Session, project_id: UUID, target: str) -> dict[tuple[UUID, int], StandIn]:
+    """Return the placeholders that were made for a target, by cue and variation."""
+    found = session.scalars(select(StandIn).where(StandIn.project_id == project_id, StandIn.target == target))
+    return {(one.cue_id, one.variation): one for one in found}
+
+
+def stand_in(session: Session, cue_id: UUID, variation: int, target: str) -> StandIn | None:
+    """Return the placeholder of one variation of a cue for a target."""
+    return session.scalar(
+        select(StandIn).where(StandIn.cue_id == cue_id, StandIn.variation == variation, StandIn.target == target)
+    )

@@ -29,6 +29,7 @@ class FileKind(StrEnum):
     """What a file of a pack is."""
 
     GAME = "game"
+    PLACEHOLDER = "placeholder"
     MASTER = "master"
     KEY = "key"
 

@@ -59,6 +59,7 @@ class PackAdd(Schema):
     note: str = Field("", max_length=2_000)
     masters: bool = False
     allow_missing: bool = Field(False, description="Leave out accepted sounds that have no game file.")
+    placeholders: bool = Field(False, description="Put marked stand-ins in for the sounds that are not accepted.")
 
 
 class SealedPackSummary(Schema):
@@ -69,6 +70,7 @@ class SealedPackSummary(Schema):
     number: int
     note: str
     with_masters: bool
+    placeholders: bool
     state: PackState
     refusal: str = Field(description="Why it could not be put together.")
     sealed_by: str
@@ -184,3 +186,93 @@ class CiLines(Schema):
     """Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN."""
 
     lines: list[str]
+
+
+class PlaceholderRead(Schema):
+    """One file that the game has no accepted sound for yet."""
+
+    cue_id: UUID
+    cue: str
+    name: str
+    variation: int
+    path: str
+    category: str
+    state: Literal["missing", "made", "outdated", "refused"] = Field(
+        description="Whether a stand-in is there; outdated: cue or spec changed since it was made."
+    )
+    spoken: bool
+    refusal: str | None
+
+
+class PlaceholderRegister(Schema):
+    """What is still a placeholder, counted down as sounds are accepted."""
+
+    target: str
+    targets: list[str]
+    files: int = Field(description="Files that the list asks for.")
+    replaced: int = Field(description="Those with an accepted sound.")
+    left: int
+    made: int = Field(description="Those left that have a stand-in to spec.")
+    items: list[PlaceholderRead]
+
+
+class PlaceholdersAdd(Schema):
+    """For which target stand-ins are to be made."""
+
+    target: str = Field(min_length=1, max_length=100)
+
+
+class MemoryRead(Schema):
+    """What some of a target's files take."""
+
+    category: str | None
+    files: int
+    unknown_files: int = Field(description="Left out, because nobody has asked for a length yet.")
+    pcm_bytes: int
+    disk_bytes: int
+    memory_bytes: int
+    budget_bytes: int | None
+    over_bytes: int | None
+
+
+class MemoryByCategory(Schema):
+    """What a target takes, all of it and by category."""
+
+    total: MemoryRead
+    categories: list[MemoryRead]
+
+
+class TargetMemory(Schema):
+    """What game files are made to, and what they take in the game's memory."""
+
+    name: str
+    engine: str | None = Field(description="Whose preset bears this name.")
+    accepts: str | None = Field(description="What that engine imports.")
+    why: str | None
+    sample_rate_hz: int
+    bit_depth: int
+    encoding: str
+    channels: Literal["master", 1, 2]
+    dither: str
+    folder: str
+    codec_ratio: float
+    streamed: bool
+    used: MemoryByCategory = Field(description="Of the accepted sounds, as their files are.")
+    forecast: MemoryByCategory = Field(description="Those, and the rest of the list by the lengths that it asks for.")
+
+
+class PresetRead(Schema):
+    """A target for one engine, to be added to the spec."""
+
+    name: str
+    engine: str
+    accepts: str
+    why: str
+    toml: str
+
+
+class TargetsRead(Schema):
+    """The targets of the newest spec, and what there is to start from."""
+
+    targets: list[TargetMemory]
+    presets: list[PresetRead]

@@ -21,8 +21,9 @@ from app.builds.packs import (
     pack_of,
     stored_entry,
 )
+from app.builds.placeholders import with_stand_ins
 from app.builds.rules import PackState
-from app.builds.schemas import SealedPackRead, SealedPackSummary
+from app.builds.schemas import PackAdd, SealedPackRead, SealedPackSummary
 from app.builds.zip_stream import Entry
 from app.kit import clock
 from app.kit.events import publish
@@ -32,22 +33,24 @@ from app.projects.queries import lock_project
 from app.projects.service import standing_in
 
 
-def ask_for_pack(
-    session: Session, actor: Actor, project_id: UUID, *, target: str, note: str, masters: bool, allow_missing: bool
-) -> SealedPack:
+def ask_for_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackAdd) -> SealedPack:
     """Begin a numbered pack of what is accepted now, for the worker to put together; raise what stands in its way."""
     standing = standing_in(session, actor, project_id)
     standing.ensure_team()
-    ensure_packable(pack_of(session, standing.project, target), allow_missing=allow_missing)
+    pack_now = pack_of(session, standing.project, wanted.target)
+    if wanted.placeholders:
+        pack_now = with_stand_ins(session, pack_now)
+    ensure_packable(pack_now, allow_missing=wanted.allow_missing, placeholders=wanted.placeholders)
     lock_project(session, project_id)
     pack = SealedPack(
         studio_id=standing.project.studio_id,
         project_id=project_id,
-        target=target,
-        number=queries.last_pack_number(session, project_id, target) + 1,
-        note=note,
-        with_masters=masters,
-        allow_missing=allow_missing,
+        target=wanted.target,
+        number=queries.last_pack_number(session, project_id, wanted.target) + 1,
+        note=wanted.note,
+        with_masters=wanted.masters,
+        allow_missing=wanted.allow_missing,
+        placeholders=wanted.placeholders,
         sealer=session.get_one(Person, actor.person),
     )
     session.add(pack)
@@ -133,6 +136,7 @@ def _summary(pack: SealedPack, sums: tuple[int, int]) -> dict[str, object]:
         "number": pack.number,
         "note": pack.note,
         "with_masters": pack.with_masters,
+        "placeholders": pack.placeholders,
         "state": pack.state,
         "refusal": pack.refusal,
         "sealed_by": pack.sealer.name,

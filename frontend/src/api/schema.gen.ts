@@ -2753,6 +2753,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/targets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Targets
+         * @description Return what game files are made to, what they take in memory, and what the whole list will take.
+         */
+        get: operations["get_targets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/placeholders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Placeholders
+         * @description Return what the game has no accepted sound for yet, and which of it has a stand-in.
+         */
+        get: operations["get_placeholders"];
+        put?: never;
+        /**
+         * Make Placeholders
+         * @description Have a stand-in made for everything that a target's pack lacks: to spec, by name, and marked.
+         */
+        post: operations["make_placeholders"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/packs": {
         parameters: {
             query?: never;
@@ -6165,6 +6209,40 @@ export interface components {
             since: string;
         };
         /**
+         * MemoryByCategory
+         * @description What a target takes, all of it and by category.
+         */
+        MemoryByCategory: {
+            total: components["schemas"]["MemoryRead"];
+            /** Categories */
+            categories: components["schemas"]["MemoryRead"][];
+        };
+        /**
+         * MemoryRead
+         * @description What some of a target's files take.
+         */
+        MemoryRead: {
+            /** Category */
+            category: string | null;
+            /** Files */
+            files: number;
+            /**
+             * Unknown Files
+             * @description Left out, because nobody has asked for a length yet.
+             */
+            unknown_files: number;
+            /** Pcm Bytes */
+            pcm_bytes: number;
+            /** Disk Bytes */
+            disk_bytes: number;
+            /** Memory Bytes */
+            memory_bytes: number;
+            /** Budget Bytes */
+            budget_bytes: number | null;
+            /** Over Bytes */
+            over_bytes: number | null;
+        };
+        /**
          * MendOffer
          * @description A take of which a mend would be enough.
          */
@@ -6613,6 +6691,12 @@ export interface components {
              * @default false
              */
             allow_missing: boolean;
+            /**
+             * Placeholders
+             * @description Put marked stand-ins in for the sounds that are not accepted.
+             * @default false
+             */
+            placeholders: boolean;
         };
         /**
          * PackChanges
@@ -6958,12 +7042,80 @@ export interface components {
             email: string;
         };
         /**
+         * PlaceholderRead
+         * @description One file that the game has no accepted sound for yet.
+         */
+        PlaceholderRead: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Cue */
+            cue: string;
+            /** Name */
+            name: string;
+            /** Variation */
+            variation: number;
+            /** Path */
+            path: string;
+            /** Category */
+            category: string;
+            /**
+             * State
+             * @description Whether a stand-in is there; outdated: cue or spec changed since it was made.
+             * @enum {string}
+             */
+            state: "missing" | "made" | "outdated" | "refused";
+            /** Spoken */
+            spoken: boolean;
+            /** Refusal */
+            refusal: string | null;
+        };
+        /**
+         * PlaceholderRegister
+         * @description What is still a placeholder, counted down as sounds are accepted.
+         */
+        PlaceholderRegister: {
+            /** Target */
+            target: string;
+            /** Targets */
+            targets: string[];
+            /**
+             * Files
+             * @description Files that the list asks for.
+             */
+            files: number;
+            /**
+             * Replaced
+             * @description Those with an accepted sound.
+             */
+            replaced: number;
+            /** Left */
+            left: number;
+            /**
+             * Made
+             * @description Those left that have a stand-in to spec.
+             */
+            made: number;
+            /** Items */
+            items: components["schemas"]["PlaceholderRead"][];
+        };
+        /**
          * PlaceholderSet
          * @description Whether the game plays a stand-in for now.
          */
         PlaceholderSet: {
             /** Placeholder */
             placeholder: boolean;
+        };
+        /**
+         * PlaceholdersAdd
+         * @description For which target stand-ins are to be made.
+         */
+        PlaceholdersAdd: {
+            /** Target */
+            target: string;
         };
         /**
          * PlanRead
@@ -7005,6 +7157,22 @@ export interface components {
             price_minor?: number | null;
             /** Estimate Min */
             estimate_min?: number | null;
+        };
+        /**
+         * PresetRead
+         * @description A target for one engine, to be added to the spec.
+         */
+        PresetRead: {
+            /** Name */
+            name: string;
+            /** Engine */
+            engine: string;
+            /** Accepts */
+            accepts: string;
+            /** Why */
+            why: string;
+            /** Toml */
+            toml: string;
         };
         /**
          * PreviewCue
@@ -7700,6 +7868,8 @@ export interface components {
             note: string;
             /** With Masters */
             with_masters: boolean;
+            /** Placeholders */
+            placeholders: boolean;
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -7742,6 +7912,8 @@ export interface components {
             note: string;
             /** With Masters */
             with_masters: boolean;
+            /** Placeholders */
+            placeholders: boolean;
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -8438,6 +8610,49 @@ export interface components {
          */
         TakeState: "received" | "conforming" | "returned" | "unjudged" | "approved" | "change_requested" | "set_aside";
         /**
+         * TargetMemory
+         * @description What game files are made to, and what they take in the game's memory.
+         */
+        TargetMemory: {
+            /** Name */
+            name: string;
+            /**
+             * Engine
+             * @description Whose preset bears this name.
+             */
+            engine: string | null;
+            /**
+             * Accepts
+             * @description What that engine imports.
+             */
+            accepts: string | null;
+            /** Why */
+            why: string | null;
+            /** Sample Rate Hz */
+            sample_rate_hz: number;
+            /** Bit Depth */
+            bit_depth: number;
+            /** Encoding */
+            encoding: string;
+            /**
+             * Channels
+             * @enum {unknown}
+             */
+            channels: "master" | 1 | 2;
+            /** Dither */
+            dither: string;
+            /** Folder */
+            folder: string;
+            /** Codec Ratio */
+            codec_ratio: number;
+            /** Streamed */
+            streamed: boolean;
+            /** @description Of the accepted sounds, as their files are. */
+            used: components["schemas"]["MemoryByCategory"];
+            /** @description Those, and the rest of the list by the lengths that it asks for. */
+            forecast: components["schemas"]["MemoryByCategory"];
+        };
+        /**
          * TargetRead
          * @description What renders are made to.
          */
@@ -8459,6 +8674,16 @@ export interface components {
             dither: string;
             /** Over Peak */
             over_peak: string;
+        };
+        /**
+         * TargetsRead
+         * @description The targets of the newest spec, and what there is to start from.
+         */
+        TargetsRead: {
+            /** Targets */
+            targets: components["schemas"]["TargetMemory"][];
+            /** Presets */
+            presets: components["schemas"]["PresetRead"][];
         };
         /**
          * TaxRead
@@ -17102,6 +17327,8 @@ export interface operations {
                 masters?: boolean;
                 /** @description Leave out accepted sounds that have no game file; the key says why. */
                 allow_missing?: boolean;
+                /** @description Put marked stand-ins in for the sounds that are not accepted. */
+                placeholders?: boolean;
             };
             header?: never;
             path: {
@@ -17138,7 +17365,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-accepted`, `pack-incomplete` */
+            /** @description `nothing-accepted`, `pack-incomplete`, `placeholder-accepted` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -17323,6 +17550,158 @@ export interface operations {
             };
         };
     };
+    get_targets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TargetsRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_placeholders: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaceholderRegister"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    make_placeholders: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlaceholdersAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_packs: {
         parameters: {
             query?: {
@@ -17418,7 +17797,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-accepted`, `pack-incomplete` */
+            /** @description `nothing-accepted`, `pack-incomplete`, `placeholder-accepted` */
             409: {
                 headers: {
                     [name: string]: unknown;

@@ -5,6 +5,7 @@ import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
 import { checkRoutes } from '@/features/checks/routes'
 import { deskRoutes } from '@/features/desk/routes'
+import { gameFilesRoutes } from '@/features/game-files/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
 import { moneyRoutes } from '@/features/money/routes'
 import { operationRoutes } from '@/features/operations/routes'
@@ -25,6 +26,7 @@ const pages = [
     ...todayRoutes,
     ...projectRoutes,
     ...moneyRoutes,
+    ...gameFilesRoutes,
     ...reviewRoutes,
     ...soundListRoutes,
     ...deskRoutes,

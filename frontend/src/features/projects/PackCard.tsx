@@ -1,5 +1,6 @@
 import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -26,7 +27,12 @@ export function PackCard({ projectId }: { projectId: string }) {
       <CardHead
         id="pack"
         title="Approved pack"
-        end={first && !nothing && `${countOf(first.cues_accepted, first.cues_wanted)} cues`}
+        note={first && !nothing ? `${countOf(first.cues_accepted, first.cues_wanted)} cues` : undefined}
+        end={
+          <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
+            Seal<span className="visually-hidden"> a pack, and see those handed out</span>
+          </Link>
+        }
       />
       {noTarget ? (
         <p className={`mid ${classes.quiet}`}>
@@ -49,6 +55,14 @@ export function PackCard({ projectId }: { projectId: string }) {
           ))}
         </ul>
       )}
+      <p className={`row wrap small ${classes.ways}`}>
+        <Link className="link" to="/projects/$projectId/game-files" params={{ projectId }}>
+          Targets, memory and batches
+        </Link>
+        <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
+          Placeholders
+        </Link>
+      </p>
       {first && !nothing && (
         <div className={classes.withMasters}>
           <Checkbox
@@ -96,6 +110,14 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
           aria-label={`Documentation key of ${target} as XLSX`}
         >
           XLSX
+        </a>
+        <a
+          className="link"
+          href={keyUrl(projectId, target, 'pdf')}
+          download
+          aria-label={`Documentation key of ${target} as PDF`}
+        >
+          PDF
         </a>
       </p>
       {missing.length > 0 && (

@@ -44,6 +44,27 @@ export function ProjectPage() {
             run: () => void navigate({ to: '/projects/$projectId/people', params: { projectId } }),
           },
           {
+            id: 'game-files',
+            label: 'Game files, targets and memory',
+            icon: 'box' as const,
+            also: ['batch', 'render', 'budget'],
+            run: () => void navigate({ to: '/projects/$projectId/game-files', params: { projectId } }),
+          },
+          {
+            id: 'packs',
+            label: 'Packs',
+            icon: 'box' as const,
+            also: ['seal', 'hand out'],
+            run: () => void navigate({ to: '/projects/$projectId/packs', params: { projectId } }),
+          },
+          {
+            id: 'placeholders',
+            label: 'Placeholders',
+            icon: 'dashedSquare' as const,
+            also: ['stand-in'],
+            run: () => void navigate({ to: '/projects/$projectId/placeholders', params: { projectId }, search: {} }),
+          },
+          {
             id: 'builds',
             label: 'Builds and tokens',
             icon: 'box' as const,

@@ -281,7 +281,7 @@ export const packUrl = (projectId: string, target: string, how: { masters: boole
     ...(how.masters ? { masters: 'true' } : {}),
     ...(how.allowMissing ? { allow_missing: 'true' } : {}),
   })
-export const keyUrl = (projectId: string, target: string, kind: 'csv' | 'xlsx'): string =>
+export const keyUrl = (projectId: string, target: string, kind: 'csv' | 'xlsx' | 'pdf'): string =>
   versioned(projectId, `documentation-key.${kind}`, { target })
 
 // People

@@ -1,0 +1,163 @@
+"""Placeholders: what the game has no accepted sound for, and the marked stand-ins that are made for it."""
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from typing import Literal
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.builds import queries
+from app.builds.models import StandIn
+from app.builds.packs import Pack, PackedStandIn, pack_in_sight, pack_of
+from app.builds.schemas import PlaceholderRead, PlaceholderRegister
+from app.kit.events import publish
+from app.kit.queue import BULK
+from app.kit.storage import StoredBlob
+from app.projects.models import Project
+from app.projects.queries import current_spec
+from app.projects.service import standing_in
+from app.renders.queries import parsed_spec
+from app.sound_lists.models import Cue
+from app.sound_lists.queries import cues_of
+from app.sound_lists.rules import CueState, label
+from app.sound_lists.service import cue_facts
+from audio_checks import TOOL_VERSION, CueFacts, DeliverySpec
+
+
+@dataclass(frozen=True)
+class Slot:
+    """One file that the game wants and has no accepted sound for."""
+
+    cue: Cue
+    variation: int
+    path: str
+    facts: CueFacts
+    view: DeliverySpec
+    key: str  # of everything that its stand-in is made from
+
+
+def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
+    """Yield what a pack lacks, in list order."""
+    spec = parsed_spec(current_spec(session, pack.project.id).toml)
+    there = {(sound.cue.id, sound.variation) for sound in pack.sounds if sound.made}
+    views: dict[str, DeliverySpec] = {}
+    for cue in cues_of(session, pack.project.id):
+        if cue.state is CueState.CUT:
+            continue
+        if cue.category not in views:
+            views[cue.category] = spec.for_target(pack.target, cue.category or None)
+        view = views[cue.category]
+        facts = replace(cue_facts(cue), number=label(pack.project.cue_prefix, cue.number))
+        for stem in sorted(cue.stems, key=lambda one: one.variation):
+            if (cue.id, stem.variation) not in there and view.target is not None:
+                path = view.target.path_of(stem.stem + (view.naming.extension or ".wav"), cue.category)
+                yield Slot(cue, stem.variation, path, facts, view, _key(facts, stem.variation, view))
+
+
+def _key(facts: CueFacts, variation: int, view: DeliverySpec) -> str:
+    told = {name: value for name, value in asdict(facts).items() if name != "more"}
+    made_of = [TOOL_VERSION, told, variation, view.sha256, view.category, view.target and view.target.name]
+    return hashlib.sha256(json.dumps(made_of, sort_keys=True, default=str).encode()).hexdigest()
+
+
+def register(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderRegister:
+    """Return what is still a placeholder for a target."""
+    pack = pack_in_sight(session, actor, project_id, target)
+    made = queries.stand_ins_of(session, project_id, pack.target)
+    prefix = pack.project.cue_prefix
+    items = [_item(prefix, slot, made.get((slot.cue.id, slot.variation))) for slot in open_slots(session, pack)]
+    replaced = sum(sound.made is not None for sound in pack.sounds)
+    return PlaceholderRegister(
+        target=pack.target,
+        targets=pack.targets,
+        files=replaced + len(items),
+        replaced=replaced,
+        left=len(items),
+        made=sum(item.state == "made" for item in items),
+        items=items,
+    )
+
+
+def _item(prefix: str, slot: Slot, made: StandIn | None) -> PlaceholderRead:
+    return PlaceholderRead(
+        cue_id=slot.cue.id,
+        cue=label(prefix, slot.cue.number),
+        name=slot.cue.name,
+        variation=slot.variation,
+        path=slot.path,
+        category=slot.cue.category,
+        state=_state(slot, made),
+        spoken=made.is_spoken if made else False,
+        refusal=made.refusal if made else None,
+    )
+
+
+def _state(slot: Slot, made: StandIn | None) -> Literal["missing", "made", "outdated", "refused"]:
+    if made is None:
+        return "missing"
+    if made.key != slot.key:
+        return "outdated"
+    return "refused" if made.sha256 is None else "made"
+
+
+def ask_for_stand_ins(session: Session, actor: Actor, project_id: UUID, target: str) -> None:
+    """Have a stand-in made for everything that the pack of a target lacks."""
+    standing = standing_in(session, actor, project_id)
+    standing.ensure_team()
+    pack = pack_of(session, standing.project, target)
+    studio_id = pack.project.studio_id
+    publish(
+        session, "placeholders.asked", studio_id=studio_id, priority=BULK, project_id=project_id, target=pack.target
+    )
+
+
+def slots_to_make(session: Session, project_id: UUID, target: str) -> tuple[Project, list[Slot]]:
+    """Return the slots whose stand-in is not there, or is not what it should be."""
+    pack = pack_of(session, session.get_one(Project, project_id), target)
+    made = queries.stand_ins_of(session, project_id, target)
+    return pack.project, [
+        slot
+        for slot in open_slots(session, pack)
+        if (known := made.get((slot.cue.id, slot.variation))) is None or known.key != slot.key
+    ]
+
+
+def keep(
+    session: Session,
+    project: Project,
+    target: str,
+    slot: Slot,
+    blob: StoredBlob | None,
+    *,
+    is_spoken: bool,
+    refusal: str,
+) -> None:
+    """Put a stand-in on record, or why there is none."""
+    row = queries.stand_in(session, slot.cue.id, slot.variation, target)
+    if row is None:
+        row = StandIn(
+            studio_id=project.studio_id,
+            project_id=project.id,
+            cue_id=slot.cue.id,
+            variation=slot.variation,
+            target=target,
+        )
+        session.add(row)
+    row.key, row.is_spoken = slot.key, is_spoken
+    row.sha256, row.file_bytes = (blob.sha256, blob.size_bytes) if blob else (None, None)
+    row.refusal = None if blob else refusal
+
+
+def with_stand_ins(session: Session, pack: Pack) -> Pack:
+    """Return a pack with stand-ins for what it lacks, those that were made for cue and spec as they are now."""
+    made = queries.stand_ins_of(session, pack.project.id, pack.target)
+    filled = [
+        PackedStandIn(slot.cue, slot.variation, slot.path, known.sha256, known.file_bytes or 0)
+        for slot in open_slots(session, pack)
+        if (known := made.get((slot.cue.id, slot.variation))) and known.key == slot.key and known.sha256
+    ]
+    return replace(pack, stand_ins=filled)

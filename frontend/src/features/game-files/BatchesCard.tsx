@@ -1,0 +1,162 @@
+import { useState } from 'react'
+
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { ago, bytes, day, figure } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+
+import { type Batch, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
+import classes from './Files.module.css'
+import { Refused } from './Refused'
+import { progressOf, sentence, signed } from './words'
+
+/** Everything made anew, in one action: how far it is, what it did to the sizes, and its end by hand. */
+export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpeak: boolean }) {
+  const { data, error, hasNextPage, fetchNextPage } = useBatches(projectId)
+  const begin = useBeginBatch(projectId)
+  const batches = data?.pages.flatMap(({ items }) => items)
+  return (
+    <Card aria-labelledby="batches">
+      <CardHead
+        id="batches"
+        title="Made anew"
+        note="earlier files are kept"
+        end={
+          maySpeak && (
+            <Button disabled={begin.isPending} onClick={() => begin.mutate([])}>
+              Make all game files anew
+            </Button>
+          )
+        }
+      />
+      <Refused error={error ?? begin.error} />
+      {batches?.length === 0 && (
+        <div className={classes.inside}>
+          <EmptyState head="Nothing was made anew yet." level={3}>
+            Change the spec, or add a target to it: every version that may ship is rendered again, one by one, and
+            uploads go before.
+          </EmptyState>
+        </div>
+      )}
+      <ul>
+        {batches?.map((batch, at) => (
+          <BatchLine key={batch.id} batch={batch} projectId={projectId} maySpeak={maySpeak} opened={at === 0} />
+        ))}
+      </ul>
+      {hasNextPage && (
+        <div className={classes.inside}>
+          <Button onClick={() => void fetchNextPage()}>Earlier batches</Button>
+        </div>
+      )}
+    </Card>
+  )
+}
+
+interface BatchLineProps {
+  batch: Batch
+  projectId: string
+  maySpeak: boolean
+  opened: boolean
+}
+
+function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
+  const [isOpen, setOpen] = useState(opened)
+  const cancel = useCancelBatch(projectId)
+  const runs = batch.state === 'planning' || batch.state === 'running'
+  const title = `Batch ${batch.number}`
+  const why = batch.by_spec ? 'the spec was changed' : 'asked for by hand'
+  return (
+    <li className={classes.batch} aria-label={title}>
+      <p className="row wrap">
+        <span className="strong">{title}</span>
+        <span className="small mid">
+          {[
+            why,
+            batch.targets.length > 0 && `for ${batch.targets.join(', ')}`,
+            batch.state === 'cancelled' && batch.note,
+          ]
+            .filter(Boolean)
+            .join(', ')}
+        </span>
+        <time className="small dim end nowrap" dateTime={batch.created_at} title={day(batch.created_at)}>
+          {ago(batch.created_at)}
+        </time>
+      </p>
+      <Meter
+        label={`${title}: ${progressOf(batch)}`}
+        whole={batch.files}
+        parts={[
+          { value: batch.made + batch.kept },
+          { value: batch.refused, tone: 'bad' },
+          { value: batch.left, tone: 'warn' },
+        ]}
+      />
+      <p className="row wrap small">
+        <span className="mid" role={runs ? 'status' : undefined}>
+          {sentence(progressOf(batch))}
+        </span>
+        {runs && maySpeak && (
+          <span className="end">
+            <Button disabled={cancel.isPending} onClick={() => cancel.mutate(batch.id)}>
+              Stop<span className="visually-hidden"> {title}</span>
+            </Button>
+          </span>
+        )}
+      </p>
+      <Refused error={cancel.error} />
+      <details open={isOpen} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+        <summary className={`small ${classes.summary}`}>
+          Sizes before and after<span className="visually-hidden"> of {title}</span>
+        </summary>
+        {isOpen && <Sizes batch={batch} />}
+      </details>
+    </li>
+  )
+}
+
+function Sizes({ batch }: { batch: Batch }) {
+  const { data } = useBatch(batch)
+  if (data === undefined) return null
+  if (data.sizes.length === 0) return <p className="small mid">No version may ship yet.</p>
+  return (
+    <>
+      <div className={classes.scroll}>
+        <table className={`small ${classes.table}`} aria-label={`Sizes of batch ${batch.number}`}>
+          <thead>
+            <tr>
+              <th scope="col">Target</th>
+              <th scope="col">Category</th>
+              {['Files', 'Before', 'After', 'Difference'].map((head) => (
+                <th key={head} scope="col" className="num">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {data.sizes.map(({ target, category, files, before_bytes, after_bytes }) => (
+              <tr key={`${target} ${category}`}>
+                <th scope="row">{target}</th>
+                <td>{category || 'none'}</td>
+                <td className="num">{figure(files)}</td>
+                <td className="num">{before_bytes === 0 ? 'none' : bytes(before_bytes)}</td>
+                <td className="num">{bytes(after_bytes)}</td>
+                <td className="num">{signed(after_bytes - before_bytes)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {data.trouble.length > 0 && (
+        <ul className={`small mid ${classes.paths}`} aria-label={`What batch ${batch.number} could not make`}>
+          {data.trouble.map(({ cue, name, target, reason }) => (
+            <li key={`${cue} ${name} ${target}`}>
+              <span className="mono">{cue}</span> {name}, {target}: {sentence(reason)}
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  )
+}

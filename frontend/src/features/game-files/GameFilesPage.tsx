@@ -1,0 +1,114 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+
+import { type Preset, projectQuery, type Target, targetsQuery } from './api'
+import { BatchesCard } from './BatchesCard'
+import classes from './Files.module.css'
+import { MemoryBars } from './MemoryBars'
+import { Refused } from './Refused'
+import { formatOf, keptAs } from './words'
+
+/** What the game gets: each target and the memory that it takes, and everything made anew in one action. */
+export function GameFilesPage() {
+  useTitle('Game files')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/game-files' })
+  const { data: project } = useQuery(projectQuery(projectId))
+  const { data, error } = useQuery(targetsQuery(projectId))
+  const mine = project?.mine
+  const maySpeak = mine !== undefined && (mine.is_producer || mine.is_liaison || mine.is_decider)
+  return (
+    <div className="page stack">
+      <div>
+        <h1>Game files</h1>
+        <p className="mid">
+          Made from each master to the targets of{' '}
+          <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
+            the spec
+          </Link>
+          , handed out as{' '}
+          <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
+            packs
+          </Link>
+          . What is not accepted yet is in the{' '}
+          <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
+            register of placeholders
+          </Link>
+          .
+        </p>
+      </div>
+      <Refused error={error} />
+      <div className="columns">
+        <div className="stack">
+          {data && <TargetsCard targets={data.targets} />}
+          <BatchesCard projectId={projectId} maySpeak={maySpeak} />
+        </div>
+        <aside className="stack" aria-label="Targets to start from">
+          {data && <PresetsCard presets={data.presets} />}
+        </aside>
+      </div>
+    </div>
+  )
+}
+
+function TargetsCard({ targets }: { targets: readonly Target[] }) {
+  return (
+    <Card aria-labelledby="targets">
+      <CardHead id="targets" title="Targets and memory" count={targets.length} />
+      {targets.length === 0 && (
+        <div className={classes.inside}>
+          <EmptyState head="The spec names no target." level={3}>
+            Without one no game file is made. Add a target to the spec; the presets beside are a start.
+          </EmptyState>
+        </div>
+      )}
+      {targets.map((target) => (
+        <section key={target.name} className={classes.target} aria-label={`Target ${target.name}`}>
+          <p className="row wrap">
+            <span className="strong">{target.name}</span>
+            <span className="mid">{formatOf(target)}</span>
+            <span className="small dim end">{keptAs(target)}</span>
+          </p>
+          {target.folder && (
+            <p className="small mid">
+              Files stand in <span className="mono">{target.folder}</span>.
+            </p>
+          )}
+          {target.engine && (
+            <p className="small mid">
+              {target.engine} accepts {target.accepts}. {target.why}
+            </p>
+          )}
+          <MemoryBars target={target} />
+        </section>
+      ))}
+    </Card>
+  )
+}
+
+function PresetsCard({ presets }: { presets: readonly Preset[] }) {
+  return (
+    <Card aria-labelledby="presets">
+      <CardHead id="presets" title="Targets to start from" note="copy into the spec" />
+      <ul>
+        {presets.map(({ name, engine, accepts, why, toml }) => (
+          <li key={name} className={classes.target}>
+            <p className="strong">{engine}</p>
+            <p className="small mid">
+              Accepts {accepts}. {why}
+            </p>
+            <details className="small">
+              <summary className={classes.summary}>
+                Its lines<span className="visually-hidden"> for {engine}</span>
+              </summary>
+              <pre className={classes.preset}>{toml}</pre>
+            </details>
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}

@@ -1,0 +1,95 @@
+import { bytes, figure } from '@/ui/format'
+
+import type { Memory, Target } from './api'
+import classes from './Files.module.css'
+import { roomOf } from './words'
+
+/** What a target takes in memory, by category: dark what is there, pale what the list will add, a line for the budget. */
+export function MemoryBars({ target }: { target: Target }) {
+  const { used, forecast } = target
+  const there = new Map(used.categories.map((one) => [one.category, one]))
+  const rows = [
+    { name: 'all', of: forecast.total, used: used.total },
+    ...forecast.categories.map((one) => ({
+      name: one.category ?? 'no category',
+      of: one,
+      used: there.get(one.category),
+    })),
+  ]
+  if (forecast.total.files + forecast.total.unknown_files === 0) {
+    return <p className="small mid">The list asks for nothing yet, so there is nothing to add up.</p>
+  }
+  const longest = Math.max(1, ...rows.flatMap(({ of }) => [of.memory_bytes, of.budget_bytes ?? 0]))
+  const share = (count: number) => `${(count / longest) * 100}%`
+  return (
+    <>
+      <div
+        role="img"
+        aria-label={`Memory of ${target.name}: ${rows.map(({ name, of }) => `${name} ${roomOf(of)}`).join('; ')}`}
+      >
+        {rows.map(({ name, of, used: now }) => (
+          <div key={name} className={`${classes.bar} small`}>
+            <span className="cut-text">{name}</span>
+            <span className={classes.track}>
+              <i style={{ width: share(of.memory_bytes) }} />
+              <i data-used="" style={{ width: share(Math.min(now?.memory_bytes ?? 0, of.memory_bytes)) }} />
+              {of.budget_bytes !== null && <i data-budget="" style={{ left: share(of.budget_bytes) }} />}
+            </span>
+            <span className={of.over_bytes !== null && of.over_bytes > 0 ? 'num tone-bad toned' : 'num mid'}>
+              {roomOf(of)}
+            </span>
+          </div>
+        ))}
+      </div>
+      <p className={`small mid ${classes.legend}`}>
+        <span>
+          <i data-used="" /> accepted
+        </span>
+        <span>
+          <i /> with the rest of the list
+        </span>
+        {rows.some(({ of }) => of.budget_bytes !== null) && (
+          <span>
+            <i data-budget="" /> budget
+          </span>
+        )}
+      </p>
+      <details className="small">
+        <summary className={classes.summary}>In figures</summary>
+        <div className={classes.scroll}>
+          <table className={classes.table} aria-label={`Memory of ${target.name} by category`}>
+            <thead>
+              <tr>
+                <th scope="col">Category</th>
+                {['Files', 'Without a length', 'Used', 'Forecast', 'On disk', 'Budget'].map((head) => (
+                  <th key={head} scope="col" className="num">
+                    {head}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {rows.map(({ name, of, used: now }) => (
+                <Row key={name} name={name} forecast={of} used={now} />
+              ))}
+            </tbody>
+          </table>
+        </div>
+      </details>
+    </>
+  )
+}
+
+function Row({ name, forecast, used }: { name: string; forecast: Memory; used: Memory | undefined }) {
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td className="num">{figure(forecast.files)}</td>
+      <td className="num">{figure(forecast.unknown_files)}</td>
+      <td className="num">{bytes(used?.memory_bytes ?? 0)}</td>
+      <td className="num">{bytes(forecast.memory_bytes)}</td>
+      <td className="num">{bytes(forecast.disk_bytes)}</td>
+      <td className="num">{forecast.budget_bytes === null ? 'none' : bytes(forecast.budget_bytes)}</td>
+    </tr>
+  )
+}

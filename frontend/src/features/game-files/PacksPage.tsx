@@ -1,0 +1,201 @@
+import { Checkbox, Select, Textarea } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { type SyntheticEvent, useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { ago, bytes, day, plural } from '@/ui/format'
+import { State } from '@/ui/State'
+
+import {
+  type Changes,
+  packQuery,
+  type SealedPack,
+  targetsQuery,
+  useSealedPack,
+  useSealedPacks,
+  useSealPack,
+} from './api'
+import classes from './Files.module.css'
+import { Refused } from './Refused'
+import { changesInWords, sentence } from './words'
+
+/** The packs that were handed out, and the next one. */
+export function PacksPage() {
+  useTitle('Packs')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/packs' })
+  const { data, error, hasNextPage, fetchNextPage } = useSealedPacks(projectId)
+  const { data: known } = useQuery(targetsQuery(projectId))
+  const packs = data?.pages.flatMap(({ items }) => items)
+  const names = known?.targets.map(({ name }) => name) ?? []
+  return (
+    <div className="page stack">
+      <div>
+        <h1>Packs</h1>
+        <p className="mid">
+          A sealed pack never changes: the same bytes for whoever fetches it, the game’s CI included. What sounds as it
+          did is the very file of the pack before.{' '}
+          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+            The project
+          </Link>
+        </p>
+      </div>
+      <div className="columns">
+        <Card aria-labelledby="packs">
+          <CardHead id="packs" title="Sealed packs" note="the newest first" />
+          <Refused error={error} />
+          {packs?.length === 0 && (
+            <div className={classes.inside}>
+              <EmptyState head="No pack was sealed yet." level={3}>
+                Choose a target and seal what is accepted: it gets a number, sums, and a documentation key.
+              </EmptyState>
+            </div>
+          )}
+          <ul>
+            {packs?.map((pack) => (
+              <PackLine key={pack.id} pack={pack} />
+            ))}
+          </ul>
+          {hasNextPage && (
+            <div className={classes.inside}>
+              <Button onClick={() => void fetchNextPage()}>Earlier packs</Button>
+            </div>
+          )}
+        </Card>
+        <div className="stack">{names.length > 0 && <SealCard projectId={projectId} targets={names} />}</div>
+      </div>
+    </div>
+  )
+}
+
+function PackLine({ pack }: { pack: SealedPack }) {
+  const [isOpen, setOpen] = useState(false)
+  const { data } = useSealedPack(pack.id, isOpen && pack.state === 'sealed')
+  const title = `${pack.target} ${pack.number}`
+  return (
+    <li className={classes.pack} aria-label={`Pack ${title}`}>
+      <p className="row wrap">
+        <span className="strong">{title}</span>
+        {pack.placeholders && <State kind="placeholder">With placeholders</State>}
+        {pack.state === 'sealing' && <State kind="checking">Being put together</State>}
+        {pack.state === 'refused' && <State kind="refused" />}
+        {pack.state === 'sealed' && (
+          <span className="mid">{`${plural(pack.files, 'file')}, ${bytes(pack.bytes)}`}</span>
+        )}
+        <span className="end">
+          {pack.state === 'sealed' && (
+            <ButtonLink href={`/v1/packs/${pack.id}/pack.zip`} download aria-label={`Download pack ${title}`}>
+              Download
+            </ButtonLink>
+          )}
+        </span>
+      </p>
+      <p className="small mid">
+        Sealed by {pack.sealed_by}{' '}
+        <time dateTime={pack.created_at} title={day(pack.created_at)}>
+          {ago(pack.created_at)}
+        </time>
+        {pack.with_masters && ', with masters'}.{pack.note && ` “${pack.note}”`}
+      </p>
+      {pack.state === 'refused' && <p className="small">{sentence(pack.refusal)}</p>}
+      {pack.state === 'sealed' && (
+        <details className="small" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+          <summary className={classes.summary}>
+            What changed<span className="visually-hidden"> in pack {title}</span>
+          </summary>
+          {data && <ChangesList changes={data.changes} />}
+        </details>
+      )}
+    </li>
+  )
+}
+
+const KINDS = { new: 'new', changed: 'changed', gone: 'gone' } as const
+
+function ChangesList({ changes }: { changes: Changes }) {
+  return (
+    <>
+      <p className="mid">{sentence(changesInWords(changes))}</p>
+      {changes.since !== null && changes.paths.length > 0 && (
+        <ul className={classes.paths}>
+          {changes.paths.map(({ path, kind }) => (
+            <li key={path}>
+              <span className="dim">{KINDS[kind]}</span> <span className="mono">{path}</span>
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  )
+}
+
+function SealCard({ projectId, targets }: { projectId: string; targets: readonly string[] }) {
+  const [target, setTarget] = useState(targets[0] ?? '')
+  const [note, setNote] = useState('')
+  const [masters, setMasters] = useState(false)
+  const [placeholders, setPlaceholders] = useState(false)
+  const { data: pack } = useQuery(packQuery(projectId, target))
+  const seal = useSealPack(projectId)
+  const missing = pack?.missing.length ?? 0
+  const [allowMissing, setAllowMissing] = useState(false)
+  const send = (event: SyntheticEvent) => {
+    event.preventDefault()
+    seal.mutate({ target, note, masters, placeholders, allow_missing: allowMissing }, { onSuccess: () => setNote('') })
+  }
+  return (
+    <Card aria-labelledby="seal">
+      <CardHead id="seal" title="The next pack" />
+      <form className={classes.form} onSubmit={send}>
+        <Select
+          label="Target"
+          data={[...targets]}
+          value={target}
+          onChange={(chosen) => chosen && setTarget(chosen)}
+          allowDeselect={false}
+        />
+        {pack && (
+          <p className="small mid" role="status">
+            {pack.cues_accepted === 0
+              ? 'Nothing is accepted for it yet.'
+              : sentence(`${plural(pack.files, 'file')}, ${bytes(pack.bytes)}; ${changesInWords(pack.changes)}`)}
+          </p>
+        )}
+        <Textarea
+          label="Note"
+          description="What it is for; the studio reads it in this list."
+          value={note}
+          maxLength={2000}
+          rows={2}
+          onChange={({ currentTarget }) => setNote(currentTarget.value)}
+        />
+        <Checkbox
+          label="With masters"
+          checked={masters}
+          onChange={({ currentTarget }) => setMasters(currentTarget.checked)}
+        />
+        <Checkbox
+          label="With placeholders for what is not accepted"
+          description="They are marked, and the game’s CI refuses them."
+          checked={placeholders}
+          onChange={({ currentTarget }) => setPlaceholders(currentTarget.checked)}
+        />
+        {missing > 0 && (
+          <Checkbox
+            label={`Without ${plural(missing, 'accepted file')} that could not be made`}
+            checked={allowMissing}
+            onChange={({ currentTarget }) => setAllowMissing(currentTarget.checked)}
+          />
+        )}
+        <div>
+          <Button variant="primary" type="submit" disabled={seal.isPending}>
+            Seal the pack
+          </Button>
+        </div>
+      </form>
+      <Refused error={seal.error} />
+    </Card>
+  )
+}

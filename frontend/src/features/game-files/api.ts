@@ -1,0 +1,155 @@
+import { queryOptions, useInfiniteQuery, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Target = Schemas['TargetMemory']
+export type Preset = Schemas['PresetRead']
+export type Memory = Schemas['MemoryRead']
+export type Batch = Schemas['BatchSummary']
+export type BatchSizes = Schemas['BatchSizes']
+export type SealedPack = Schemas['SealedPackSummary']
+export type Changes = Schemas['PackChanges']
+export type Register = Schemas['PlaceholderRegister']
+export type Placeholder = Schemas['PlaceholderRead']
+
+const POLL_MS = 1_000
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+const open = ({ state }: Batch): boolean => state === 'planning' || state === 'running'
+
+const keys = {
+  batches: (projectId: string) => ['batches', projectId] as const,
+  sealed: (projectId: string) => ['sealed-packs', projectId] as const,
+  placeholders: (projectId: string) => ['placeholders', projectId] as const,
+}
+
+export const projectQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['project', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
+  })
+
+export const targetsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['targets', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/targets', inProject(projectId))),
+  })
+
+// Batches
+
+export const useBatches = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: keys.batches(projectId),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/batches', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+    refetchInterval: ({ state: { data } }) => (data?.pages[0]?.items.some(open) ? POLL_MS : false),
+  })
+
+/** One batch with its sizes; read anew each time it got on. */
+export const useBatch = (batch: Batch) =>
+  useQuery({
+    queryKey: ['batch', batch.id, batch.state, batch.waiting],
+    queryFn: () => answered(api.GET('/v1/batches/{batch_id}', { params: { path: { batch_id: batch.id } } })),
+    staleTime: Infinity,
+    placeholderData: (before) => before,
+  })
+
+function useBatchAct<Asked>(projectId: string, act: (asked: Asked) => Promise<unknown>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: act,
+    onSettled: () => client.invalidateQueries({ queryKey: keys.batches(projectId) }),
+  })
+}
+
+export const useBeginBatch = (projectId: string) =>
+  useBatchAct(projectId, (targets: string[]) =>
+    answered(api.POST('/v1/projects/{project_id}/batches', { ...inProject(projectId), body: { targets } })),
+  )
+
+export const useCancelBatch = (projectId: string) =>
+  useBatchAct(projectId, (batchId: string) =>
+    answered(api.POST('/v1/batches/{batch_id}/cancel', { params: { path: { batch_id: batchId } } })),
+  )
+
+// Packs
+
+export const packQuery = (projectId: string, target: string) =>
+  queryOptions({
+    queryKey: ['packs', projectId, target],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/pack', { params: { path: { project_id: projectId }, query: { target } } }),
+      ),
+  })
+
+export const useSealedPacks = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: keys.sealed(projectId),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/packs', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+    refetchInterval: ({ state: { data } }) =>
+      data?.pages[0]?.items.some(({ state }) => state === 'sealing') ? POLL_MS : false,
+  })
+
+export const useSealedPack = (packId: string, enabled: boolean) =>
+  useQuery({
+    queryKey: ['sealed-pack', packId],
+    queryFn: () => answered(api.GET('/v1/packs/{pack_id}', { params: { path: { pack_id: packId } } })),
+    enabled,
+    staleTime: Infinity,
+  })
+
+export function useSealPack(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['PackAdd']) =>
+      answered(api.POST('/v1/projects/{project_id}/packs', { ...inProject(projectId), body })),
+    onSettled: () =>
+      Promise.all(
+        [keys.sealed(projectId), ['packs', projectId]].map((queryKey) => client.invalidateQueries({ queryKey })),
+      ),
+  })
+}
+
+// Placeholders
+
+const toMake = ({ items }: Register): number =>
+  items.filter(({ state }) => state === 'missing' || state === 'outdated').length
+
+/** What is still a placeholder; read again while stand-ins are being made. */
+export const useRegister = (projectId: string, target: string | undefined, isMaking: boolean) =>
+  useQuery({
+    queryKey: [...keys.placeholders(projectId), target],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/placeholders', {
+          params: { path: { project_id: projectId }, query: { target } },
+        }),
+      ),
+    placeholderData: (before) => before,
+    refetchInterval: ({ state: { data } }) => (isMaking && data && toMake(data) > 0 ? POLL_MS : false),
+    select: (register) => ({ ...register, toMake: toMake(register) }),
+  })
+
+export function useMakeStandIns(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (target: string) =>
+      answered(api.POST('/v1/projects/{project_id}/placeholders', { ...inProject(projectId), body: { target } })),
+    onSettled: () => client.invalidateQueries({ queryKey: keys.placeholders(projectId) }),
+  })
+}

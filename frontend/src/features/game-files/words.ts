@@ -1,0 +1,58 @@
+import { bytes, channels, figure, plural, rate } from '@/ui/format'
+
+import type { Batch, Changes, Memory, Target } from './api'
+
+export function sentence(text: string): string {
+  const begun = text.charAt(0).toUpperCase() + text.slice(1)
+  return /[.?!]$/.test(begun) ? begun : `${begun}.`
+}
+
+/** "48 kHz, 16 bit, mono". */
+export function formatOf({ sample_rate_hz, bit_depth, encoding, channels: count }: Target): string {
+  const depth = encoding === 'float' ? `${bit_depth} bit float` : `${bit_depth} bit`
+  return [rate(sample_rate_hz), depth, count === 'master' ? 'as master' : channels(count)].join(', ')
+}
+
+/** How the game keeps it: "resident, codec 4 : 1". */
+export const keptAs = ({ streamed, codec_ratio }: Target): string =>
+  [
+    streamed ? 'streamed from disk' : 'resident',
+    codec_ratio > 1 ? `codec ${figure(codec_ratio, codec_ratio % 1 ? 1 : 0)} : 1` : 'PCM',
+  ].join(', ')
+
+/** "4.0 MB, 1.0 MB under", "over by", or without a budget the size alone. */
+export function roomOf({ memory_bytes, over_bytes }: Memory): string {
+  if (over_bytes === null) return `${bytes(memory_bytes)}, no budget`
+  if (over_bytes > 0) return `${bytes(memory_bytes)}, over by ${bytes(over_bytes)}`
+  return `${bytes(memory_bytes)}, ${bytes(-over_bytes)} under`
+}
+
+const done = ({ made, kept, refused, left }: Batch): number => made + kept + refused + left
+
+/** What became of a batch so far. */
+export function progressOf(batch: Batch): string {
+  if (batch.state === 'planning') return 'is being planned'
+  const parts = [
+    batch.made > 0 && `${figure(batch.made)} made`,
+    batch.kept > 0 && `${figure(batch.kept)} as they were`,
+    batch.refused > 0 && `${figure(batch.refused)} refused`,
+    batch.left > 0 && `${figure(batch.left)} left out`,
+    batch.waiting > 0 && `${figure(batch.waiting)} ${batch.state === 'running' ? 'to make' : 'not made'}`,
+  ].filter(Boolean)
+  return `${figure(done(batch))} of ${plural(batch.files, 'file')}${parts.length > 0 ? `: ${parts.join(', ')}` : ''}`
+}
+
+/** "2 new, 1 changed, 1 gone, 40 as before". */
+export function changesInWords({ since, changed, gone, same, ...counts }: Changes): string {
+  if (since === null) return 'the first pack of this target'
+  const parts = [
+    counts.new > 0 && `${figure(counts.new)} new`,
+    changed > 0 && `${figure(changed)} changed`,
+    gone > 0 && `${figure(gone)} gone`,
+    same > 0 && `${figure(same)} as before`,
+  ].filter(Boolean)
+  return `since pack ${since}: ${parts.join(', ') || 'nothing'}`
+}
+
+export const signed = (count: number): string =>
+  count === 0 ? 'the same' : `${count > 0 ? '+' : '−'}${bytes(Math.abs(count))}`
