@@ -141,6 +141,13 @@ def _priced(covered: ContractCue) -> PricedCue:
     return cue
 
 
+def note_work(session: Session, cue_id: UUID, designer_id: UUID, kind: str, *, person_id: UUID, **more: object) -> None:
+    """Write what became of a designer's work into the record of the contract that covers the cue, if one does."""
+    covered = money_queries.running_cue(session, cue_id, {designer_id})
+    if covered is not None:
+        _tell(session, covered, kind, person_id, **more)
+
+
 def _tell(session: Session, covered: ContractCue, kind: str, person_id: UUID, **more: object) -> None:
     prefix = session.get_one(Project, covered.project_id).cue_prefix
     by = session.get_one(Person, person_id).name

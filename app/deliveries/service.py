@@ -7,6 +7,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.contracts.settlement import note_work
 from app.deliveries import queries
 from app.deliveries.errors import DeliveryClosed, DeliveryNotFound, InHouseDesignerNeeded, TakeNotFound
 from app.deliveries.models import Archive, Delivery, Take
@@ -182,6 +183,7 @@ def add_take(
     session.add(take)
     session.flush()
     session.refresh(take, ["cue", "designer"])
+    _note_delivered(session, take)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
 
@@ -245,8 +247,16 @@ def match_take(
     take.alternate = slot.alternate
     session.flush()
     session.refresh(take, ["cue"])
+    _note_delivered(session, take)
     check_again(session, take)
     return take, standing
+
+
+def _note_delivered(session: Session, take: Take) -> None:
+    if take.cue_id is None or take.number is None:
+        return
+    facts = {"variation": take.variation, "version": take.number, "file": take.file_name, "sha256": take.master_sha256}
+    note_work(session, take.cue_id, take.designer_id, "delivered", person_id=take.designer_id, **facts)
 
 
 def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None:

@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.contracts.settlement import settle_cut
+from app.contracts.settlement import note_work, settle_cut
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state, take_for
@@ -145,7 +145,7 @@ class _Decision:
         return accepted
 
     def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
-        verdict = new_verdict(self._standing, take, kind, note, self.action_id)
+        verdict = new_verdict(self._session, self._standing, take, kind, note, self.action_id)
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
         if draft is not None:
@@ -154,8 +154,13 @@ class _Decision:
         self._session.add(verdict)
 
 
-def new_verdict(standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID) -> Verdict:
-    """Return a verdict to put on record before the take moves."""
+def new_verdict(
+    session: Session, standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID
+) -> Verdict:
+    """Return a verdict to put on record before the take moves; the record of its contract has it at once."""
+    if take.cue_id is not None:
+        facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
+        note_work(session, take.cue_id, take.designer_id, "judged", person_id=standing.actor.person, **facts)
     return Verdict(
         studio_id=take.studio_id,
         project_id=take.project_id,
@@ -264,7 +269,7 @@ def _take_back(
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
-        back = new_verdict(standing, take, VerdictKind.WITHDRAW, "", action_id)
+        back = new_verdict(session, standing, take, VerdictKind.WITHDRAW, "", action_id)
         back.withdraws_id = verdict.id
         session.add(back)
         take.state, take.state_since = verdict.state_before, verdict.since_before

@@ -4,6 +4,7 @@ import { queryClient } from '@/api/queryClient'
 import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
 import { checkRoutes } from '@/features/checks/routes'
+import { contractRoutes } from '@/features/contracts/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { gameFilesRoutes } from '@/features/game-files/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
@@ -30,6 +31,7 @@ const pages = [
     ...reviewRoutes,
     ...soundListRoutes,
     ...deskRoutes,
+    ...contractRoutes,
     ...takeRoutes,
     ...accountRoutes,
     ...operationRoutes,

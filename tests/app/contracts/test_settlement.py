@@ -198,4 +198,4 @@ def test_every_line_stands_in_the_record(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     agreed.approve(agreed.take(cue))
     told_of = agreed.world.server.in_database(lambda session: list(events_of(session, agreed.contract_id)))
-    assert [one.kind for one in told_of] == ["planned", "due", "accepted", "due"]
+    assert [one.kind for one in told_of] == ["planned", "due", "judged", "accepted", "due"]

@@ -23,12 +23,20 @@ export function screensOf({ person, side, project, counts }: ShellData): Screen[
   const inProject: Screen[] = project
     ? [{ label: 'Sound list', path: `/projects/${project.id}/sound-list`, icon: 'lines', letter: 'l' }]
     : []
+  const contractTab: Screen[] = project
+    ? [{ label: 'Contract', path: `/projects/${project.id}/contracts`, icon: 'file', letter: 'c' }]
+    : []
   const projectTab: Screen = project
     ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p' }
     : { label: 'Projects', path: '/projects', icon: 'sliders', letter: 'p' }
   if (side === 'designer') {
     const path = project ? `/projects/${project.id}/desk` : '/desk'
-    return [{ label: 'Desk', path, icon: 'tray', letter: 'd', count: counts.desk }, ...inProject, projectTab]
+    return [
+      { label: 'Desk', path, icon: 'tray', letter: 'd', count: counts.desk },
+      ...inProject,
+      ...contractTab,
+      projectTab,
+    ]
   }
   const review: Screen[] = project
     ? [
@@ -51,6 +59,7 @@ export function screensOf({ person, side, project, counts }: ShellData): Screen[
     },
     ...inProject,
     ...review,
+    ...contractTab,
     projectTab,
   ]
 }

@@ -80,9 +80,15 @@ const tabs = () => within(screen.getByRole('navigation', { name: 'Screens' })).g
 
 test('the studio has Today, Sound list, Review and Project; what waits is beside its tab', async () => {
   await open(PRODUCER)
-  expect(tabs().map((tab) => tab.textContent)).toEqual(['Today', 'Sound list', 'Review4 waiting', 'Project'])
+  expect(tabs().map((tab) => tab.textContent)).toEqual([
+    'Today',
+    'Sound list',
+    'Review4 waiting',
+    'Contract',
+    'Project',
+  ])
   expect(tabs()[0]).toHaveAttribute('aria-current', 'page')
-  expect(tabs()[3]).not.toHaveAttribute('aria-current')
+  expect(tabs()[4]).not.toHaveAttribute('aria-current')
 })
 
 test('a page below a screen is marked as part of it', async () => {
@@ -90,12 +96,12 @@ test('a page below a screen is marked as part of it', async () => {
   expect(screenOf(screensOf(PRODUCER), '/projects/p1/sound-list/compare')?.label).toBe('Sound list')
   expect(screenOf(screensOf(PRODUCER), '/studio')).toBeUndefined()
   await open(PRODUCER, '/projects/p1/builds')
-  expect(tabs().map((tab) => tab.getAttribute('aria-current'))).toEqual([null, null, null, 'true'])
+  expect(tabs().map((tab) => tab.getAttribute('aria-current'))).toEqual([null, null, null, null, 'true'])
 })
 
 test('a designer has a Desk, Sound list and Project', async () => {
   await open(DESIGNER, '/desk')
-  expect(tabs().map((tab) => tab.textContent)).toEqual(['Desk3 waiting', 'Sound list', 'Project'])
+  expect(tabs().map((tab) => tab.textContent)).toEqual(['Desk3 waiting', 'Sound list', 'Contract', 'Project'])
 })
 
 test('without a project there is one place to find one', () => {
@@ -140,7 +146,7 @@ test('an address that nobody knows keeps the frame and the ways on', async () =>
   await open(PRODUCER, '/no/such/place')
   expect(screen.getByRole('heading', { name: 'Nothing stands at this address.', level: 1 })).toBeInTheDocument()
   expect(screen.getByRole('link', { name: 'All projects' })).toHaveAttribute('href', '/projects')
-  expect(tabs()).toHaveLength(4)
+  expect(tabs()).toHaveLength(5)
 })
 
 test('a page that breaks says so and can be tried again', async () => {

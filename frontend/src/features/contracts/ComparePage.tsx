@@ -1,0 +1,101 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { ButtonLink } from '@/ui/Button'
+import { Card } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { plural } from '@/ui/format'
+
+import { type Compared, comparisonQuery, contractQuery, versionsQuery } from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+
+/** Two versions of a contract, word by word. */
+export function ComparePage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/compare' })
+  const search = useSearch({ from: '/shell/projects/$projectId/contracts/$contractId/compare' })
+  const navigate = useNavigate()
+  useTitle('Compare versions')
+  const { data: contract } = useQuery(contractQuery(contractId))
+  const { data: versions, error } = useQuery(versionsQuery(contractId))
+  const numbers = versions?.map(({ number }) => number) ?? []
+  const to = search.to ?? numbers[0] ?? 1
+  const from = search.from ?? numbers.find((number) => number < to) ?? to
+  const compared = useQuery({ ...comparisonQuery(contractId, from, to), enabled: numbers.length > 0 })
+  const changed = compared.data?.lines.filter(({ change }) => change !== 'same') ?? []
+  const show = (next: { from: number; to: number }) =>
+    void navigate({
+      to: '/projects/$projectId/contracts/$contractId/compare',
+      params: { projectId, contractId },
+      search: next,
+      replace: true,
+      resetScroll: false,
+    })
+  return (
+    <div className="page stack">
+      <div className={classes.head}>
+        <div>
+          <h1>Compare versions</h1>
+          <p className="mid" role="status">
+            {compared.data &&
+              (changed.length === 0
+                ? `Versions ${from} and ${to} say the same.`
+                : `${plural(changed.length, 'paragraph')} of ${contract?.title ?? 'the contract'} differ between version ${from} and ${to}.`)}
+          </p>
+        </div>
+        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+          Back to the contract
+        </ButtonLink>
+      </div>
+      <Refusal error={error ?? compared.error} />
+      {numbers.length === 1 && (
+        <EmptyState head="There is one version only.">Each saved draft, and each sending, makes another.</EmptyState>
+      )}
+      {numbers.length > 1 && (
+        <Card aria-label="What is compared" className={classes.choose}>
+          <VersionSelect label="From" value={from} numbers={numbers} onChange={(value) => show({ from: value, to })} />
+          <VersionSelect label="To" value={to} numbers={numbers} onChange={(value) => show({ from, to: value })} />
+        </Card>
+      )}
+      {compared.data && (
+        <Card aria-label="The text" className={classes.sheet}>
+          <div className={classes.text}>
+            {compared.data.lines.map((line, index) => (
+              <Line key={index} line={line} />
+            ))}
+          </div>
+        </Card>
+      )}
+    </div>
+  )
+}
+
+interface VersionSelectProps {
+  label: string
+  value: number
+  numbers: readonly number[]
+  onChange: (value: number) => void
+}
+
+function VersionSelect({ label, value, numbers, onChange }: VersionSelectProps) {
+  return (
+    <label className={classes.select}>
+      <span className="small">{label}</span>
+      <select value={value} onChange={({ currentTarget }) => onChange(Number(currentTarget.value))}>
+        {numbers.map((number) => (
+          <option key={number} value={number}>{`Version ${number}`}</option>
+        ))}
+      </select>
+    </label>
+  )
+}
+
+function Line({ line }: { line: Compared }) {
+  const said = line.runs.map(({ is_in, text }, index) =>
+    is_in === 'later' ? <ins key={index}>{text}</ins> : is_in === 'earlier' ? <del key={index}>{text}</del> : text,
+  )
+  const className = line.change === 'same' ? undefined : classes.changed
+  if (line.kind === 'head') return <h3 className={className}>{said}</h3>
+  return <p className={line.kind === 'item' ? `${classes.item} ${className ?? ''}` : className}>{said}</p>
+}

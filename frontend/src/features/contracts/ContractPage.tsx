@@ -1,0 +1,335 @@
+import { Select, Textarea, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { clock, day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import { type Contract, contractQuery, useDeed, useKeepAsTemplate, versionsQuery } from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+import { Text } from './Text'
+import { KIND_WORDS, standing } from './words'
+
+/** One contract: its text, who has said yes, and what the reader may do about it. */
+export function ContractPage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId' })
+  const { data: contract, error } = useQuery(contractQuery(contractId))
+  useTitle(contract?.title ?? 'Contract')
+  if (!contract) {
+    return (
+      <div className="page stack" aria-busy={error === null}>
+        <h1>Contract</h1>
+        <Refusal error={error} />
+      </div>
+    )
+  }
+  const { kind, text } = standing(contract)
+  return (
+    <div className="page stack">
+      <div className={classes.head}>
+        <div>
+          <h1>{contract.title}</h1>
+          <p className="mid">
+            {`${KIND_WORDS[contract.kind]} between ${contract.studio_name} and ${contract.designer.name}, version ${contract.version.number}`}
+          </p>
+        </div>
+        <State kind={kind} pill>
+          {text}
+        </State>
+      </div>
+      {contract.change_asked && (
+        <blockquote className={classes.asked}>
+          <p>{contract.change_asked.text}</p>
+          <footer className="small mid">
+            {`${contract.change_asked.by} asks for this change${contract.change_asked.clause ? ` of ${clauseTitle(contract, contract.change_asked.clause)}` : ''}, ${day(contract.change_asked.at)}`}
+          </footer>
+        </blockquote>
+      )}
+      <div className={`columns ${classes.columns}`}>
+        <Card aria-label="The text" className={classes.sheet}>
+          <Text blocks={contract.version.blocks} />
+          <p className={`mono dim ${classes.hash}`}>{`SHA-256 ${contract.version.text_sha256}`}</p>
+        </Card>
+        <div className="stack">
+          <Steps contract={contract} projectId={projectId} />
+          <Said contract={contract} />
+          <Versions contract={contract} projectId={projectId} />
+          {contract.my_party === 'studio' && <KeepAsTemplate contract={contract} />}
+          {contract.may.end && <End contract={contract} />}
+        </div>
+      </div>
+    </div>
+  )
+}
+
+const clauseTitle = (contract: Contract, key: string): string =>
+  contract.version.clauses.find((clause) => clause.key === key)?.title ?? key
+
+function Steps({ contract, projectId }: { contract: Contract; projectId: string }) {
+  const { may } = contract
+  if (!(may.change || may.accept || may.take_back || may.ask_change)) return null
+  return (
+    <Card aria-labelledby="next">
+      <CardHead id="next" title="Your step" />
+      <div className={classes.form}>
+        {may.change && <SendIt contract={contract} projectId={projectId} />}
+        {may.accept && <Accept contract={contract} />}
+        {may.ask_change && <AskChange contract={contract} />}
+        {may.take_back && <TakeBack contract={contract} />}
+      </div>
+    </Card>
+  )
+}
+
+function SendIt({ contract, projectId }: { contract: Contract; projectId: string }) {
+  const send = useDeed(contract.id)
+  return (
+    <>
+      <p>
+        {`Sending puts the text before ${contract.designer.name} as PDF, with the list and the open questions of that moment.`}
+      </p>
+      <Refusal error={send.error} />
+      <div className={classes.buttons}>
+        <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/draft`}>
+          Change the draft
+        </ButtonLink>
+        <Button
+          variant="primary"
+          aria-busy={send.isPending}
+          onClick={() =>
+            send.mutate(
+              { does: 'send', note: '' },
+              { onSuccess: () => showToast(`${contract.title} waits for both to accept.`) },
+            )
+          }
+        >
+          {`Send to ${contract.designer.name}`}
+        </Button>
+      </div>
+    </>
+  )
+}
+
+function Accept({ contract }: { contract: Contract }) {
+  const accept = useDeed(contract.id)
+  const [name, setName] = useState('')
+  const say = (event: FormEvent) => {
+    event.preventDefault()
+    if (accept.isPending || name.trim() === '') return
+    accept.mutate({ does: 'accept', name: name.trim(), textSha256: contract.version.text_sha256 })
+  }
+  return (
+    <form onSubmit={say} className={classes.inner} aria-label="Accept">
+      <p>
+        Your name, the time and the address you send it from are kept with the text. It is agreed once both have
+        accepted.
+      </p>
+      <TextInput
+        label="Your full name"
+        autoComplete="name"
+        value={name}
+        maxLength={120}
+        onChange={({ currentTarget }) => setName(currentTarget.value)}
+      />
+      <Refusal error={accept.error} />
+      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={accept.isPending}>
+        {`Accept version ${contract.version.number}`}
+      </Button>
+    </form>
+  )
+}
+
+function AskChange({ contract }: { contract: Contract }) {
+  const ask = useDeed(contract.id)
+  const [text, setText] = useState('')
+  const [clause, setClause] = useState<string | null>(null)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (ask.isPending || text.trim() === '') return
+    ask.mutate(
+      { does: 'ask for a change', text: text.trim(), clause },
+      { onSuccess: () => showToast('The studio has it back, with what you ask for.') },
+    )
+  }
+  return (
+    <form onSubmit={send} className={classes.inner} aria-label="Ask for a change">
+      <Select
+        label="Or ask for a change of"
+        placeholder="The whole text"
+        data={contract.version.clauses.map(({ key, title }) => ({ value: key, label: title }))}
+        value={clause}
+        clearable
+        onChange={setClause}
+      />
+      <Textarea
+        label="What you want otherwise"
+        rows={3}
+        resize="vertical"
+        value={text}
+        maxLength={2000}
+        onChange={({ currentTarget }) => setText(currentTarget.value)}
+      />
+      <Refusal error={ask.error} />
+      <Button type="submit" icon="back" disabled={text.trim() === ''} aria-busy={ask.isPending}>
+        Send it back
+      </Button>
+    </form>
+  )
+}
+
+function TakeBack({ contract }: { contract: Contract }) {
+  const take = useDeed(contract.id)
+  const [reason, setReason] = useState('')
+  return (
+    <form
+      className={classes.inner}
+      aria-label="Take it back"
+      onSubmit={(event) => {
+        event.preventDefault()
+        if (!take.isPending && reason.trim() !== '') take.mutate({ does: 'take back', reason: reason.trim() })
+      }}
+    >
+      <TextInput
+        label="Or take it back, because"
+        value={reason}
+        maxLength={2000}
+        onChange={({ currentTarget }) => setReason(currentTarget.value)}
+      />
+      <Refusal error={take.error} />
+      <Button type="submit" disabled={reason.trim() === ''} aria-busy={take.isPending}>
+        Take it back
+      </Button>
+    </form>
+  )
+}
+
+function Said({ contract }: { contract: Contract }) {
+  if (contract.acceptances.length === 0) return null
+  return (
+    <Card aria-labelledby="said">
+      <CardHead id="said" title="Accepted by" />
+      <Rows aria-label="Accepted by">
+        {contract.acceptances.map(({ party, name, email, accepted_at }) => (
+          <Row key={party} className={classes.row}>
+            <div className="grow">
+              <p>{name}</p>
+              <p className="small mid">{`for the ${party}, ${email}`}</p>
+            </div>
+            <span className="small dim">{`${day(accepted_at)}, ${clock(accepted_at)}`}</span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+function Versions({ contract, projectId }: { contract: Contract; projectId: string }) {
+  const { data: versions, error } = useQuery(versionsQuery(contract.id))
+  return (
+    <Card aria-labelledby="versions">
+      <CardHead id="versions" title="Versions and record" />
+      <Refusal error={error} />
+      <Rows aria-label="Versions">
+        {versions?.map(({ number, note, author, created_at, pdf_sha256 }) => (
+          <Row key={number} className={classes.row}>
+            <div className="grow">
+              <p>{`Version ${number}${note ? `: ${note}` : ''}`}</p>
+              <p className="small mid">{`${author.name}, ${day(created_at)}`}</p>
+            </div>
+            {pdf_sha256 !== null && (
+              <ButtonLink
+                variant="quiet"
+                icon="download"
+                href={`/v1/contracts/${contract.id}/versions/${number}/contract.pdf`}
+                aria-label={`Version ${number} as PDF`}
+              >
+                PDF
+              </ButtonLink>
+            )}
+          </Row>
+        ))}
+      </Rows>
+      <div className={`${classes.form} ${classes.buttons}`}>
+        {(versions?.length ?? 0) > 1 && (
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/compare`}>
+            Compare versions
+          </ButtonLink>
+        )}
+        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/record`}>
+          The record
+        </ButtonLink>
+      </div>
+    </Card>
+  )
+}
+
+function KeepAsTemplate({ contract }: { contract: Contract }) {
+  const keep = useKeepAsTemplate(contract.id)
+  const [name, setName] = useState('')
+  return (
+    <Card aria-labelledby="keep">
+      <CardHead id="keep" title="Keep as a template" />
+      <form
+        className={classes.form}
+        aria-label="Keep as a template"
+        onSubmit={(event) => {
+          event.preventDefault()
+          if (keep.isPending || name.trim() === '') return
+          keep.mutate(name.trim(), {
+            onSuccess: (kept) => {
+              showToast(`${kept.name} is a template of the studio now.`)
+              setName('')
+            },
+          })
+        }}
+      >
+        <TextInput
+          label="Name"
+          value={name}
+          maxLength={120}
+          onChange={({ currentTarget }) => setName(currentTarget.value)}
+        />
+        <Refusal error={keep.error} />
+        <Button type="submit" disabled={name.trim() === ''} aria-busy={keep.isPending}>
+          Keep it
+        </Button>
+      </form>
+    </Card>
+  )
+}
+
+function End({ contract }: { contract: Contract }) {
+  const end = useDeed(contract.id)
+  const [reason, setReason] = useState('')
+  return (
+    <details className={classes.end}>
+      <summary>{contract.state === 'agreed' ? 'End this contract' : 'Give it up'}</summary>
+      <form
+        className={classes.inner}
+        aria-label="End"
+        onSubmit={(event) => {
+          event.preventDefault()
+          if (!end.isPending && reason.trim() !== '') end.mutate({ does: 'end', reason: reason.trim() })
+        }}
+      >
+        <TextInput
+          label="Because"
+          value={reason}
+          maxLength={2000}
+          onChange={({ currentTarget }) => setReason(currentTarget.value)}
+        />
+        <Refusal error={end.error} />
+        <Button type="submit" disabled={reason.trim() === ''} aria-busy={end.isPending}>
+          {`End ${contract.title}`}
+        </Button>
+      </form>
+    </details>
+  )
+}

@@ -1,0 +1,302 @@
+import { Checkbox, Select, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import {
+  type ContractBrief,
+  type ContractKind,
+  contractsQuery,
+  type Project,
+  projectQuery,
+  templatesQuery,
+  useAskForNda,
+  useBeginContract,
+  useDropTemplate,
+  useImportTemplate,
+} from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+import { isKind, KIND_MEANINGS, KIND_WORDS, KINDS, standing } from './words'
+
+const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
+
+/** The contracts of a project: how each stands, and beginning another. */
+export function ContractsPage() {
+  useTitle('Contracts')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/contracts' })
+  const { data: project, error } = useQuery(projectQuery(projectId))
+  const { data: contracts, error: noContracts } = useQuery(contractsQuery(projectId))
+  const runs = project?.mine.is_producer ?? false
+  return (
+    <div className="page stack">
+      <div>
+        <h1>Contracts</h1>
+        <p className="mid">{project?.mine.is_team === false ? 'What you and the studio agree.' : WHAT}</p>
+      </div>
+      <Refusal error={error ?? noContracts} />
+      {project && contracts && (
+        <div className={`columns ${classes.columns}`}>
+          <div className="stack">
+            <Listed contracts={contracts} project={project} />
+          </div>
+          {runs && (
+            <div className="stack">
+              <Begin project={project} contracts={contracts} />
+              <Nda project={project} />
+              <Templates project={project} />
+            </div>
+          )}
+        </div>
+      )}
+    </div>
+  )
+}
+
+const WHAT =
+  'What the studio and its designers agree. A project works without one; brief, contract and money come when wanted.'
+
+function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; project: Project }) {
+  return (
+    <Card aria-labelledby="contracts">
+      <CardHead id="contracts" title="Contracts" count={contracts.length} />
+      {contracts.length === 0 && (
+        <div className={classes.empty}>
+          <EmptyState head="No contract yet." level={3}>
+            {project.mine.is_producer
+              ? 'Begin one from the library of clauses: it is a start for both parties’ lawyers.'
+              : 'When the studio sends one, it stands here and a mail tells you.'}
+          </EmptyState>
+        </div>
+      )}
+      <Rows aria-label="Contracts">
+        {contracts.map((contract) => {
+          const { kind, text } = standing(contract)
+          const waits = contract.my_party !== null && contract.waits_for.includes(contract.my_party)
+          return (
+            <Row key={contract.id} className={classes.row}>
+              <div className="grow">
+                <p className={waits ? 'strong' : undefined}>
+                  <Link
+                    className={classes.over}
+                    to="/projects/$projectId/contracts/$contractId"
+                    params={{ projectId: project.id, contractId: contract.id }}
+                  >
+                    {contract.title}
+                  </Link>
+                </p>
+                <p className="small mid">{`${KIND_WORDS[contract.kind]} with ${contract.designer.name}, begun ${day(contract.created_at)}`}</p>
+              </div>
+              <State kind={kind}>{text}</State>
+            </Row>
+          )
+        })}
+      </Rows>
+    </Card>
+  )
+}
+
+function Begin({ project, contracts }: { project: Project; contracts: readonly ContractBrief[] }) {
+  const navigate = useNavigate()
+  const begin = useBeginContract(project.id)
+  const { data: templates } = useQuery(templatesQuery(project.studio.id))
+  const designers = project.engagements.filter(({ ended_at, kind }) => ended_at === null && kind !== 'in-house')
+  const [engagement, setEngagement] = useState<string | null>(null)
+  const [kind, setKind] = useState<ContractKind>('single')
+  const [title, setTitle] = useState('')
+  const [currency, setCurrency] = useState('USD')
+  const [template, setTemplate] = useState<string | null>(null)
+  const [framework, setFramework] = useState<string | null>(null)
+  const [music, setMusic] = useState(false)
+  const chosen = engagement ?? designers[0]?.id ?? null
+  const frameworks = contracts.filter((each) => each.kind === 'framework' && each.state === 'agreed')
+  const own = (templates ?? []).filter((each) => each.kind === kind)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (begin.isPending || chosen === null) return
+    const designer = designers.find(({ id }) => id === chosen)?.designer.name ?? ''
+    begin.mutate(
+      {
+        engagement_id: chosen,
+        kind,
+        title: title.trim() || `${KIND_WORDS[kind]} with ${designer}`,
+        currency: currency.trim().toUpperCase(),
+        template_id: template,
+        framework_id: kind === 'statement_of_work' ? (framework ?? frameworks[0]?.id ?? null) : null,
+        with_music: music,
+      },
+      {
+        onSuccess: ({ id }) =>
+          void navigate({
+            to: '/projects/$projectId/contracts/$contractId/draft',
+            params: { projectId: project.id, contractId: id },
+          }),
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="begin">
+      <CardHead id="begin" title="Begin a contract" />
+      {designers.length === 0 ? (
+        <div className={classes.empty}>
+          <EmptyState head="Nobody to agree with yet." level={3}>
+            Invite a designer under People first. The studio’s own people need no contract.
+          </EmptyState>
+        </div>
+      ) : (
+        <form onSubmit={send} noValidate className={classes.form} aria-label="Begin a contract">
+          <Select
+            label="With"
+            data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
+            value={chosen}
+            allowDeselect={false}
+            onChange={setEngagement}
+          />
+          <Select
+            label="Kind"
+            data={KIND_CHOICES}
+            value={kind}
+            allowDeselect={false}
+            onChange={(value) => {
+              if (!isKind(value)) return
+              setKind(value)
+              setTemplate(null)
+            }}
+          />
+          {kind === 'statement_of_work' && (
+            <Select
+              label="Under the framework"
+              data={frameworks.map(({ id, title: name }) => ({ value: id, label: name }))}
+              value={framework ?? frameworks[0]?.id ?? null}
+              placeholder="No framework is agreed yet"
+              onChange={setFramework}
+            />
+          )}
+          <TextInput
+            label="Title; it may stay empty"
+            value={title}
+            maxLength={120}
+            onChange={({ currentTarget }) => setTitle(currentTarget.value)}
+          />
+          <TextInput
+            label="Currency"
+            description="Three letters, as USD or EUR"
+            value={currency}
+            maxLength={3}
+            onChange={({ currentTarget }) => setCurrency(currentTarget.value)}
+          />
+          {own.length > 0 && (
+            <Select
+              label="From"
+              data={[{ value: '', label: 'The library' }, ...own.map(({ id, name }) => ({ value: id, label: name }))]}
+              value={template ?? ''}
+              allowDeselect={false}
+              onChange={(value) => setTemplate(value === '' ? null : value)}
+            />
+          )}
+          {kind !== 'nda' && template === null && (
+            <Checkbox
+              label="With music: ancillary rights, editions, soundtrack"
+              checked={music}
+              onChange={({ currentTarget }) => setMusic(currentTarget.checked)}
+            />
+          )}
+          <Refusal error={begin.error} />
+          <p className="small mid">A start for the lawyers of both parties, and no legal advice.</p>
+          <Button type="submit" variant="primary" aria-busy={begin.isPending}>
+            Begin the draft
+          </Button>
+        </form>
+      )}
+    </Card>
+  )
+}
+
+function Nda({ project }: { project: Project }) {
+  const ask = useAskForNda(project.id)
+  return (
+    <Card aria-labelledby="nda">
+      <CardHead id="nda" title="Before anything is shown" />
+      <div className={classes.form}>
+        <Checkbox
+          label="Ask designers for an NDA first"
+          description="Brief, list and spec open to a designer once both have accepted one."
+          checked={project.nda_needed}
+          onChange={({ currentTarget }) => ask.mutate(currentTarget.checked)}
+        />
+        <Refusal error={ask.error} />
+      </div>
+    </Card>
+  )
+}
+
+function Templates({ project }: { project: Project }) {
+  const studio = project.studio.id
+  const { data: templates, error } = useQuery(templatesQuery(studio))
+  const bring = useImportTemplate(studio)
+  const drop = useDropTemplate(studio)
+  const read = async (file: File | undefined) => {
+    if (!file) return
+    bring.mutate(await file.text(), { onSuccess: ({ name }) => showToast(`${name} is a template of the studio now.`) })
+  }
+  return (
+    <Card aria-labelledby="templates">
+      <CardHead id="templates" title="Templates" note="of the studio" count={templates?.length ?? 0} />
+      {templates?.length === 0 && (
+        <p className={`small mid ${classes.part}`}>
+          None yet. A contract’s page keeps its clauses as one, and a TOML file brings one in.
+        </p>
+      )}
+      <Rows aria-label="Templates">
+        {templates?.map(({ id, name, kind }) => (
+          <Row key={id} className={classes.row}>
+            <div className="grow">
+              <p>{name}</p>
+              <p className="small mid">{KIND_WORDS[kind]}</p>
+            </div>
+            <ButtonLink
+              variant="quiet"
+              href={`/v1/studios/${studio}/contract-templates/${id}/template.toml`}
+              aria-label={`${name} as TOML`}
+            >
+              TOML
+            </ButtonLink>
+            <ButtonLink
+              variant="quiet"
+              href={`/v1/studios/${studio}/contract-templates/${id}/template.md`}
+              aria-label={`${name} as Markdown`}
+            >
+              Markdown
+            </ButtonLink>
+            <Button variant="quiet" aria-label={`Delete ${name}`} onClick={() => drop.mutate(id)}>
+              Delete
+            </Button>
+          </Row>
+        ))}
+      </Rows>
+      <div className={classes.form}>
+        <Refusal error={error ?? bring.error ?? drop.error} />
+        <label className={classes.file}>
+          <span className="small">Bring in a template (TOML)</span>
+          <input
+            type="file"
+            accept=".toml"
+            onChange={({ currentTarget }) => {
+              void read(currentTarget.files?.[0])
+              currentTarget.value = ''
+            }}
+          />
+        </label>
+      </div>
+    </Card>
+  )
+}

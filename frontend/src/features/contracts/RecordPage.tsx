@@ -1,0 +1,95 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { clock, day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Entry, recordQuery } from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+import { eventOf, factsOf, sentence } from './words'
+
+/** The record of a contract: every entry, chained to the one before. */
+export function RecordPage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/record' })
+  const { data: record, error } = useQuery(recordQuery(contractId))
+  useTitle('The record')
+  return (
+    <div className="page stack">
+      <div className={classes.head}>
+        <div>
+          <h1>The record</h1>
+          <p className="mid">
+            {record ? `${record.title}. ` : ''}
+            Each entry carries the hash of the one before, so that nobody alters it unseen.
+          </p>
+        </div>
+        <div className={classes.buttons}>
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+            Back to the contract
+          </ButtonLink>
+          <ButtonLink variant="primary" icon="download" href={`/v1/contracts/${contractId}/record.json`}>
+            Keep a copy
+          </ButtonLink>
+        </div>
+      </div>
+      <Refusal error={error} />
+      {record && record.faults.length > 0 && (
+        <ProblemNote
+          detail={`This record is not the one that was written: ${record.faults.map(sentence).join(' ')}`}
+          fix="Hold the copy that you kept against it, and tell whoever runs this server."
+        />
+      )}
+      {record && (
+        <Card aria-labelledby="entries">
+          <CardHead
+            id="entries"
+            title="Entries"
+            count={record.length}
+            note={record.faults.length === 0 && record.length > 0 ? 'whole, looked at now' : undefined}
+          />
+          {record.length === 0 && (
+            <div className={classes.empty}>
+              <EmptyState head="Nothing is recorded yet." level={3}>
+                The record begins when the contract is sent for the first time.
+              </EmptyState>
+            </div>
+          )}
+          <ol className={classes.entries}>
+            {record.entries.map((entry) => (
+              <Line key={entry.seq} entry={entry} />
+            ))}
+          </ol>
+        </Card>
+      )}
+    </div>
+  )
+}
+
+function Line({ entry }: { entry: Entry }) {
+  const by = entry.payload.by
+  return (
+    <li>
+      <p>
+        <span className="mono dim">{entry.seq}</span> <strong>{eventOf(entry)}</strong>
+        <span className="small mid">
+          {typeof by === 'string' ? ` by ${by}` : ''}
+          {`, ${day(entry.at)}, ${clock(entry.at)}`}
+        </span>
+      </p>
+      <dl className={classes.facts}>
+        {factsOf(entry).map(({ name, value }) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <p className={`mono dim ${classes.hash}`}>{entry.sha256}</p>
+    </li>
+  )
+}

@@ -1,0 +1,191 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Project = Schemas['ProjectRead']
+export type Contract = Schemas['ContractRead']
+export type ContractBrief = Schemas['ContractBrief']
+export type ContractKind = Schemas['ContractKind']
+export type Version = Schemas['VersionRead']
+export type VersionBrief = Schemas['VersionBrief']
+export type Block = Schemas['BlockRead']
+export type Span = Schemas['SpanRead']
+export type Clause = Schemas['ClauseRow']
+export type Draft = Schemas['DraftChange']
+export type LibraryClause = Schemas['LibraryClauseRead']
+export type Compared = Schemas['ComparedRead']
+export type Entry = Schemas['EntryRead']
+export type Template = Schemas['TemplateBrief']
+
+const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+const ofStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
+const keys = {
+  list: (projectId: string) => ['contracts', projectId] as const,
+  contract: (contractId: string) => ['contract', contractId] as const,
+  versions: (contractId: string) => ['contract', contractId, 'versions'] as const,
+  record: (contractId: string) => ['contract', contractId, 'record'] as const,
+  templates: (studioId: string) => ['contract-templates', studioId] as const,
+}
+
+export const projectQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['project', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
+  })
+
+export const contractsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.list(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/contracts', inProject(projectId))),
+  })
+
+export const contractQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: keys.contract(contractId),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}', of(contractId))),
+  })
+
+export const versionsQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: keys.versions(contractId),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/versions', of(contractId))),
+  })
+
+export const comparisonQuery = (contractId: string, from: number, to: number) =>
+  queryOptions({
+    queryKey: ['contract', contractId, 'comparison', from, to],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/contracts/{contract_id}/comparison', {
+          params: { path: { contract_id: contractId }, query: { from_version: from, to_version: to } },
+        }),
+      ),
+  })
+
+export const recordQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: keys.record(contractId),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/record', of(contractId))),
+  })
+
+export const libraryQuery = (kind: ContractKind) =>
+  queryOptions({
+    queryKey: ['contract-library', kind],
+    queryFn: () => answered(api.GET('/v1/contract-library/{kind}', { params: { path: { kind } } })),
+    staleTime: Infinity,
+  })
+
+export const templatesQuery = (studioId: string) =>
+  queryOptions({
+    queryKey: keys.templates(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/contract-templates', ofStudio(studioId))),
+  })
+
+export const previewQuery = (contractId: string, draft: Draft) =>
+  queryOptions({
+    queryKey: ['contract', contractId, 'preview', draft],
+    queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/preview', { ...of(contractId), body: draft })),
+    staleTime: Infinity,
+    gcTime: 60_000,
+  })
+
+export function useBeginContract(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['ContractAdd']) =>
+      answered(api.POST('/v1/projects/{project_id}/contracts', { ...inProject(projectId), body })),
+    onSuccess: () => client.invalidateQueries({ queryKey: keys.list(projectId) }),
+  })
+}
+
+export function useAskForNda(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (needed: boolean) =>
+      answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body: { nda_needed: needed } })),
+    onSuccess: (project) => client.setQueryData(['project', projectId], project),
+  })
+}
+
+/** What a party does with a contract; each answers the contract as it is then. */
+export type Deed =
+  | { does: 'save'; body: Schemas['DraftSave'] }
+  | { does: 'send'; note: string }
+  | { does: 'take back'; reason: string }
+  | { does: 'ask for a change'; text: string; clause: string | null }
+  | { does: 'accept'; name: string; textSha256: string }
+  | { does: 'end'; reason: string }
+
+function done(contractId: string, deed: Deed): Promise<Contract> {
+  const it = of(contractId)
+  switch (deed.does) {
+    case 'save':
+      return answered(api.PUT('/v1/contracts/{contract_id}/draft', { ...it, body: deed.body }))
+    case 'send':
+      return answered(api.POST('/v1/contracts/{contract_id}/send', { ...it, body: { note: deed.note } }))
+    case 'take back':
+      return answered(api.POST('/v1/contracts/{contract_id}/take-back', { ...it, body: { reason: deed.reason } }))
+    case 'ask for a change': {
+      const body = { text: deed.text, clause_key: deed.clause }
+      return answered(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))
+    }
+    case 'accept': {
+      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      return answered(api.POST('/v1/contracts/{contract_id}/accept', { ...it, body }))
+    }
+    case 'end':
+      return answered(api.POST('/v1/contracts/{contract_id}/end', { ...it, body: { reason: deed.reason } }))
+  }
+}
+
+export function useDeed(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (deed: Deed) => done(contractId, deed),
+    onSuccess: async (contract) => {
+      client.setQueryData(keys.contract(contractId), contract)
+      await Promise.all([
+        client.invalidateQueries({ queryKey: keys.versions(contractId) }),
+        client.invalidateQueries({ queryKey: keys.record(contractId) }),
+        client.invalidateQueries({ queryKey: keys.list(contract.project_id) }),
+        client.invalidateQueries({ queryKey: ['project', contract.project_id] }),
+      ])
+    },
+  })
+}
+
+export function useKeepAsTemplate(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (name: string) =>
+      answered(api.POST('/v1/contracts/{contract_id}/template', { ...of(contractId), body: { name } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['contract-templates'] }),
+  })
+}
+
+export function useImportTemplate(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (toml: string) =>
+      answered(
+        api.POST('/v1/studios/{studio_id}/contract-templates/import', { ...ofStudio(studioId), body: { toml } }),
+      ),
+    onSuccess: () => client.invalidateQueries({ queryKey: keys.templates(studioId) }),
+  })
+}
+
+export function useDropTemplate(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (templateId: string) =>
+      answered(
+        api.DELETE('/v1/studios/{studio_id}/contract-templates/{template_id}', {
+          params: { path: { studio_id: studioId, template_id: templateId } },
+        }),
+      ),
+    onSuccess: () => client.invalidateQueries({ queryKey: keys.templates(studioId) }),
+  })
+}

@@ -1,0 +1,209 @@
+import { screen, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Answers, refusal, serve } from '@/test/server'
+
+const span = (text: string) => ({ text, strong: false, emphatic: false })
+const block = (kind: 'head' | 'text' | 'item', text: string, level = 0) => ({
+  kind,
+  level,
+  spans: [span(text)],
+  rows: [],
+})
+const CLAUSES = [
+  { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
+  { key: 'bonus', title: 'Bonus', text: 'A bonus.', stands: false },
+]
+const VERSION = {
+  number: 2,
+  note: '',
+  author: { id: 'x1', name: 'Producer' },
+  created_at: '2026-11-20T09:00:00Z',
+  sent_at: '2026-11-20T10:00:00Z',
+  text_sha256: 'a'.repeat(64),
+  pdf_sha256: 'b'.repeat(64),
+  blocks: [block('head', 'Effects', 1), block('head', '1. Rounds', 2), block('text', 'It includes 2 rounds.')],
+  clauses: CLAUSES,
+  terms: { rounds_included: 2 },
+}
+const MAY = { change: false, send: false, take_back: false, ask_change: false, accept: false, end: false }
+const CONTRACT = {
+  id: 'c1',
+  project_id: 'p1',
+  number: 1,
+  title: 'Effects for Alpha',
+  kind: 'single',
+  state: 'sent',
+  designer: { id: 'x3', name: 'Sound designer' },
+  engagement_id: 'e1',
+  framework_id: null,
+  currency: 'USD',
+  release_clause: 'per_cue',
+  deposit_bp: 2000,
+  holdback_bp: 0,
+  created_at: '2026-11-19T09:00:00Z',
+  agreed_at: null,
+  ended_at: null,
+  end_reason: null,
+  my_party: 'designer',
+  waits_for: ['studio', 'designer'],
+  studio_name: 'Shield Wing studio',
+  version: VERSION,
+  acceptances: [],
+  change_asked: null,
+  may: { ...MAY, ask_change: true, accept: true, end: true },
+}
+const PROJECT = {
+  id: 'p1',
+  name: 'Shield Wing',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  part: 'designer',
+  cue_prefix: 'SW',
+  is_producer: false,
+  engagement_kind: 'contract',
+}
+const ME = {
+  person: { id: 'x3', name: 'Sound designer' },
+  email: 'designer@sound.example',
+  studios: [],
+  projects: [PROJECT],
+}
+const given = (more: Answers = {}): Answers => ({
+  'GET /v1/session': { signed_in: true, demo: false, person: ME.person },
+  'GET /v1/me': ME,
+  'GET /v1/contracts/c1': CONTRACT,
+  'GET /v1/contracts/c1/versions': [VERSION, { ...VERSION, number: 1 }],
+  ...more,
+})
+const PAGE = '/projects/p1/contracts/c1'
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('a designer', () => {
+  test('reads the text and accepts the version that was read, under a name', async () => {
+    const { asked, answers } = serve(given())
+    const agreed = { ...CONTRACT, waits_for: ['studio'], may: MAY }
+    answers['POST /v1/contracts/c1/accept'] = { ...agreed, acceptances: [accepted('designer', 'N. Designer')] }
+    openApp(PAGE)
+    expect(await screen.findByText('It includes 2 rounds.')).toBeVisible()
+    expect(screen.getByText(/^SHA-256 a+$/)).toBeVisible()
+    const form = within(screen.getByRole('form', { name: 'Accept' }))
+    expect(form.getByRole('button', { name: 'Accept version 2' })).toBeDisabled()
+    await userEvent.type(form.getByLabelText('Your full name'), 'N. Designer')
+    await userEvent.click(form.getByRole('button', { name: 'Accept version 2' }))
+    expect(await screen.findByText('for the designer, n@sound.example')).toBeVisible()
+    const sent = asked.find(({ path }) => path.endsWith('/accept'))
+    expect(sent?.body).toEqual({ name: 'N. Designer', text_sha256: 'a'.repeat(64) })
+    expect(screen.getByText('Waits for the studio')).toBeVisible()
+  })
+
+  test('is told when the text moved on meanwhile, and keeps the name typed', async () => {
+    const detail = 'the text that you read is not the one that stands now; nothing was accepted'
+    serve(given({ 'POST /v1/contracts/c1/accept': refusal(409, 'text-moved-on', detail) }))
+    openApp(PAGE)
+    const name = await screen.findByLabelText('Your full name')
+    await userEvent.type(name, 'N. Designer{Enter}')
+    expect(await screen.findByText(/nothing was accepted\.$/)).toBeVisible()
+    expect(name).toHaveValue('N. Designer')
+  })
+
+  test('sends it back with what they want otherwise', async () => {
+    const { asked } = serve(
+      given({ 'POST /v1/contracts/c1/ask-change': { ...CONTRACT, state: 'draft', waits_for: ['studio'], may: MAY } }),
+    )
+    openApp(PAGE)
+    const form = within(await screen.findByRole('form', { name: 'Ask for a change' }))
+    await userEvent.type(form.getByLabelText('What you want otherwise'), 'One round.')
+    await userEvent.click(form.getByRole('button', { name: 'Send it back' }))
+    expect(await screen.findByText('Draft, with the studio')).toBeVisible()
+    expect(asked.find(({ path }) => path.endsWith('/ask-change'))?.body).toEqual({
+      text: 'One round.',
+      clause_key: null,
+    })
+  })
+
+  test('keeps a copy of the record, and sees when it is not whole', async () => {
+    const record = { contract_id: 'c1', title: 'Effects', length: 1, sha256: 'c'.repeat(64), entries: [ENTRY] }
+    serve(given({ 'GET /v1/contracts/c1/record': { ...record, faults: ['entry 1 was altered'] } }))
+    openApp(`${PAGE}/record`)
+    expect(await screen.findByText(/Entry 1 was altered\./)).toBeVisible()
+    expect(screen.getByText('Sent to both parties')).toBeVisible()
+    const copy = screen.getByRole('link', { name: 'Keep a copy' })
+    expect(copy).toHaveAttribute('href', '/v1/contracts/c1/record.json')
+  })
+})
+
+const accepted = (party: string, name: string) => ({
+  party,
+  name,
+  email: 'n@sound.example',
+  accepted_at: '2026-11-20T11:00:00Z',
+})
+const ENTRY = {
+  seq: 1,
+  at: '2026-11-20T10:00:00.000000+00:00',
+  kind: 'sent',
+  payload: { by: 'Producer', version: 2 },
+  previous_sha256: '0'.repeat(64),
+  sha256: 'c'.repeat(64),
+}
+
+describe('a producer', () => {
+  const draft = {
+    ...CONTRACT,
+    state: 'draft',
+    my_party: 'studio',
+    waits_for: ['studio'],
+    may: { ...MAY, change: true },
+  }
+  const shown = { blocks: [block('text', 'It includes 3 rounds.')], problems: [] }
+
+  test('edits beside the text, and saves a version that names the one it came from', async () => {
+    const { asked } = serve(
+      given({
+        'GET /v1/contracts/c1': draft,
+        'POST /v1/contracts/c1/preview': shown,
+        'PUT /v1/contracts/c1/draft': { ...draft, version: { ...VERSION, number: 3 } },
+        'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: [], variables: {} },
+      }),
+    )
+    openApp(`${PAGE}/draft`)
+    expect(await screen.findByText('It includes 3 rounds.')).toBeVisible()
+    const save = screen.getByRole('button', { name: 'Save as a version' })
+    expect(save).toBeDisabled()
+    await userEvent.click(screen.getByRole('checkbox', { name: 'Bonus' }))
+    await userEvent.click(save)
+    await screen.findByText('Kept as version 3.')
+    const body = asked.find(({ method }) => method === 'PUT')?.body
+    expect(body).toMatchObject({ based_on_version: 2, clauses: [{ stands: true }, { key: 'bonus', stands: true }] })
+  })
+
+  test('cannot save what has a fault, and is told which', async () => {
+    const problems = [{ where: 'clauses.rounds', message: 'there is no variable {round}; is it {rounds_included}?' }]
+    serve(given({ 'GET /v1/contracts/c1': draft, 'POST /v1/contracts/c1/preview': { ...shown, problems } }))
+    openApp(`${PAGE}/draft`)
+    expect(await screen.findByText('There is no variable {round}; is it {rounds_included}?')).toBeVisible()
+    await userEvent.click(screen.getByRole('checkbox', { name: 'Bonus' }))
+    expect(screen.getByRole('button', { name: 'Save as a version' })).toBeDisabled()
+  })
+
+  test('sees two versions word by word', async () => {
+    const runs = [
+      { is_in: 'both', text: 'It includes ' },
+      { is_in: 'earlier', text: '2' },
+      { is_in: 'later', text: '1' },
+    ]
+    const lines = [{ kind: 'text', change: 'changed', runs }]
+    serve(given({ 'GET /v1/contracts/c1/comparison': { from_version: 1, to_version: 2, lines } }))
+    openApp(`${PAGE}/compare`)
+    expect(await screen.findByText('1 paragraph of Effects for Alpha differ between version 1 and 2.')).toBeVisible()
+    expect(screen.getByText('2', { selector: 'del' })).toBeVisible()
+    expect(screen.getByText('1', { selector: 'ins' })).toBeVisible()
+  })
+})
