@@ -49,6 +49,9 @@ DEFAULT_SEVERITY: dict[str, Severity] = {
     "lossy": "warning",
 }
 
+# What they find depends on what else was delivered, before and after: no file can be returned for it.
+OVER_FILES = frozenset({"duplicate", "variation-set"})
+
 
 @cache
 def present() -> frozenset[str]:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from audio_checks.check_names import DEFAULT_SEVERITY
+from audio_checks.check_names import DEFAULT_SEVERITY, OVER_FILES
 from audio_checks.errors import SpecError
 from audio_checks.layouts import LAYOUTS
 from audio_checks.metadata.bext import FIELDS as BEXT_FIELDS
@@ -88,12 +88,16 @@ class Whole:
 
 @dataclass(frozen=True)
 class Word:
-    """One of a few words."""
+    """One of a few words; one that might be expected is refused with its reason."""
 
     words: tuple[str, ...]
+    refused: tuple[str, str] = ("", "")
 
     def read(self, value: object, where: str) -> str:
         """Return the word."""
+        word, reason = self.refused
+        if word and value == word:
+            raise SpecError(f"wanted {' or '.join(self.words)}, found {_shown(value)}; {reason}", where=where)
         if not isinstance(value, str) or value not in self.words:
             hint = _nearest(value, self.words) if isinstance(value, str) else ""
             raise SpecError(f"wanted one of {', '.join(self.words)}, found {_shown(value)}{hint}", where=where)
@@ -304,6 +308,13 @@ LEVEL_DB = Number(-200.0, 60.0)
 MS = Number(0.0, 3_600_000.0)
 RATES = Whole(1000, 768_000)
 LEVEL = Word(("error", "warning", "off"))
+LEVEL_OVER_FILES = Word(
+    ("warning", "off"),
+    (
+        "error",
+        "this is found over files together and returns none of them: to stop a build at it, --fail-level warning",
+    ),
+)
 
 DURATION = Table({"min": Number(0.0), "max": Number(0.0)}, may_be_any=True)
 LOUDNESS = Table({"min": LEVEL_DB, "max": LEVEL_DB}, may_be_any=True)
@@ -381,7 +392,7 @@ TARGET = Table(
         "folder": Folder(),
     }
 )
-CHECKS = Table(dict.fromkeys(DEFAULT_SEVERITY, LEVEL))
+CHECKS = Table({name: LEVEL_OVER_FILES if name in OVER_FILES else LEVEL for name in DEFAULT_SEVERITY})
 KIND = Word(("event", "natural-decay", "ambience", "voice", "music"))
 
 TABLES: dict[str, Kind] = {

@@ -8,9 +8,10 @@ from audio_checks import check_files
 from audio_checks import sets as sets_module
 from audio_checks.checks import naming
 from audio_checks.cli import main
+from audio_checks.errors import SpecError
 from audio_checks.findings import FileReport
 from audio_checks.sets import Judged, off_its_set_lu, set_findings, with_set_findings
-from audio_checks.spec import CueFacts, parse_spec
+from audio_checks.spec import CueFacts, parse_spec, schema
 from tests.support.waves import noise, write_wav
 
 SPEC = parse_spec("format = 1\nnaming.portable = true")
@@ -61,10 +62,24 @@ def test_only_names_that_are_to_be_portable_are_asked():
 
 def test_severity_is_each_files_own(tmp_path):
     paths = [write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1)) for name in ("a", "vo_b")]
-    spec = parse_spec('format = 1\n[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "error"')
-    first, second = check_files(paths, spec).files
-    assert (first.verdict, second.verdict) == ("conforming", "rejected")
-    assert second.findings[0].severity == "error"
+    spec = parse_spec(
+        'format = 1\nchecks.duplicate = "off"\n[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "warning"'
+    )
+    paths.append(write_wav(tmp_path / "vo_c.wav", noise(seconds=0.1)))
+    assert [[one.severity for one in entry.findings] for entry in check_files(paths, spec).files] == [
+        [],
+        [],
+        ["warning"],
+    ]
+
+
+@pytest.mark.parametrize("check", ["duplicate", "variation-set"])
+@pytest.mark.parametrize("table", ["checks", "categories.vo.checks"])
+def test_what_is_found_over_files_together_returns_none_of_them(check, table):
+    with pytest.raises(SpecError, match="found over files together") as refusal:
+        parse_spec(f'format = 1\n[{table}]\n{check} = "error"')
+    assert refusal.value.where == f"spec.toml: {table}.{check}"
+    assert schema()["properties"]["checks"]["properties"][check] == {"enum": ["warning", "off"]}
 
 
 def test_findings_over_a_set_change_no_other_verdict():

@@ -45,10 +45,10 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
           note="returns: the take comes back; warns: it goes on, with a word"
         />
         <ul className={`${classes.inside} ${classes.checks}`}>
-          {[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word, usual }) => (
+          {[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word, usual, overFiles }) => (
             <li key={name}>
               <span>{word}</span>
-              <SeverityField base={['checks']} check={name} label={word} usual={usual} />
+              <SeverityField base={['checks']} check={name} label={word} usual={usual} returns={!overFiles} />
               <Against place={['checks', name]} />
             </li>
           ))}

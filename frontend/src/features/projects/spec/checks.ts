@@ -6,6 +6,8 @@ export interface CheckName {
   word: string
   /** What holds when the spec says nothing. */
   usual: Severity
+  /** Found over files together: no take comes back for it. */
+  overFiles?: boolean
 }
 
 /** The checks of a file's form, which no limit names. */
@@ -32,8 +34,8 @@ export const FAULT_CHECKS: readonly CheckName[] = [
   { name: 'false-stereo', word: 'Mono in stereo', usual: 'warning' },
   { name: 'padded-bits', word: 'Padded depth', usual: 'warning' },
   { name: 'metadata', word: 'Metadata', usual: 'warning' },
-  { name: 'duplicate', word: 'Same sound twice', usual: 'warning' },
-  { name: 'variation-set', word: 'Out of its set', usual: 'warning' },
+  { name: 'duplicate', word: 'Same sound twice', usual: 'warning', overFiles: true },
+  { name: 'variation-set', word: 'Out of its set', usual: 'warning', overFiles: true },
 ]
 
 export interface LimitName {

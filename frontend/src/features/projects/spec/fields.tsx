@@ -161,10 +161,12 @@ interface SeverityFieldProps {
   check: string
   label: string
   usual?: Severity
+  /** Whether a take can come back for it. */
+  returns?: boolean
 }
 
 /** What follows when a rule is broken. */
-export function SeverityField({ base, check, label, usual = 'error' }: SeverityFieldProps) {
+export function SeverityField({ base, check, label, usual = 'error', returns = true }: SeverityFieldProps) {
   const { tables, set } = useWriting()
   const place = [...base, check]
   const checks = tableIn(at(tables, base))
@@ -173,7 +175,7 @@ export function SeverityField({ base, check, label, usual = 'error' }: SeverityF
     return (
       <Segmented
         label={name}
-        options={SEVERITIES}
+        options={returns ? SEVERITIES : SEVERITIES.filter(({ value }) => value !== 'error')}
         value={severityOf(checks, check, usual)}
         onChange={(value) => set(place, value)}
       />

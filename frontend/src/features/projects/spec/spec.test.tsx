@@ -48,6 +48,12 @@ describe('by form', () => {
     expect(within(peak).getByRole('button', { name: 'warns' })).toHaveAttribute('aria-pressed', 'true')
     const head = screen.getByRole('group', { name: 'Silence first: what follows' })
     expect(within(head).getByRole('button', { name: 'returns' })).toHaveAttribute('aria-pressed', 'true')
+    const twice = screen.getByRole('group', { name: 'Same sound twice: what follows' })
+    expect(
+      within(twice)
+        .getAllByRole('button')
+        .map(({ textContent }) => textContent),
+    ).toEqual(['warns', 'off'])
     expect(screen.getByLabelText('Sample peak, dBFS')).toHaveValue('')
     expect(screen.getByRole('button', { name: /Save version 4/ })).toBeDisabled()
     expect(screen.getByText('nothing is changed yet')).toBeVisible()
