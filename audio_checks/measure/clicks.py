@@ -13,6 +13,8 @@ from audio_checks.measure.decibels import decibels
 
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way
+DOUBTFUL = 1.6  # times sharper: a closer look is worth its time, at what cannot be foretold of the sound;
+FORETOLD_OUT = 6.0  # what stands out there by so much is a click in any sound, and by STANDS_OUT in a steady one
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
@@ -60,6 +62,7 @@ class Clicks:
         self._recent = Cells(*np.zeros((len(Cells._fields), channels, REACH)))
         self._first = -REACH  # the cell that the first of these is
         self._segment = 0  # the cell that the next segment starts with
+        self._doubtful: set[tuple[int, int]] = set()  # segment, channel
         self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._places = np.empty(0, np.int64)  # where the kernel writes
@@ -78,7 +81,12 @@ class Clicks:
         if total - start > REACH:
             for channel in range(len(samples)):
                 near = slice(start - REACH - self._first, None)
-                self._keep(recent, channel, start, recent.sharpness[channel, near], STANDS_OUT, IMPULSE)
+                sharpness = recent.sharpness[channel, near]
+                self._doubtful |= {
+                    ((start + cell - REACH) // SEGMENT, channel)
+                    for cell in self._outstanding(sharpness, DOUBTFUL, IMPULSE)
+                }
+                self._keep(recent, channel, start, sharpness, STANDS_OUT, IMPULSE)
                 self._keep(recent, channel, start, recent.steps[channel, near], STEPS_OUT)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
@@ -118,11 +126,7 @@ class Clicks:
 
         A size is so many times the height of the click that it stands for.
         """
-        if len(self._places) < len(sizes):
-            self._places = np.empty(len(sizes), np.int64)
-        places = self._places[: len(sizes)]
-        found = kernel.outstanding(sizes, REACH, CORE, times, self._lowest * scale, places)
-        for cell in places[:found].tolist():
+        for cell in self._outstanding(sizes, times, scale):
             place = start - self._first + cell - REACH
             quieter, louder = sorted(kernel.means_beside(recent.squares[channel], place, LEVEL_CELLS, CORE))
             lower, higher = sorted(kernel.means_beside(recent.edges[channel], place, LEVEL_CELLS, CORE))
@@ -130,8 +134,17 @@ class Clicks:
             if goes_on and quieter >= self._quietest and len(self._found) < MAX_KEPT:
                 self._found.add((start + cell - REACH, channel, float(sizes[cell]) / scale, quieter))
 
+    def _outstanding(self, sizes: NDArray[np.float64], times: float, scale: float) -> list[int]:
+        """Return the places of what is so many times as large as all that lies around it."""
+        if len(self._places) < len(sizes):
+            self._places = np.empty(len(sizes), np.int64)
+        places = self._places[: len(sizes)]
+        found = kernel.outstanding(sizes, REACH, CORE, times, self._lowest * scale, places)
+        outstanding: list[int] = places[:found].tolist()
+        return outstanding
+
     def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
-        """Look at the next segments in channels where they are steady; the first starts at frame `at`."""
+        """Look at the next segments where they are steady, or may hide a click; the first starts at frame `at`."""
         place = self._segment - self._first
         shape = (len(samples), count, SEGMENT)
         inner = slice(place, place + count * SEGMENT)
@@ -140,13 +153,17 @@ class Clicks:
         for channel, flags in enumerate(steady):
             sharpness, edges = recent.sharpness[channel, inner], recent.edges[channel, inner]
             kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, flags)
-        if not steady.any():
+        wanted, begun = steady.copy(), self._segment // SEGMENT
+        for segment, channel in [one for one in self._doubtful if one[0] < begun + count]:
+            self._doubtful.remove((segment, channel))
+            wanted[channel, segment - begun] = True
+        if not wanted.any():
             return
-        steady &= _loudest_nearby(recent.squares[:, inner].reshape(shape)) >= self._quietest
+        wanted &= _loudest_nearby(recent.squares[:, inner].reshape(shape)) >= self._quietest
         starts = at + (np.arange(count) * SEGMENT - REACH) * self._cell
-        steady &= starts >= ORDER  # of many channels less is kept
-        for channel in np.flatnonzero(steady.any(axis=1)).tolist():
-            numbers = np.flatnonzero(steady[channel])
+        wanted &= starts >= ORDER  # of many channels less is kept
+        for channel in np.flatnonzero(wanted.any(axis=1)).tolist():
+            numbers = np.flatnonzero(wanted[channel])
             heights = np.empty((len(numbers), SEGMENT + 2 * REACH))
             kept = np.empty(len(numbers), np.int64)
             found = kernel.unforeseen(
@@ -164,7 +181,9 @@ class Clicks:
             )
             for place, row in zip(kept[:found].tolist(), heights, strict=False):
                 if row[REACH:-REACH].max() >= ABOVE_MEAN * row.mean():
-                    self._keep(recent, channel, self._segment + int(numbers[place]) * SEGMENT, row, STANDS_OUT)
+                    number = int(numbers[place])
+                    times = STANDS_OUT if steady[channel, number] else FORETOLD_OUT
+                    self._keep(recent, channel, self._segment + number * SEGMENT, row, times)
 
 
 def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:

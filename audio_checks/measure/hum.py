@@ -25,11 +25,14 @@ STEADY = 0.25  # the quietest quarter of the windows counts: what comes and goes
 PROMINENT = 16.0  # in power, 12 dB over what lies beside the line
 NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it,
 NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
-LINES = 3  # of these multiples must be there, one of the first three among them
+LINES = 3  # of these multiples must be there, one of the first three among them,
+LOOSER = 2.0  # or one more, so many times less in tune: noise moves faint lines
 FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
 AT_ONCE = 8_192  # cells that are looked at together
 KEPT = 512  # windows; of a long file, or of many channels, every second, fourth, ... window is kept
+
+_Line = tuple[int, float, float]  # which multiple, where in Hz, its power
 
 
 class Hum:
@@ -144,11 +147,19 @@ class _Windows:
             return 0.0
         strongest = max(line[2] for line in found)
         found = [line for line in found if line[2] >= FAINTEST * strongest]
-        base = sum(hz for _, hz, _ in found) / sum(multiple for multiple, _, _ in found)
-        blur = OF_A_BIN * self._bin_hz
-        tuned = [line for line in found if abs(line[1] - line[0] * base) <= max(IN_TUNE * line[0] * base, blur)]
+        # A line of something else is no line of this hum: the most lines that agree on a frequency count.
+        exact = max((self._in_tune(found, hz / multiple, 1.0) for multiple, hz, _ in found), key=_weight)
+        loose = max((self._in_tune(found, hz / multiple, LOOSER) for multiple, hz, _ in found), key=_weight)
+        tuned = exact if len(exact) >= LINES else loose if len(loose) > LINES else []
         power = sum(line[2] for line in tuned)
-        return power if len(tuned) >= LINES and tuned[0][0] <= 3 and power >= LEAST else 0.0
+        return power if tuned and tuned[0][0] <= 3 and power >= LEAST else 0.0
+
+    def _in_tune(self, lines: list[_Line], base_hz: float, times: float) -> list[_Line]:
+        """Return the lines that are multiples of a frequency, as exactly as such a window can tell."""
+        blur = OF_A_BIN * self._bin_hz
+        return [
+            line for line in lines if abs(line[1] - line[0] * base_hz) <= times * max(IN_TUNE * line[0] * base_hz, blur)
+        ]
 
     def _line(self, spectrum: NDArray[np.float64], wanted_hz: float) -> tuple[float, float] | None:
         """Return where a line near a frequency lies, and its power; None where nothing stands out."""
@@ -184,6 +195,11 @@ def _plan(length: int) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]
         np.exp(-2j * np.pi * np.arange(length) / length).view(np.float64).reshape(length, 2) if smooth == 1 else None
     )
     return np.hanning(length + 1)[:-1].copy(), turns
+
+
+def _weight(lines: list[_Line]) -> tuple[int, float]:
+    """Return how much speaks for a hum: how many lines, then their power."""
+    return len(lines), sum(line[2] for line in lines)
 
 
 def _offset(left: float, here: float, right: float) -> float:

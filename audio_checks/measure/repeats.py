@@ -52,11 +52,16 @@ class Repeats:
         """
         count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, self._out)
         for start, end, lag in self._out[:count].tolist():
-            if frame + start - lag < self._lags[0]:  # a steady tone from the file's first sample on is no buffer
+            if self._begins(samples, start - lag, frame):  # a tone that has just begun is no buffer
                 continue
             again = np.array_equal(samples[:, start:end], samples[:, start - lag : end - lag])
             if again and len(self._found) < MAX_KEPT:
                 self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
+
+    def _begins(self, samples: NDArray[np.float64], at: int, frame: int) -> bool:
+        """Tell whether the sound begins at a place, with the file or out of silence."""
+        before = samples[:, max(at - self._lags[0], 0) : at]
+        return frame + at < self._lags[0] or float(np.abs(before).max(initial=0.0)) < self._spread
 
     def result(self) -> dict[str, Any]:
         """Return `repeats`, how many there are, and `repeat_places`."""

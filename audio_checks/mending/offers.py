@@ -19,7 +19,6 @@ from audio_checks.spec import DeliverySpec
 RepairKind = Literal["gain", "head", "tail", "name", "header", "depth"]
 ORDER: tuple[RepairKind, ...] = ("header", "head", "tail", "gain", "depth", "name")  # of the sound's way
 HEADROOM_DB = 1e-6  # of rounding, when a level is raised just to its limit
-WAV_KINDS = frozenset({"wav", "rf64"})
 WAV_BYTES = 0xFFFFFFFF - (1 << 20)  # of sound in a WAV file, with room for a megabyte of chunks
 MOST_MENDED_BITS = 24  # what integers of a converter hold; the mantissa of a 32-bit float too
 
@@ -67,8 +66,8 @@ def mendable(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
         What cannot be known from it (whether a right header makes a broken file whole) shows when
         the mend is made.
     """
-    if _facts(report).get("container", "wav") not in WAV_KINDS:
-        return Offer(None, ONLY_WAV)
+    if _facts(report).get("container", "wav") == "flac":
+        return Offer(None, NOT_FLAC)
     offer = _OFFERS.get(finding.code)
     if offer is not None:
         return offer(finding, report, spec)
@@ -228,6 +227,10 @@ _OFFERS: dict[str, Callable[[Finding, FileReport, DeliverySpec], Offer]] = {
     **dict.fromkeys(SIZES, _sizes),
 }
 
+NOT_FLAC = (
+    "A mend is written as WAV, and a FLAC master would come back as another kind of file: export it as WAV and "
+    "deliver that, and the mend is offered."
+)
 ONLY_WAV = "A mend writes WAV from WAV: export the sound in an accepted container."
 ONLY_THE_SESSION = "No repair of the finished file answers this: it is put right where the sound is made."
 _BY_EAR = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."

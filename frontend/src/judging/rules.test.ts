@@ -4,7 +4,7 @@ import { aCue, aDraft, aFinding, anItem, aTake } from '@/test/review'
 
 import { isNoted, nextAfter, withoutDecided } from './afterVerdict'
 import { firstOpen, isWholeSet, pickedOfSet } from './choice'
-import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, whatWaits } from './words'
+import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, told, whatWaits } from './words'
 
 const noted = (id: string, variation = 1) => {
   const take = aTake(id, { variation })
@@ -90,6 +90,12 @@ describe('words', () => {
   test('a checker’s minus becomes a true one, a hyphen stays', () => {
     expect(sentence('head-silence -3 dB (-1)')).toBe('Head-silence −3 dB (−1)')
     expect(measuredPart(aFinding({ message: 'no comma' }))).toEqual(['No comma', ''])
+  })
+
+  test('names of files and words of people stay as they were written', () => {
+    expect(told({ kind: 'received', text: 'laser_01.wav, delivery 2' })).toBe('laser_01.wav, delivery 2')
+    expect(told({ kind: 'comment', text: 'laser_01 is too loud' })).toBe('laser_01 is too loud')
+    expect(told({ kind: 'checked', text: 'returned: DC -3 %' })).toBe('Returned: DC −3 %')
   })
 
   test('a cue asks for what can be done with it', () => {

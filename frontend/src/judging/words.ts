@@ -9,6 +9,10 @@ export function sentence(text: string): string {
   return written.charAt(0).toUpperCase() + written.slice(1)
 }
 
+/** What is told of an entry of the history: the checker's words as a sentence; names and what people wrote stay as they are. */
+export const told = ({ kind, text }: { kind: string; text: string }): string =>
+  kind === 'checked' ? sentence(text) : text
+
 /** What a finding measured: up to the comma that begins its limit. */
 export function measuredPart(finding: ReviewFinding): [measured: string, rest: string] {
   const said = sentence(finding.message)

@@ -74,6 +74,13 @@ def test_a_buffer_that_plays_again(found_by, frames, channels):
     assert finding.end_s == pytest.approx(0.5 + frames / 48_000)
 
 
+@pytest.mark.parametrize("periods", [2, 3, 4])
+def test_a_tone_that_starts_late_is_no_repeat(codes_of, periods):
+    tone = sine(hz=100, dbfs=-6, seconds=periods / 100)
+    assert codes_of("dropout", join(silence(seconds=0.3), tone, noise(seconds=0.3))) == []
+    assert codes_of("dropout", join(noise(seconds=0.3), silence(seconds=0.3), tone, noise(seconds=0.3))) == []
+
+
 def test_periods_and_stutters_that_are_meant_are_no_repeats(codes_of):
     assert codes_of("dropout", sine(hz=100, dbfs=-6)) == []
     assert codes_of("dropout", join(noise(seconds=0.2), *[noise(seconds=0.03, seed=2)] * 8, noise(seconds=0.2))) == []

@@ -110,8 +110,8 @@ sound has in the 100 Hz around it in its quietest quarter. Noise lies 15 dB or m
 ### Unseen families: {", ".join(unseen_sounds.FAMILIES)}
 {_found_table(unseen)}
 ### Looks at the unseen half
-Per cent found of each check's faults, at the levels that count. What lies between two looks was changed on what
-the known half showed.
+Per cent found of each check's faults, at the levels that count. Between two looks detectors were changed on what
+the known half showed; for that it was made wider after the first look, by jingle, whistle and tick.
 
 {_looks()}
 Left out of both halves, because the sound has by its nature what the fault would leave: {_left_out()}.
@@ -128,7 +128,8 @@ def _thresholds() -> str:
         f" {clicks.STEPS_OUT:g} times, the largest within {clicks.REACH / 2:g} ms before and after. Steady sounds (the"
         f" peak of their sixth differences, but for the {clicks.CLICKED} sharpest of {clicks.SEGMENT} cells,"
         f" under {clicks.STEADY:g} times the RMS) are foretold from {clicks.ORDER} samples"
-        f" first. What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
+        f" first, and so is what stands out {clicks.DOUBTFUL:g} times, where {clicks.FORETOLD_OUT:g} times are wanted"
+        f" then. What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
         f" {dropouts.STILL * 2**15:.1f} units of 16 bit, with sound up to both its edges; a repeat is a buffer of"
         f" {1000 * repeats.SHORTEST_S:g} to {1000 * repeats.LONGEST_S:g} ms that comes again, bit by bit, up to"
@@ -143,7 +144,9 @@ def _thresholds() -> str:
         f" at {flat_tops.SOFT_WIDE:g} of their height as at {flat_tops.SOFT_FLAT:g}.",
         "dc-offset": "the limit of the spec, here 1 % of full scale.",
         "hum": f"{hum.LINES} multiples of 50 or 60 Hz, within {100 * hum.OFF:g} %, in tune within"
-        f" {100 * hum.IN_TUNE:.2g} %, {power_decibels(hum.PROMINENT):.0f} dB over what lies beside them in the quietest"
+        f" {100 * hum.IN_TUNE:.2g} %"
+        f" ({hum.LINES + 1} lines: {100 * hum.LOOSER * hum.IN_TUNE:.2g} %), "
+        f"{power_decibels(hum.PROMINENT):.0f} dB over what lies beside them in the quietest"
         f" quarter of windows of {hum.WINDOWS_S[0]:g} or {hum.WINDOWS_S[1]:g} s, {power_decibels(hum.LEAST):.0f} dBFS"
         " or more together.",
         "noise-floor": "the limit of the spec, here -60 dBFS, on the quietest"

@@ -105,6 +105,19 @@ def _one_sample(rng: np.random.Generator, samples: Samples, rate: int, level_db:
     return None if faulty is None else Injured(faulty, at / rate, at / rate)
 
 
+def _tick(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """A few cycles at 4 to 12 kHz that die away within a third of a millisecond."""
+    at = place_in_sound(rng, samples, rate)
+    if at is None:
+        return None
+    shape = np.zeros(len(samples))
+    times = np.arange(round(0.001 * rate)) / rate
+    ring = np.cos(2 * np.pi * rng.uniform(4_000, 12_000) * times) * np.exp(-times / rng.uniform(5e-5, 1e-4))
+    shape[at : at + len(ring)] = ring[: len(shape) - at]
+    faulty = scaled_to(samples, _in_one_or_all(rng, shape, samples.shape[1]), at, rate, level_db)
+    return None if faulty is None else Injured(faulty, at / rate, at / rate)
+
+
 def _step(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
     at = place_in_sound(rng, samples, rate)
     if at is None:
@@ -273,6 +286,7 @@ def _noisy(rng: np.random.Generator, samples: Samples, rate: int, floor_dbfs: fl
 
 FAULTS = (
     Fault("click", "one sample", CLICK_DB, CLICK_UNIT, _one_sample),
+    Fault("click", "tick", CLICK_DB, CLICK_UNIT, _tick),
     Fault("click", "step", CLICK_DB, CLICK_UNIT, _step),
     Fault("click", "splice", CLICK_DB, CLICK_UNIT, _splice),
     Fault("dropout", "zeros", HOLE_MS, "ms", _zeros),

@@ -152,9 +152,51 @@ def square(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
     return (wave * np.exp(-times / seconds) * _rise(times, 0.003) * _fall(times, 0.01))[:, np.newaxis]
 
 
+def jingle(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
+    """Short notes of few partials, one after the other, with gaps and over a soft pad: the level never rests."""
+    frames = round(seconds * rate)
+    times = np.arange(frames) / rate
+    tune = 0.003 * _tone(rng, rng.uniform(200, 500), times)
+    at = 0.02
+    while at < seconds - 0.1:
+        start = round(at * rate)
+        note_s = rng.uniform(0.04, 0.25)
+        inside = times[: min(round(note_s * rate), frames - start)]
+        base = 440 * 2 ** (rng.integers(-5, 30) / 12)
+        note = sum(_tone(rng, base * number, inside) / number**2 for number in range(1, 4))
+        tune[start : start + len(inside)] += note * np.exp(-inside * 5 / note_s) * _rise(inside, 0.003)
+        tune[start : start + len(inside)] *= 1 - 0.97 * _rise(inside - inside[-1] + 0.004, 0.004)
+        at += note_s * rng.uniform(0.6, 1.6)
+    return _stereo(rng, tune * _rise(times, 0.005) * _fall(times, 0.02))
+
+
+def whistle(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
+    """A tone with tremolo, over breath."""
+    times = np.arange(round(seconds * rate)) / rate
+    hz = rng.uniform(600, 4000) * (1 + 0.03 * np.sin(2 * np.pi * rng.uniform(3, 9) * times))
+    tone = np.sin(2 * np.pi * np.cumsum(hz) / rate) * (1 + 0.8 * np.sin(2 * np.pi * rng.uniform(3, 25) * times))
+    breath = lfilter([1, -0.9], [1], rng.standard_normal(len(times))) * 10 ** (rng.uniform(-60, -35) / 20)
+    return _stereo(rng, (tone + breath) * _rise(times, 0.03) * _fall(times, 0.05))
+
+
 FAMILIES: dict[str, Family] = {
     family.__name__: family
-    for family in (bell, wind, beep, impact, explosion, footsteps, laser, rain, voice, engine, stutter, square)
+    for family in (
+        bell,
+        wind,
+        beep,
+        impact,
+        explosion,
+        footsteps,
+        laser,
+        rain,
+        voice,
+        engine,
+        stutter,
+        square,
+        jingle,
+        whistle,
+    )
 }
 
 

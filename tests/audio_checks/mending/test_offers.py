@@ -102,7 +102,7 @@ def test_a_name_that_is_lawful_by_itself_is_not_offered_again():
 
 def test_another_kind_of_file_is_not_mended():
     flac = replace(REPORT, facts={**REPORT.facts, "container": "flac"})
-    assert "WAV" in mendable(finding("sample-peak:over", 0.0, -0.1), flac, SPEC).words
+    assert "export it as WAV" in mendable(finding("sample-peak:over", 0.0, -0.1), flac, SPEC).words
 
 
 def test_the_guide_names_every_finding_that_a_mend_answers():

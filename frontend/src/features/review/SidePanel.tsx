@@ -4,7 +4,7 @@ import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState }
 
 import { ApiProblem } from '@/api'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
-import { capital, HAPPENED, sentence, spot } from '@/judging/words'
+import { capital, HAPPENED, sentence, spot, told } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
@@ -342,7 +342,7 @@ function History({ take }: { take: ReviewTake }) {
               {age(entry.at)}
             </time>
           </p>
-          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{sentence(entry.text)}</Quoted>}
+          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{told(entry)}</Quoted>}
         </li>
       ))}
     </ol>

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { HAPPENED, sentence, spot } from '@/judging/words'
+import { HAPPENED, sentence, spot, told } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
@@ -140,7 +140,7 @@ export function HistoryCard({ takeId }: { takeId: string }) {
             {entry.text && (
               <p className={`small mid ${classes.told}`}>
                 {entry.start_s !== null && <span className="mono dim">{spot(entry.start_s, entry.end_s)} </span>}
-                {entry.kind === 'received' ? entry.text : sentence(entry.text)}
+                {told(entry)}
               </p>
             )}
           </li>
