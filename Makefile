@@ -8,7 +8,7 @@ SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit frontend-test e2e kill false-alarms fuzz bench docs openapi clean
+.PHONY: help setup run test check fix unit frontend-test e2e kill false-alarms fuzz bench weights docs openapi clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -52,6 +52,10 @@ fuzz: setup  ## Feed the reader a million mutants
 
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
+
+weights: setup  ## Learn the weights of judgements anew (SOUNDS_DIR= adds real recordings; a quarter of an hour)
+	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
+	$(BIN)/python -m training.reverb
 
 fix: setup  ## Format and mend what can be mended by itself
 	$(BIN)/ruff check --fix . ; $(BIN)/ruff format .

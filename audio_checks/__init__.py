@@ -14,6 +14,7 @@ from audio_checks.version import TOOL_VERSION
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
+    from audio_checks.beside import reverb_beside
     from audio_checks.errors import (
         AudioChecksError,
         MendRefused,
@@ -111,6 +112,7 @@ __all__ = [
     "render_key",
     "render_master",
     "repair_spots",
+    "reverb_beside",
     "set_findings",
     "sizes_asked_for",
     "slug",
@@ -121,6 +123,7 @@ __all__ = [
 
 _HOMES = {
     "audio_checks.audio": ("AudioFile",),
+    "audio_checks.beside": ("reverb_beside",),
     "audio_checks.errors": (
         "AudioChecksError",
         "MendRefused",

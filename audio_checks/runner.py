@@ -11,6 +11,7 @@ from typing import Any
 from audio_checks import check_names
 from audio_checks import judge as judgements
 from audio_checks.audio import AudioFile
+from audio_checks.beside import reverb_beside
 from audio_checks.checks import Check, all_checks
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
@@ -116,6 +117,7 @@ def measure_file(
     *,
     category: str | None = None,
     kind: str | None = None,
+    dry: PathLike | None = None,
     name: str | None = None,
     presets: Iterable[str] = (),
 ) -> FileReport:
@@ -129,6 +131,9 @@ def measure_file(
         For the entry: the category, and the name as delivered.
     kind : str, optional
         What the category's sounds are, so that judgements know: event, natural-decay, ambience, voice, music.
+    dry : path, optional
+        The same sound without reverb, a dry stem or an earlier take: reverb is then judged beside it, where the
+        two are the same sound.
     presets : iterable of str
         Loudness presets of whole mixes to set its figures beside: ebu-r128, aswg-home, aswg-portable.
 
@@ -140,6 +145,7 @@ def measure_file(
     wanted = {one: PRESETS[one] for one in presets}
     with AudioFile(path, name=name) as file:
         measurements = file.measurements.to_dict()
+        judged = {one: file.judgement(one, kind).to_dict() for one in judgements.names()}
         return FileReport(
             path=legible(path) if name is None else name,
             verdict="unjudged",
@@ -148,9 +154,18 @@ def measure_file(
             category=category,
             facts=file.facts.to_dict(),
             measurements=measurements,
-            judgements={one: file.judgement(one, kind).to_dict() for one in judgements.names()},
+            judgements=judged if dry is None else {**judged, "reverb": _beside(judged["reverb"], path, dry)},
             loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
         )
+
+
+def _beside(judged: dict[str, Any], path: PathLike, dry: PathLike) -> dict[str, Any]:
+    """Return what is judged beside a dry sound; what was judged without where the two are not the same sound."""
+    compared = reverb_beside(path, dry)
+    if compared.verdict == judgements.CANNOT_TELL:
+        return judged
+    evidence = {**judged.get("evidence", {}), **compared.evidence}
+    return {**compared.to_dict(), "beside": os.path.basename(os.fspath(dry)), "evidence": evidence}
 
 
 def is_placeholder(path: PathLike) -> bool:

@@ -146,12 +146,12 @@ class _Maker:
         self._deliver("Missile, with more of the release.", [self._sounds["missile_launch_take2"]])
         self._request_changes(cues.SECOND_CHANGE)
         self._deliver(
-            "Suit hit with the clank; thrusters; and the sting.",
+            "Suit hit with the clank; thrusters; the arrival; and the sting.",
             [
                 self._sounds["suit_hit_take2"],
                 self._sounds["missile_launch_take3"],
                 self._sounds["final_FINAL_sting2"],
-                *self._files(("thruster_burst",)),
+                *self._files(("thruster_burst", "warp_in")),
             ],
         )
         self._request_changes(cues.THIRD_CHANGE)
@@ -184,6 +184,14 @@ class _Maker:
         if project["decider"]["id"] != director:
             why = {"person_id": director, "reason": "Named when the project opened."}
             producer.ask("PUT", f"/projects/{self._project}/decider", json=why)
+        spec = producer.ask("GET", f"/projects/{self._project}/spec")
+        if spec["version"] == 1:
+            dry = {
+                "toml": spec["toml"].replace("adds = [] ", 'adds = ["reverb"] '),
+                "note": "Every room of the game has its own reverb.",
+                "based_on_version": 1,
+            }
+            producer.ask("PUT", f"/projects/{self._project}/spec", json=dry)
 
     def _invite_designer(self) -> None:
         project = self._producer.ask("GET", f"/projects/{self._project}")

@@ -1,7 +1,8 @@
 """The files of "Shield Wing", as its sound designer would deliver them.
 
 All conform to the 44.1 kHz defaults but where the demo needs something to show: `airlock_cycle`
-begins with silence and is too loud, `shield_hit` peaks between its samples, one thruster stands out.
+begins with silence and is too loud, `shield_hit` peaks between its samples, one thruster stands out, and
+`warp_in` comes with the hall that the game adds anyway.
 """
 
 import io
@@ -99,6 +100,7 @@ def demo_sounds() -> dict[str, DemoSound]:
         DemoSound("dock_clamp.wav", 48_000, 24, 0.80, 210, _dock_clamp),
         DemoSound("explosion_far.wav", 48_000, 24, 2.50, 220, _explosion_far),
         DemoSound("missile_launch.wav", 96_000, 24, 1.40, 230, partial(_missile_launch, thrust_s=0.50)),
+        DemoSound("warp_in.wav", 48_000, 24, 2.15, 198, _warp_in),
     ]
     by_key = {Path(sound.file_name).stem: sound for sound in sounds}
     by_key["suit_hit_take2"] = DemoSound("suit_hit.wav", 48_000, 24, 0.50, 170, partial(_suit_hit, clank_db=-9.0))
@@ -483,3 +485,31 @@ def _missile_launch(clock: Clock, thrust_s: float) -> Signal:
 
 def _rounded(signal: Signal, clock: Clock, out_s: float) -> Signal:
     return faded(rumble_off(signal, clock, 30.0), clock, out_s)
+
+
+def _warp_in(clock: Clock) -> Signal:
+    """Return own ship's arrival, 1.2 s of suction and blow, in a hall of 1.8 s that its list did not ask for."""
+    times = clock.times()
+    arrival_s = 0.62
+    pull = np.where(
+        times < arrival_s, 0.03 + 0.97 * (times / arrival_s) ** 3, np.exp(-np.maximum(times - arrival_s, 0.0) / 0.006)
+    )
+    suction = (noise(clock, 1, 500, 5_000, -2) + 0.6 * tone(clock, 180 + 900 * (times / arrival_s) ** 2)) * pull * 0.5
+    blow = burst(clock, 2, arrival_s, [(50, 300, 0, 0.06), (300, 2_500, -4, 0.03), (2_500, 9_000, -9, 0.015)])
+    hull = metal(clock, 30, arrival_s + 0.18, [(240, -8, 0.05), (610, -12, 0.04), (1_480, -16, 0.03)])
+    dry = suction + 1.4 * blow + hull
+    return at_true_peak(_faded(_in_hall(dry, clock, rt60_s=1.8, wet_db=-4.0), clock, 0.12), -1.5)
+
+
+def _in_hall(dry: Signal, clock: Clock, *, rt60_s: float, wet_db: float) -> Signal:
+    """Return two channels of a sound and its reverb: noise that falls by 60 dB in a time, highs a third sooner."""
+    times = clock.times(0.018)
+    sides = []
+    for channel in (40, 50):
+        response = noise(clock, channel, 80, 2_500) * np.exp(-6.91 * times / rt60_s)
+        response += 0.6 * noise(clock, channel + 1, 2_500, 9_000) * np.exp(-6.91 * times / (rt60_s / 1.5))
+        response[times < 0] = 0.0
+        size = 2 * clock.frames
+        wet = np.fft.irfft(np.fft.rfft(dry, size) * np.fft.rfft(response, size), size)[: clock.frames]
+        sides.append(dry + gain(wet_db) * wet * float(np.sqrt(np.sum(dry**2) / np.sum(wet**2))))
+    return np.stack(sides, axis=1)

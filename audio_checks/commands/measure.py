@@ -1,4 +1,4 @@
-"""`audio-checks measure`: every figure, no verdict."""
+"""`audio-checks measure`: every figure and judgement, no verdict."""
 
 import argparse
 
@@ -11,6 +11,7 @@ from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.terminal import say
 
 FORMATS = reporters.measured_formats()
+KINDS = ("event", "natural-decay", "ambience", "voice", "music")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,6 +26,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help=f"set a whole mix beside {', '.join(PRESETS)}; may be repeated",
     )
+    parser.add_argument("--kind", choices=KINDS, help="what the sounds are, so that judgements know")
+    parser.add_argument(
+        "--dry",
+        metavar="FILE",
+        help="the same sound without reverb, a dry stem or an earlier take, to judge beside",
+    )
     parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
 
 
@@ -37,7 +44,11 @@ def run(options: argparse.Namespace) -> int:
     for one in found_files(options):
         shown = runner.legible(one.path)
         try:
-            entries.append(runner.measure_file(one.path, category=options.category, presets=options.preset))
+            entries.append(
+                runner.measure_file(
+                    one.path, category=options.category, kind=options.kind, dry=options.dry, presets=options.preset
+                )
+            )
         except Unreadable as error:
             say(f"{shown}: {error}; {error.fix}")
             entries.append(FileReport(shown, "unreadable", category=options.category))

@@ -2,7 +2,8 @@
 
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from audio_checks.check_names import Severity
 from audio_checks.findings import FileReport, Finding, Report, printable
@@ -185,8 +186,22 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         words, unit = named[name]
         shown = _value(value, unit)
         yield f"  {ink(f'{words:<{columns}}', DIM)}{shown}{f' {unit}' if unit and value is not None else ''}"
+    for name, judged in entry.judgements.items():
+        yield f"  {ink(f'{name}?'.ljust(columns), DIM)}{_judged(judged)}"
     for name, stands in entry.loudness_presets.items():
         yield f"  {in_words(name, stands)}"
+
+
+def _judged(judged: Mapping[str, Any]) -> str:
+    """Return a judgement in one line: verdict, score, and the figures that it gives."""
+    parts = [judged["verdict"]]
+    if judged["score"] is not None:
+        parts.append(f"score {judged['score']:.2f}")
+    for name, value in judged.items():
+        words, unit = _words(name)
+        if unit and isinstance(value, float):
+            parts.append(f"{words.removesuffix(' at')} {value:.2f} {unit}")
+    return ", ".join(parts)
 
 
 def _words(name: str) -> tuple[str, str]:

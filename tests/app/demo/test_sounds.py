@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.demo.sounds import demo_sounds
+from audio_checks import AudioFile
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.faults import Faults
 from audio_checks.measure.levels import Levels
@@ -23,6 +24,7 @@ REQUESTED_S = {
     "hull_impact": 0.90, "shield_hit": 0.80, "foot_deck_walk": 0.40, "airlock_cycle": 2.0, "suit_hit": 0.50,
     "thruster_burst": 0.80, "final_FINAL_sting2": 3.0, "alarm_red_alert": 2.0, "mine_arm": 0.50,
     "radar_ping": 0.60, "dock_clamp": 0.80, "explosion_far": 2.5, "missile_launch": 1.4,
+    "warp_in": 2.0,
 }  # fmt: skip
 
 
@@ -63,7 +65,7 @@ def test_every_file_of_the_demo_is_there():
         *(f"foot_deck_walk_{n:02d}.wav" for n in range(1, 7)), "airlock_cycle.wav", "suit_hit.wav",
         *(f"thruster_burst_{n:02d}.wav" for n in range(1, 5)), "final_FINAL_sting2.wav",
         "alarm_red_alert.wav", "mine_arm.wav",
-        "radar_ping.wav", "dock_clamp.wav", "explosion_far.wav", "missile_launch.wav",
+        "radar_ping.wav", "dock_clamp.wav", "explosion_far.wav", "missile_launch.wav", "warp_in.wav",
     }  # fmt: skip
     assert SOUNDS["suit_hit"].file_name == SOUNDS["suit_hit_take2"].file_name
 
@@ -124,6 +126,18 @@ def test_the_airlock_starts_late_and_is_too_loud(figures):
     assert found["true_peak_dbtp"] > 0.4
     assert found["clipped_runs"] > 0
     assert found["duration_s"] == pytest.approx(2.41, abs=0.005)
+
+
+def test_only_the_arrival_comes_with_reverb(files, tmp_path):
+    judged = {}
+    for key, content in files.items():
+        path = tmp_path / f"{key}.wav"
+        path.write_bytes(content)
+        with AudioFile(path) as file:
+            file.prepare(["decay"])
+            judged[key] = file.judgement("reverb")
+    assert [key for key, one in judged.items() if one.verdict == "reverb"] == ["warp_in"]
+    assert judged["warp_in"].figures["rt60_s"] == pytest.approx(1.8, rel=0.2)
 
 
 def test_the_third_thruster_stands_out_of_its_set(figures):

@@ -40,6 +40,48 @@ const opened = async () => {
 const card = (name: string) => screen.findByRole('region', { name })
 const lastStarted = () => contexts.at(-1)?.started.at(-1)
 
+describe('the judgement of reverb', () => {
+  const decay = {
+    start_s: 0.8,
+    step_s: 0.05,
+    bands: [
+      { hz: 500, rt60_s: 1.82, rate_db_s: -33, curve_db: [0, -2, -20, -45] },
+      { hz: 4000, rt60_s: null, rate_db_s: null, curve_db: [0, -9] },
+    ],
+  }
+  const judged = (coherence: unknown) =>
+    aCheck({
+      judgements: { reverb: { verdict: 'reverb', score: 0.99, rt60_s: 1.8, evidence: { decay, coherence } } },
+    })
+
+  test('shows what it goes by, octave for octave', async () => {
+    server.on('GET /v1/takes/t1/check', judged([{ hz: 500, head: 0.97, tail: 0.31 }]))
+    await opened()
+    const shown = await card('Is there reverb in it?')
+    expect(shown).toHaveTextContent('reverb, about 1.8 s, score 0.99')
+    expect(within(shown).getByRole('img')).toHaveAccessibleName(/2 octaves over 0.15 s/)
+    const rows = within(within(shown).getByRole('table')).getAllByRole('row')
+    expect(rows.map((row) => row.textContent)).toEqual([
+      'OctaveBy 60 dB inRateLeft like right, head to tail',
+      '500 Hz1.82 s−33 dB/s0.97 to 0.31',
+      '4 kHztoo short to tellno tail to compare',
+    ])
+  })
+
+  test('says nothing of left and right in mono', async () => {
+    server.on('GET /v1/takes/t1/check', judged(null))
+    await opened()
+    expect(await card('Is there reverb in it?')).not.toHaveTextContent('Left')
+  })
+
+  test('draws nothing where nothing could be judged', async () => {
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { verdict: 'cannot tell', score: null } } }))
+    await opened()
+    await card('Figures')
+    expect(screen.queryByRole('region', { name: 'Is there reverb in it?' })).toBeNull()
+  })
+})
+
 describe('findings', () => {
   test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
     await opened()

@@ -19,6 +19,7 @@ import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery
 import { FindingsCard } from './FindingsCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
+import { ReverbCard } from './ReverbCard'
 import { SpectrumCard } from './SpectrumCard'
 import classes from './Take.module.css'
 
@@ -155,6 +156,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
             </Card>
           )}
           <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
+          <ReverbCard check={check} />
         </div>
         <aside className="stack" aria-label="Figures of this version">
           <FiguresCard check={check} findings={findings} />

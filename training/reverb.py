@@ -1,0 +1,307 @@
+"""Learns the weights of the judgement `reverb`, and writes them and the table of how good they are.
+
+`make weights` (`python -m training.reverb`) makes the development set, learns, sets the thresholds, and tries the
+result on what was kept apart from the start: families of sources, families of reverbs, and recordings. With
+SOUNDS_DIR real recordings are part of both sides. What was measured of each sound is kept in `--cache`.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from sklearn.ensemble import HistGradientBoostingClassifier, HistGradientBoostingRegressor
+from sklearn.metrics import roc_auc_score
+
+from audio_checks.judge import reverb
+from audio_checks.measure import decay, tails
+from training import dataset
+from training.dataset import Known
+
+Floats = NDArray[np.float64]
+KINDS = ("event", "natural-decay", "ambience", "voice", "music", "unknown")
+LAYOUTS = ("mono", "stereo")
+FALSE_ALARMS = {"event": 0.012, "natural-decay": 0.03}  # that thresholds aim at; the others as events
+WRONGLY_DRY = 0.07  # of all that is called dry
+FOLDS = 5
+FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
+TREES = {"max_leaf_nodes": 12, "max_iter": 300, "learning_rate": 0.05, "min_samples_leaf": 15, "max_features": 0.25}
+HERE = Path(__file__).parent
+DOCUMENT = HERE.parent / "docs" / "judgements.md"
+
+
+@dataclass
+class Set:
+    """Some sounds: what is known of each, its features, and what the judgement says."""
+
+    known: list[Known]
+    features: Floats
+
+    def column(self, of: Callable[[Known], Any]) -> NDArray[Any]:
+        return np.array([of(one) for one in self.known])
+
+    @property
+    def wet(self) -> NDArray[np.bool_]:
+        return self.column(lambda one: one.is_wet)
+
+
+@dataclass(frozen=True)
+class Made:
+    """How some sounds of the development set are made: how many, from which seed, in rooms of which seed."""
+
+    count: int
+    seed: int
+    rooms_seed: int
+    rooms_a_family: int
+    new_sources: bool = False
+    new_rooms: bool = False
+
+
+LEARNING = [Made(2500, 6, 11, 30), Made(2500, 7, 19, 30), Made(2500, 8, 11, 30), Made(2500, 9, 19, 30)]
+TRIED = {
+    "development": Made(1000, 4, 17, 15),
+    "new reverbs": Made(800, 21, 13, 20, new_rooms=True),
+    "new sources": Made(800, 22, 17, 15, new_sources=True),
+    "kept apart": Made(1600, 3, 13, 20, new_sources=True, new_rooms=True),
+}
+"""What it is tried on: known families in other rooms and of other draws, then one side new, then both."""
+
+
+def measured(made: Made, cache: Path) -> Set:
+    """Return some sounds of the development set, from the cache where nothing that makes them has changed."""
+    makers = [
+        Path(decay.__file__),
+        Path(tails.__file__),
+        *(HERE / f"{one}.py" for one in ("dataset", "rooms", "sources")),
+    ]
+    said = [repr(made), os.environ.get("SOUNDS_DIR", ""), *(path.read_text(encoding="utf-8") for path in makers)]
+    path = cache / f"{hashlib.sha256(''.join(said).encode()).hexdigest()[:20]}.npz"
+    if path.exists():
+        kept = np.load(path, allow_pickle=False)
+        return Set([Known(**one) for one in json.loads(str(kept["known"]))], kept["features"])
+    began, known, features = time.monotonic(), [], []
+    responses = dataset.responses(
+        dataset.rooms(is_kept_apart=made.new_rooms), made.rooms_seed, count=made.rooms_a_family
+    )
+    families = dataset.families(is_kept_apart=made.new_sources)
+    real = dataset.real_sounds(is_kept_apart=made.new_sources)
+    for one, samples, rate in dataset.made(made.count, made.seed, families, responses, real):
+        following = decay.Decay(rate, samples.shape[1], len(samples))
+        following.add(samples)
+        found = tails.features_of(following.result()["decay"])
+        if found is not None:
+            known.append(one)
+            features.append(found)
+    cache.mkdir(parents=True, exist_ok=True)
+    np.savez(path, features=np.array(features), known=json.dumps([vars(one) for one in known]))
+    print(f"{made}: {time.monotonic() - began:.0f} s", flush=True)
+    return Set(known, np.array(features))
+
+
+def learned(some: Set, seed: int = 1) -> HistGradientBoostingClassifier:
+    """Return trees that tell wet from dry."""
+    trees = HistGradientBoostingClassifier(**TREES, l2_regularization=1.0, early_stopping=False, random_state=seed)
+    return trees.fit(some.features, some.wet)
+
+
+def learned_rt60(some: Set) -> HistGradientBoostingRegressor:
+    """Return trees that tell the decay time, as a power of two; learned from reverb that can be heard."""
+    heard = some.column(lambda one: one.is_wet and one.wet_db > -14)
+    trees = HistGradientBoostingRegressor(**TREES, loss="absolute_error", early_stopping=False, random_state=1)
+    return trees.fit(some.features[heard], np.log2(some.column(lambda one: one.rt60_s or 1.0)[heard]))
+
+
+def scores_by_others(some: Set) -> Floats:
+    """Return each sound's score by trees that never met its family of sources: what thresholds are set on."""
+    families = some.column(lambda one: one.source)
+    names = sorted(set(families))
+    scores = np.zeros(len(families))
+    for fold in range(FOLDS):
+        held = np.isin(families, names[fold::FOLDS])
+        trees = learned(Set([one for one, out in zip(some.known, held, strict=True) if not out], some.features[~held]))
+        scores[held] = trees.predict_proba(some.features[held])[:, 1]
+    return scores
+
+
+def thresholds(some: Set, scores: Floats) -> dict[str, dict[str, list[float]]]:
+    """Return for each kind and layout under which score a sound is dry, and from which on it has reverb."""
+    wet, kinds, layouts = some.wet, some.column(lambda one: one.kind), layouts_of(some)
+    families, real = some.column(lambda one: one.source), some.column(lambda one: one.is_real)
+    table: dict[str, dict[str, list[float]]] = {kind: {} for kind in KINDS}
+    for layout in LAYOUTS:
+        here = layouts == layout
+        enough = [
+            kind
+            for kind in KINDS
+            if (here & (kinds == kind)).sum() >= FEWEST and len(set(families[~real & (kinds == kind)])) > 1
+        ]
+        for kind in enough:
+            known = here & (kinds == kind)
+            above = float(np.quantile(scores[known & ~wet], 1 - FALSE_ALARMS.get(kind, FALSE_ALARMS["event"])))
+            table[kind][layout] = [dry_below(scores[known], wet[known]), above]
+        cautious = max(table[kind][layout][1] for kind in enough)  # nobody fares worse for not saying the kind
+        for kind in set(KINDS) - set(enough):
+            table[kind][layout] = [dry_below(scores[here], wet[here]), cautious]
+        for kind in KINDS:
+            low, high = table[kind][layout]
+            table[kind][layout] = [round(min(low, high), 4), round(high, 4)]
+    return table
+
+
+def dry_below(scores: Floats, wet: NDArray[np.bool_]) -> float:
+    """Return the highest score under which only a small share of sounds has reverb."""
+    order = np.argsort(scores)
+    share = np.cumsum(wet[order]) / np.arange(1, len(order) + 1)
+    good = np.flatnonzero(share <= WRONGLY_DRY)
+    return float(scores[order[good[-1]]]) if len(good) else 0.0
+
+
+def layouts_of(some: Set) -> NDArray[Any]:
+    return some.column(lambda one: "mono" if one.channels == 1 else "stereo")
+
+
+def numbers_of(trees: Any) -> dict[str, Any]:
+    """Return scikit-learn's trees as `audio_checks.trees` reads them."""
+    out: dict[str, Any] = {"start": float(np.ravel(trees._baseline_prediction)[0]), "roots": []}
+    columns: dict[str, list[Any]] = {key: [] for key in ("feature", "threshold", "left", "right", "nan_left", "value")}
+    for (tree,) in trees._predictors:
+        first = len(columns["feature"])
+        out["roots"].append(first)
+        for place, node in enumerate(tree.nodes):
+            leaf = bool(node["is_leaf"])
+            columns["feature"].append(0 if leaf else int(node["feature_idx"]))
+            columns["threshold"].append(0.0 if leaf else float(f"{node['num_threshold']:.7g}"))
+            columns["left"].append(first + (place if leaf else int(node["left"])))
+            columns["right"].append(first + (place if leaf else int(node["right"])))
+            columns["nan_left"].append(0 if leaf else int(node["missing_go_to_left"]))
+            columns["value"].append(float(f"{node['value']:.5g}") if leaf else 0.0)
+    return out | columns
+
+
+def figures_on(some: Set, *, says_kind: bool = True) -> dict[str, float]:
+    """Return how good the judgement is on some sounds, as it ships."""
+    wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
+    audible = some.column(lambda one: one.is_audible)
+    scores = np.array([reverb.score_of(one) for one in some.features])
+    table = reverb.weights()["thresholds"]
+    limits = [table[kind if says_kind else "unknown"][layout] for kind, layout in zip(kinds, layouts, strict=True)]
+    low, high = np.array(limits).T
+    positive = scores >= high
+    decided = positive | (scores < low)
+    events, natural = kinds == "event", kinds == "natural-decay"
+    at_five = np.zeros(len(wet), bool)  # thresholds for 5 % false alarms, mono and stereo each
+    for layout in LAYOUTS:
+        here = layouts == layout
+        at_five |= here & (scores > np.quantile(scores[here & ~wet], 0.95))
+    heard = audible & events
+    said = np.array([reverb.rt60_of(one) for one in some.features[heard]])
+    return {
+        "AUC, all": roc_auc_score(wet, scores),
+        **{f"AUC, {layout}": roc_auc_score(wet[layouts == layout], scores[layouts == layout]) for layout in LAYOUTS},
+        "AUC, events": roc_auc_score(wet[events], scores[events]),
+        "found at 5 % false alarms, all": at_five[wet].mean(),
+        "found at 5 % false alarms, audible": at_five[audible].mean(),
+        "dry called reverb, events": positive[events & ~wet].mean(),
+        "dry called reverb, long natural decays": positive[natural & ~wet].mean(),
+        "right when decided": (positive == wet)[decided].mean(),
+        "share decided": decided.mean(),
+        "called reverb, audible": positive[audible].mean(),
+        "RT60 of audible events, median error": np.median(
+            np.abs(said / some.column(lambda one: one.rt60_s)[heard] - 1)
+        ),
+    }
+
+
+MUST = {
+    "AUC, all": 0.95,
+    "AUC, mono": 0.88,
+    "AUC, stereo": 0.98,
+    "AUC, events": 0.97,
+    "found at 5 % false alarms, all": 0.75,
+    "found at 5 % false alarms, audible": 0.88,
+    "dry called reverb, events": -0.02,
+    "dry called reverb, long natural decays": -0.05,
+    "right when decided": 0.93,
+    "share decided": 0.75,
+    "RT60 of audible events, median error": -0.20,
+}
+"""What is asked for on unseen material; below zero: at most."""
+
+
+def as_table(tried: dict[str, dict[str, float]]) -> str:
+    """Return the table as Markdown."""
+    columns = list(tried)
+    lines = [f"| | must | {' | '.join(columns)} |", f"|---|---|{'---|' * len(columns)}"]
+    for row in tried[columns[0]]:
+        must = MUST.get(row)
+        cells = []
+        for column in columns:
+            value = tried[column][row]
+            unmet = must is not None and (value < must if must > 0 else value > -must)
+            cells.append(f"**{value:.3f}**" if unmet and column.startswith("kept apart") else f"{value:.3f}")
+        asked = "" if must is None else f"≥ {must:g}" if must > 0 else f"≤ {-must:g}"
+        lines.append(f"| {row} | {asked} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def by_family(some: Set) -> str:
+    """Return where it fails: for each family of sources how often dry is called reverb, and reverb found and missed."""
+    wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
+    families = np.where(some.column(lambda one: one.is_real), "real recordings", some.column(lambda one: one.source))
+    scores = np.array([reverb.score_of(one) for one in some.features])
+    table = reverb.weights()["thresholds"]
+    low, high = np.array([table[kind][layout] for kind, layout in zip(kinds, layouts, strict=True)]).T
+    lines = [
+        "| source | sounds | AUC | dry called reverb | reverb called dry | cannot tell |",
+        "|---|---|---|---|---|---|",
+    ]
+    for family in sorted(set(families)):
+        here = families == family
+        reverberant, dry = scores >= high, (scores < low) & (scores < high)
+        cells = [
+            f"{roc_auc_score(wet[here], scores[here]):.3f}",
+            f"{reverberant[here & ~wet].mean():.3f}",
+            f"{dry[here & wet].mean():.3f}",
+            f"{(~reverberant & ~dry)[here].mean():.3f}",
+        ]
+        lines.append(f"| {family} | {here.sum()} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Make, learn, write the weights, try them, and write the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    home = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    parser.add_argument("--cache", type=Path, default=home / "audio-checks-training", help="keeps sounds' figures")
+    parser.add_argument("--tables-only", action="store_true", help="try the weights that are there")
+    options = parser.parse_args(arguments)
+    if not options.tables_only:
+        parts = [measured(made, options.cache) for made in LEARNING]
+        learning = Set([one for part in parts for one in part.known], np.concatenate([part.features for part in parts]))
+        numbers = {
+            "thresholds": thresholds(learning, scores_by_others(learning)),
+            "reverb": numbers_of(learned(learning)),
+            "rt60": numbers_of(learned_rt60(learning)),
+        }
+        reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
+    tried = {name: measured(made, options.cache) for name, made in TRIED.items()}
+    table = as_table(
+        {name: figures_on(some) for name, some in tried.items()}
+        | {"kept apart, kind unsaid": figures_on(tried["kept apart"], says_kind=False)}
+    )
+    text = DOCUMENT.read_text(encoding="utf-8")
+    for mark, made in (("reverb", table), ("reverb by source", by_family(tried["kept apart"]))):
+        head, _, rest = text.partition(f"<!-- {mark}: made by `make weights` -->\n")
+        text = f"{head}<!-- {mark}: made by `make weights` -->\n{made}\n<!-- end -->{rest.partition('<!-- end -->')[2]}"
+    DOCUMENT.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
