@@ -72,9 +72,8 @@ def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
     left, right = samples.T
     figures = np.stack((left * left, right * right, left * right, (left - right) ** 2), axis=1)
     loudest = np.square(samples).max(initial=0)
-    for number, found in enumerate(hops):
-        wanted = figures[number * hop : (number + 1) * hop].sum(axis=0)
-        np.testing.assert_allclose(found, wanted, rtol=1e-11, atol=1e-9 * (1 + loudest))
+    wanted = [figures[start : start + hop].sum(axis=0) for start in range(0, len(hops) * hop, hop)]
+    np.testing.assert_allclose(hops, wanted, rtol=1e-11, atol=1e-9 * (1 + loudest))
 
 
 @given(signals(), st.sampled_from([0.0, 1e-3, 0.5]))
