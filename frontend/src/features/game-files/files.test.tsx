@@ -8,7 +8,7 @@ import { inProject } from '@/test/project'
 import { answer, refusal, serve } from '@/test/server'
 
 const NOW = '2026-11-20T10:00:00Z'
-const use = (category: string | null, memory: number, budget: number | null, more = {}) => ({
+const takes = (category: string | null, memory: number, budget: number | null, more = {}) => ({
   category,
   files: 2,
   unknown_files: 0,
@@ -34,10 +34,10 @@ const TARGETS = {
       folder: 'Assets/Audio/{category}',
       codec_ratio: 3.5,
       streamed: false,
-      used: { total: use(null, 1_000_000, 4_000_000), categories: [use('weapon', 1_000_000, null)] },
+      used: { total: takes(null, 1_000_000, 4_000_000), categories: [takes('weapon', 1_000_000, null)] },
       forecast: {
-        total: use(null, 5_000_000, 4_000_000),
-        categories: [use('weapon', 2_000_000, 3_000_000), use('ambience', 3_000_000, null, { unknown_files: 7 })],
+        total: takes(null, 5_000_000, 4_000_000),
+        categories: [takes('weapon', 2_000_000, 3_000_000), takes('ambience', 3_000_000, null, { unknown_files: 7 })],
       },
     },
   ],
