@@ -19,7 +19,7 @@ from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 
-ALIVE_WITHIN_S = 60.0
+ALIVE_WITHIN_S = 180.0
 SECRET_KEY = secrets.token_hex(16)
 
 
