@@ -1,3 +1,5 @@
+import type { CueMoney } from './api'
+
 /** Sums as people read them: "$7,200.00", a true minus, as many decimals as the currency has. */
 
 function formatOf(currency: string, style: 'currency' | 'decimal'): { text: Intl.NumberFormat; digits: number } {
@@ -29,6 +31,20 @@ export function minorOf(typed: string, currency: string): number | null {
 
 /** "50 %", "12.5 %". */
 export const percent = (basisPoints: number): string => `${Number((basisPoints / 100).toFixed(2))} %`
+
+/** "$180.00 is due then, and Alpha is 4 of 10."; empty where accepting the cue changes nothing. */
+export function dueWithPick({
+  accepted,
+  accepted_then,
+  wanted,
+  milestone,
+  would_owe_minor,
+  currency,
+}: CueMoney): string {
+  if (accepted_then === accepted && would_owe_minor === 0) return ''
+  const stands = `${milestone} is ${accepted_then} of ${wanted}`
+  return would_owe_minor > 0 ? `${money(would_owe_minor, currency)} is due then, and ${stands}.` : `${stands} then.`
+}
 
 /** "4 days late: 1 with the designer, 3 with you." */
 export function slipInWords(

@@ -10,6 +10,7 @@ import { inOrder, LETTERS, soundOf, sourceOf, targetsOf } from '@/judging/hearin
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
+import type { CueMoney } from '@/money/api'
 
 import { useComment } from './api'
 import { shuffled } from './blind'
@@ -25,6 +26,8 @@ import { WaveStage } from './WaveStage'
 
 interface CueRoomProps {
   review: CueReview
+  /** What its contract says of the cue; null where there is none, or the reader has no sight of money. */
+  money: CueMoney | null
   projectId: string
   mayCut: boolean
   player: Player
@@ -270,6 +273,7 @@ export function CueRoom(props: CueRoomProps) {
         <div className={classes.verdict}>
           <Verdict
             review={review}
+            money={props.money}
             hand={hand}
             meant={meant}
             name={blind && hand ? nameOf(hand) : meantName}

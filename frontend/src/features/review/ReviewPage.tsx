@@ -11,6 +11,7 @@ import { queueQuery, reviewQuery, useMyProject } from '@/judging/api'
 import { MASTER } from '@/judging/hearing'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
+import { cueMoneyQuery } from '@/money/api'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { CueRoom } from './CueRoom'
@@ -29,6 +30,9 @@ export function ReviewPage(): ReactNode {
   const project = useMyProject(projectId)
   const { data: items = NONE } = useQuery(queueQuery(projectId))
   const { data: review, error } = useQuery(reviewQuery(cueId))
+  // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
+  const seesMoney = project?.is_producer === true || project?.part === 'designer'
+  const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
   const [player, playing] = usePlayer()
   const [queueOpen, setQueueOpen] = useState(false)
   const [target, setTarget] = useState(MASTER)
@@ -95,6 +99,7 @@ export function ReviewPage(): ReactNode {
         <CueRoom
           key={cueId}
           review={review}
+          money={money ?? null}
           projectId={projectId}
           mayCut={project?.is_producer ?? false}
           player={player}

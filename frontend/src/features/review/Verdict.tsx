@@ -4,6 +4,8 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import type { Judge } from '@/judging/useJudge'
 import { namesOf } from '@/judging/words'
+import type { CueMoney } from '@/money/api'
+import { dueWithPick } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -13,6 +15,7 @@ import classes from './Review.module.css'
 
 interface VerdictProps {
   review: CueReview
+  money: CueMoney | null
   hand: ReviewTake | undefined
   /** What a verdict is for: the take in the hand, or the selected ones. */
   meant: readonly ReviewTake[]
@@ -70,7 +73,7 @@ export function Verdict(props: VerdictProps) {
   )
 
   return (
-    <VerdictBar who={whoDecides(review)} follows={follows(props)} above={above}>
+    <VerdictBar who={whoDecides(review)} follows={[follows(props), due(props)].filter(Boolean).join(' ')} above={above}>
       {!whole && (
         <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>
           Comment
@@ -169,4 +172,11 @@ function follows({ review, hand, meant, waiting, whole }: VerdictProps): string 
   return others.length > 0
     ? `${cue.name} is accepted with it. The ${others.length === 1 ? 'other is' : 'others are'} kept.`
     : `${namesOf([cue.name])} is accepted with it.`
+}
+
+/** What picking the version in the hand makes due, where it is the pick that accepts the cue. */
+function due({ review: { cue }, money, hand, whole }: VerdictProps): string {
+  if (money === null || cue.state === 'cut' || hand === undefined || hand.draft_change) return ''
+  const canApprove = hand.state === 'conforming' || hand.state === 'set_aside'
+  return canApprove && (whole || cue.variations === 1) ? dueWithPick(money) : ''
 }
