@@ -15,6 +15,7 @@ from app.settings import Settings, SettingsWrong, read_settings
 @pytest.fixture
 def environment(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., None]:
     monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "data"))
+    monkeypatch.setattr("app.logs.configure", lambda _: None)  # of this whole process
 
     def of(**settings: str) -> None:
         for name, value in settings.items():

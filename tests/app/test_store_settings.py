@@ -100,7 +100,7 @@ def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch,
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
     migrate(Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}"))
-    monkeypatch.setattr("app.logs.configure", lambda _: None)  # of the whole process, to a stream that closes
+    monkeypatch.setattr("app.logs.configure", lambda _: None)  # of this whole process
     monkeypatch.setattr("app.kit.serving.serve", lambda *_, **__: print("it serves"))  # noqa: T201
     monkeypatch.setattr("app.worker.run", lambda _: print("it serves"))  # noqa: T201
     started = CliRunner().invoke(cli, [command])

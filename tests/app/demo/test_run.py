@@ -156,6 +156,8 @@ def say(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result
     """Run a command in this process; what it is set to comes by environment alone."""
     monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path))
 
+    monkeypatch.setattr("app.logs.configure", lambda _: None)  # of this whole process
+
     def run(*command: str, **environment: str) -> Result:
         for name, value in environment.items():
             monkeypatch.setenv(name, value)
