@@ -1,4 +1,4 @@
-import type { ReactNode } from 'react'
+import { type ReactNode, useId } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
 import { dueDay, shortDay } from '@/ui/format'
@@ -11,10 +11,13 @@ interface MilestonesCardProps {
   contracts: readonly ContractMoney[]
   side: 'team' | 'designer'
   end?: ReactNode
+  /** The contract, where each has a card of its own. */
+  of?: string
 }
 
 /** How far each milestone is, counted in accepted cues. */
-export function MilestonesCard({ contracts, side, end = 'accepted cues count' }: MilestonesCardProps) {
+export function MilestonesCard({ contracts, side, end = 'accepted cues count', of }: MilestonesCardProps) {
+  const id = useId()
   const rows = contracts.flatMap((contract) =>
     contract.milestones
       .filter(({ is_deposit }) => !is_deposit)
@@ -26,9 +29,9 @@ export function MilestonesCard({ contracts, side, end = 'accepted cues count' }:
   )
   if (rows.length === 0) return null
   return (
-    <Card aria-labelledby="milestones">
-      <CardHead id="milestones" title="Milestones" end={end} />
-      <ul aria-labelledby="milestones">
+    <Card aria-label={of === undefined ? 'Milestones' : `Milestones, ${of}`}>
+      <CardHead id={id} title="Milestones" end={end} />
+      <ul aria-labelledby={id}>
         {rows.map(({ milestone, currency, slip }) => (
           <li key={milestone.id} className={classes.milestone}>
             <span className="strong">{milestone.name}</span>

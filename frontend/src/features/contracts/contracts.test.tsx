@@ -1,5 +1,6 @@
 import { screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { openApp } from '@/test/openApp'
@@ -136,6 +137,27 @@ describe('a designer', () => {
     expect(screen.getByText('Sent to both parties')).toBeVisible()
     const copy = screen.getByRole('link', { name: 'Keep a copy' })
     expect(copy).toHaveAttribute('href', '/v1/contracts/c1/record.json')
+  })
+
+  test.each([
+    ['with entries', 1, []],
+    ['with a fault', 1, ['entry 1 was altered']],
+    ['before anything was sent', 0, []],
+  ])('axe finds nothing in a record %s', async (_, length, faults) => {
+    const entries = length === 0 ? [] : [ENTRY, { ...ENTRY, seq: 2, kind: 'agreed', payload: { deposit_bp: 2000 } }]
+    const record = {
+      contract_id: 'c1',
+      title: 'Effects',
+      length: entries.length,
+      sha256: 'c'.repeat(64),
+      entries,
+      faults,
+    }
+    serve(given({ 'GET /v1/contracts/c1/record': record }))
+    openApp(`${PAGE}/record`)
+    expect(await screen.findByRole('heading', { name: /^Entries/ })).toBeVisible()
+    const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+    expect(violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])
   })
 })
 

@@ -7,7 +7,7 @@ import { day, figure, plural } from '@/ui/format'
 import classes from './Page.module.css'
 
 /** How estimates turn out; for the two parties only. */
-export function EstimatesCard({ contractId }: { contractId: string }) {
+export function EstimatesCard({ contractId, title }: { contractId: string; title: string }) {
   const { data } = useQuery(estimatesQuery(contractId))
   if (!data || (data.cues.length === 0 && data.milestones.length === 0)) return null
   const id = `estimates-${contractId}`
@@ -16,7 +16,7 @@ export function EstimatesCard({ contractId }: { contractId: string }) {
     { name: 'Milestones', habit: data.milestone_habit },
   ]
   return (
-    <Card aria-labelledby={id}>
+    <Card aria-label={`Estimates, ${title}`}>
       <CardHead id={id} title="Estimates" end="seen by you two only" />
       <div className={classes.pad}>
         {habits.map(({ name, habit: { pairs, mean_percent: mean, spread_points: spread } }) => (

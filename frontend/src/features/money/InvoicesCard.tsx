@@ -32,7 +32,7 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
   const id = `invoices-${contract.contract_id}`
   const billable = contract.billable_minor
   return (
-    <Card aria-labelledby={id}>
+    <Card aria-label={`Invoices, ${contract.title}`}>
       <CardHead
         id={id}
         title="Invoices"
@@ -42,7 +42,7 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
       {invoices.length === 0 && billable === 0 && <p className={`mid ${classes.pad}`}>Nothing to invoice yet.</p>}
       <Rows>
         {invoices.toReversed().map((invoice) => (
-          <InvoiceRow key={invoice.id} invoice={invoice} isProducer={isProducer} />
+          <InvoiceRow key={invoice.id} invoice={invoice} title={contract.title} isProducer={isProducer} />
         ))}
       </Rows>
       {side === 'designer' && billable !== 0 && <IssueForm contract={contract} />}
@@ -52,7 +52,7 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
 
 const STATES = { open: 'open', partly_paid: 'partly paid', paid: 'paid', late: 'late' }
 
-function InvoiceRow({ invoice, isProducer }: { invoice: Invoice; isProducer: boolean }) {
+function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: string; isProducer: boolean }) {
   const [paying, setPaying] = useState(false)
   const { currency, total_minor: total, open_minor: open } = invoice
   return (
@@ -78,7 +78,7 @@ function InvoiceRow({ invoice, isProducer }: { invoice: Invoice; isProducer: boo
       </Row>
       {paying && (
         <li>
-          <PaymentForm invoice={invoice} onDone={() => setPaying(false)} />
+          <PaymentForm invoice={invoice} title={title} onDone={() => setPaying(false)} />
         </li>
       )}
     </>
@@ -90,7 +90,7 @@ function today(): string {
   return new Date(now.getTime() - now.getTimezoneOffset() * 60_000).toISOString().slice(0, 10)
 }
 
-function PaymentForm({ invoice, onDone }: { invoice: Invoice; onDone: () => void }) {
+function PaymentForm({ invoice, title, onDone }: { invoice: Invoice; title: string; onDone: () => void }) {
   const record = useRecordPayment(invoice.id)
   const [typed, setTyped] = useState(amount(invoice.open_minor, invoice.currency))
   const [reference, setReference] = useState('')
@@ -108,7 +108,12 @@ function PaymentForm({ invoice, onDone }: { invoice: Invoice; onDone: () => void
     record.mutate({ amount_minor: minor, reference: reference.trim(), paid_on: paidOn }, { onSuccess: onDone })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`Payment on invoice ${invoice.number}`}>
+    <form
+      className={classes.form}
+      onSubmit={send}
+      noValidate
+      aria-label={`Payment on invoice ${invoice.number}, ${title}`}
+    >
       <TextInput
         label={`Amount, ${invoice.currency}`}
         value={typed}
@@ -163,7 +168,7 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
     })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`Invoice ${draft.number}`}>
+    <form className={classes.form} onSubmit={send} noValidate aria-label={`Invoice ${draft.number}, ${contract.title}`}>
       <div className={`${classes.wide} ${classes.lines}`}>
         {draft.lines.map((line, place) => (
           <p key={`${place} ${line.text}`} className={classes.line}>

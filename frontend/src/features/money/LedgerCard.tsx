@@ -21,12 +21,12 @@ const KINDS = {
 }
 
 /** Every line that was ever written, the newest first. */
-export function LedgerCard({ contractId }: { contractId: string }) {
+export function LedgerCard({ contractId, title }: { contractId: string; title: string }) {
   const { data } = useQuery(ledgerQuery(contractId))
   if (!data) return null
   const id = `ledger-${contractId}`
   return (
-    <Card aria-labelledby={id}>
+    <Card aria-label={`Ledger, ${title}`}>
       <CardHead id={id} title="Ledger" count={data.lines.length} end="lines are added, never changed" />
       {data.lines.length === 0 && (
         <p className={`mid ${classes.pad}`}>Nothing is due yet. The first accepted cue begins it.</p>
@@ -34,7 +34,7 @@ export function LedgerCard({ contractId }: { contractId: string }) {
       {data.lines.length > 0 && (
         // A region that scrolls is reached by the keyboard.
         // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <div className={classes.scroll} tabIndex={0} role="region" aria-labelledby={id}>
+        <div className={classes.scroll} tabIndex={0} role="region" aria-label={`Lines of the ledger, ${title}`}>
           <table className={`small ${classes.table}`}>
             <thead className="dim">
               <tr>

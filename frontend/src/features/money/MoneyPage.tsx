@@ -48,13 +48,14 @@ export function MoneyPage() {
         {data?.totals.map(({ currency, figures }) => (
           <MoneyLine key={currency} currency={currency} figures={figures} side={side} />
         ))}
-        {data?.contracts.map((contract) => (
+        {data?.contracts.map((contract, place) => (
           <Contract
             key={contract.contract_id}
             contract={contract}
             projectId={projectId}
             side={side}
             isProducer={project?.is_producer ?? false}
+            withCalendar={place === 0}
           />
         ))}
       </div>
@@ -67,24 +68,33 @@ interface ContractProps {
   projectId: string
   side: 'team' | 'designer'
   isProducer: boolean
+  /** One calendar holds the dates of the whole project. */
+  withCalendar: boolean
 }
 
-function Contract({ contract, projectId, side, isProducer }: ContractProps) {
+function Contract({ contract, projectId, side, isProducer, withCalendar }: ContractProps) {
   const grows = contract.slip_growth_days ?? 0
   return (
     <section className="columns" aria-label={`${contract.title}, ${contract.designer.name}`}>
       <div className="stack">
         <InvoicesCard contract={contract} side={side} isProducer={isProducer} />
-        <LedgerCard contractId={contract.contract_id} />
+        <LedgerCard contractId={contract.contract_id} title={contract.title} />
       </div>
       <aside className="stack" aria-label={`Beside ${contract.title}`}>
-        <MilestonesCard contracts={[contract]} side={side} end={`${contract.title}, ${contract.designer.name}`} />
+        <MilestonesCard
+          contracts={[contract]}
+          side={side}
+          of={contract.title}
+          end={`${contract.title}, ${contract.designer.name}`}
+        />
         {grows > 0 && (
           <p className="small mid">Each milestone slips by {grows.toFixed(1)} days more than the one before.</p>
         )}
-        <RoundsCard rounds={contract.proposed_rounds} side={side} isProducer={isProducer} />
-        {(isProducer || side === 'designer') && <EstimatesCard contractId={contract.contract_id} />}
-        <CalendarCard projectId={projectId} />
+        <RoundsCard rounds={contract.proposed_rounds} title={contract.title} side={side} isProducer={isProducer} />
+        {(isProducer || side === 'designer') && (
+          <EstimatesCard contractId={contract.contract_id} title={contract.title} />
+        )}
+        {withCalendar && <CalendarCard projectId={projectId} />}
       </aside>
     </section>
   )

@@ -1,3 +1,5 @@
+import { useId } from 'react'
+
 import { ApiProblem } from '@/api'
 import { type ExtraRound, useSettleRound } from '@/money/api'
 import { money } from '@/money/words'
@@ -8,16 +10,19 @@ import { Row, Rows } from '@/ui/Rows'
 
 interface RoundsCardProps {
   rounds: readonly ExtraRound[]
+  /** The contract's. */
+  title: string
   side: 'team' | 'designer'
   isProducer: boolean
 }
 
 /** Rounds beyond those included, which wait for somebody's word on their price. */
-export function RoundsCard({ rounds, side, isProducer }: RoundsCardProps) {
+export function RoundsCard({ rounds, title, side, isProducer }: RoundsCardProps) {
+  const id = useId()
   if (rounds.length === 0) return null
   return (
-    <Card aria-labelledby="rounds">
-      <CardHead id="rounds" title="Rounds too many" count={rounds.length} end="priced by the contract" />
+    <Card aria-label={`Rounds too many, ${title}`}>
+      <CardHead id={id} title="Rounds too many" count={rounds.length} end="priced by the contract" />
       <Rows>
         {rounds.map((round) => (
           <Round key={round.id} round={round} side={side} isProducer={isProducer} />

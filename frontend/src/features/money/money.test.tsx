@@ -1,0 +1,242 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import type { ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
+import { openApp } from '@/test/openApp'
+import { aMe, aServer, PROJECT } from '@/test/review'
+import { refusal } from '@/test/server'
+
+// Whole pages are drawn here, which a busy machine takes its time for; their chunk is read once, before.
+vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
+beforeAll(() => import('./MoneyPage'))
+
+const AT = '2026-11-20T10:00:00Z'
+const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }
+const LAUNCH = { id: 'launch', label: 'SW-019', name: 'missile_launch' }
+const figures = (more: Partial<Figures> = {}): Figures => ({
+  agreed_minor: 324_000,
+  accepted_minor: 198_000,
+  paid_minor: 144_000,
+  due_minor: 54_000,
+  open_minor: 126_000,
+  saved_minor: 0,
+  ...more,
+})
+
+function anInvoice(contractId: string, more: Partial<Invoice> = {}): Invoice {
+  return {
+    id: `invoice-${contractId}`,
+    contract_id: contractId,
+    number: 1,
+    currency: 'USD',
+    issued_on: '2026-11-10',
+    due_on: '2026-11-24',
+    seller: 'Sound designer',
+    buyer: 'Studio',
+    po_number: '',
+    note: '',
+    reverse_charge: false,
+    lines: [{ text: 'Deposit', amount_minor: 36_000, tax_bp: null }],
+    taxes: [],
+    net_minor: 36_000,
+    total_minor: 36_000,
+    paid_minor: 0,
+    open_minor: 36_000,
+    state: 'open',
+    days_to_pay: null,
+    payments: [],
+    ...more,
+  }
+}
+
+function aContract(id: string, title: string): ContractMoney {
+  return {
+    contract_id: id,
+    title,
+    designer: { id: 'designer', name: 'Sound designer' },
+    currency: 'USD',
+    release: 'per_cue',
+    kill_fee_in_work_bp: 5_000,
+    figures: figures(),
+    milestones: [
+      {
+        id: `alpha-${id}`,
+        name: 'Alpha',
+        is_deposit: false,
+        amount_minor: 180_000,
+        left_minor: 126_000,
+        owed_minor: 54_000,
+        paid_minor: 0,
+        due_on: '2026-11-23',
+        tax_bp: null,
+        accepted: 3,
+        wanted: 10,
+        done_at: null,
+        cues: [],
+      },
+    ],
+    slips: [],
+    slip_growth_days: null,
+    proposed_rounds: [
+      {
+        id: `round-${id}`,
+        contract_id: id,
+        cue: LAUNCH,
+        number: 3,
+        included: 2,
+        amount_minor: 7_875,
+        currency: 'USD',
+        state: 'proposed',
+        proposed_at: AT,
+      },
+    ],
+    billable_minor: 18_000,
+    next_invoice: 2,
+    open_invoices: [],
+    last_days_to_pay: null,
+  }
+}
+
+const LINE = {
+  id: 'line-1',
+  at: AT,
+  kind: 'accepted',
+  amount_minor: 18_000,
+  clause: 'payment_plan',
+  cue: PING,
+  milestone: 'Alpha',
+  round_number: null,
+  tax_bp: null,
+  by: 'Audio director',
+  about_id: null,
+  invoice_number: null,
+  reference: null,
+}
+const HABIT = { pairs: 3, mean_percent: 12.5, spread_points: 4, habit: 'steady' }
+const DRAFT = {
+  number: 2,
+  currency: 'USD',
+  seller: 'Sound designer',
+  buyer: 'Studio',
+  po_number: '',
+  payment_days: 14,
+  reverse_charge: false,
+  lines: [{ text: 'radar_ping, Alpha', amount_minor: 18_000, tax_bp: null }],
+  taxes: [{ tax_bp: 1_900, amount_minor: 3_420 }],
+  net_minor: 18_000,
+  total_minor: 21_420,
+}
+
+let server: ReturnType<typeof aServer>
+const PAGE = `/projects/${PROJECT}/money`
+const tell = (money: ProjectMoney) => server.on(`GET /v1/projects/${PROJECT}/money`, money)
+const opened = async () => {
+  openApp(PAGE)
+  await waitFor(() => expect(screen.getAllByRole('table')).toHaveLength(2))
+}
+
+beforeEach(() => {
+  server = aServer()
+    .on('GET /v1/me', aMe({ is_producer: true }))
+    .on('GET /v1/review-queue', { items: [], next: null })
+  for (const id of ['effects', 'creatures']) {
+    server
+      .on(`GET /v1/contracts/${id}/invoices`, [anInvoice(id)])
+      .on(`GET /v1/contracts/${id}/invoice-draft`, DRAFT)
+      .on(`GET /v1/contracts/${id}/ledger`, {
+        contract_id: id,
+        currency: 'USD',
+        figures: figures(),
+        tax_minor: 0,
+        open_tax_minor: 0,
+        lines: [LINE],
+      })
+      .on(`GET /v1/contracts/${id}/estimates`, {
+        cues: [{}],
+        milestones: [],
+        cue_habit: HABIT,
+        milestone_habit: { ...HABIT, pairs: 0, mean_percent: null, spread_points: null },
+        forecasts: [{ milestone: 'Alpha', due_on: '2026-11-23', forecast_on: '2026-11-25' }],
+        warning: null,
+      })
+  }
+  tell({
+    contracts: [aContract('effects', 'Effects'), aContract('creatures', 'Creatures')],
+    totals: [{ currency: 'USD', figures: figures() }],
+  })
+})
+
+const faults = async () => {
+  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  return violations.map(({ id, nodes }) => [id, nodes[0]?.html])
+}
+
+describe('a producer', () => {
+  test('reads for each contract what is due, and which cue, clause and person a line is of', async () => {
+    await opened()
+    const creatures = within(screen.getByRole('region', { name: 'Creatures, Sound designer' }))
+    const row = creatures.getByRole('row', { name: /Accepted radar_ping/ })
+    expect(row).toHaveTextContent('payment plan')
+    expect(row).toHaveTextContent('Audio director')
+    expect(row).toHaveTextContent('180.00')
+    expect(screen.getByText('$540.00')).toBeVisible()
+  })
+
+  test('records a payment with its reference, and none without', async () => {
+    server.on('POST /v1/invoices/invoice-effects/payments', anInvoice('effects'))
+    await opened()
+    const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
+    await userEvent.click(effects.getByRole('button', { name: 'Record a payment on invoice 1' }))
+    const form = within(effects.getByRole('form', { name: 'Payment on invoice 1, Effects' }))
+    await userEvent.click(form.getByRole('button', { name: 'Record payment' }))
+    expect(form.getByText('Write the bank’s reference.')).toBeVisible()
+    expect(await faults()).toEqual([])
+    await userEvent.type(form.getByLabelText('Reference'), 'TX 41')
+    await userEvent.click(form.getByRole('button', { name: 'Record payment' }))
+    await waitFor(() =>
+      expect(server.of('POST /v1/invoices/invoice-effects/payments')[0]?.body).toMatchObject({
+        amount_minor: 36_000,
+        reference: 'TX 41',
+      }),
+    )
+  })
+
+  test('is told what a refusal says', async () => {
+    server.on(`GET /v1/projects/${PROJECT}/money`, () => refusal(403, 'team-needed', 'Only the team sees this.'))
+    openApp(PAGE)
+    expect(await screen.findByRole('alert')).toHaveTextContent('Only the team sees this.')
+  })
+
+  test('axe finds nothing where two contracts stand below each other', async () => {
+    await opened()
+    expect(await faults()).toEqual([])
+    expect(screen.getAllByRole('button', { name: 'Make an address' })).toHaveLength(1)
+  })
+})
+
+describe('a designer', () => {
+  beforeEach(() => {
+    server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_decider: false }))
+  })
+
+  test('issues the next invoice, with its tax; axe finds nothing', async () => {
+    server.on('POST /v1/contracts/effects/invoices', anInvoice('effects', { number: 2 }))
+    await opened()
+    const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
+    const form = within(await effects.findByRole('form', { name: 'Invoice 2, Effects' }))
+    expect(form.getByText('Tax, 19 %')).toBeVisible()
+    expect(form.getByText('$214.20')).toBeVisible()
+    expect(await faults()).toEqual([])
+    await userEvent.click(form.getByRole('button', { name: 'Issue invoice 2' }))
+    await waitFor(() => expect(server.of('POST /v1/contracts/effects/invoices')).toHaveLength(1))
+  })
+
+  test('is told where nothing is agreed yet; axe finds nothing', async () => {
+    tell({ contracts: [], totals: [] })
+    openApp(PAGE)
+    expect(await screen.findByRole('heading', { name: 'No contract is agreed here.' })).toBeVisible()
+    expect(await faults()).toEqual([])
+  })
+})
