@@ -37,7 +37,8 @@ def test_what_is_delivered(world: World, agreed: Agreed) -> None:
     deliver(world, "dock_clamp.wav", SOUND + b"!", cue_id=str(outside))
     unmatched = deliver(world, "something.wav", SOUND + b"?")
     (told,) = recorded(agreed, "delivered")
-    assert (told["cue"], told["version"], told["file"]) == ("SW-001 radar_ping", 1, "radar_ping.wav")
+    assert told["cue"].endswith(" radar_ping")
+    assert (told["version"], told["file"]) == (1, "radar_ping.wav")
     assert told["by"] == "Sound designer"
     assert len(told["sha256"]) == 64
     world.server.wait_for_jobs()

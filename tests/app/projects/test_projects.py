@@ -29,6 +29,7 @@ def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> N
         "is_liaison": False,
         "is_decider": True,
         "engagement_kind": None,
+        "nda_open": False,
     }
     spec = world.producer.get(f"/v1/projects/{project['id']}/spec").json()
     assert spec["resolved"]["accept"]["sample_rates_hz"] == [48_000, 96_000]
