@@ -50,6 +50,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "placeholders.asked": ("builds.make_stand_ins",),
     "pack.asked": ("builds.seal_pack",),
     "batch.asked": ("renders.plan_batch",),
+    "reel.asked": ("renders.make_reel",),
     "list.revised": ("notifications.tell_list_revised",),
     "question.asked": ("notifications.tell_question",),
     "question.answered": ("notifications.tell_answer",),

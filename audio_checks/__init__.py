@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
+    from audio_checks.placeholders.speech import spoken
     from audio_checks.provenance import Exported, Provenance, export_master
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, wave_shapes
@@ -116,6 +117,7 @@ __all__ = [
     "set_findings",
     "sizes_asked_for",
     "slug",
+    "spoken",
     "stems_of",
     "wave_shapes",
     "write_sound_list",
@@ -142,6 +144,7 @@ _HOMES = {
     "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
+    "audio_checks.placeholders.speech": ("spoken",),
     "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),

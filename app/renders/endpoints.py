@@ -11,19 +11,34 @@ from app.kit.blob_answer import blob_answer
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
-from app.renders import batches, service
+from app.renders import batches, reels, service
 from app.renders.errors import (
     BatchEnded,
     BatchNotFound,
     LossUnknown,
     NotDrawn,
     NothingRendered,
+    NothingToHear,
     NothingToRender,
+    ReelNotFound,
+    ReelNotMade,
+    ReelTooLong,
     RenderNotFound,
     SoundNotFound,
+    TakesBeingDrawn,
     TargetUnknown,
 )
-from app.renders.schemas import BatchAdd, BatchRead, BatchSummary, LossRead, PeaksRead, TakeSoundsRead
+from app.renders.schemas import (
+    BatchAdd,
+    BatchRead,
+    BatchSummary,
+    LossRead,
+    PeaksRead,
+    ReelAdd,
+    ReelRead,
+    TakeSoundsRead,
+)
+from app.sound_lists.errors import CueNotFound
 
 router = APIRouter(prefix="/v1", tags=["renders"], route_class=Route)
 MAY_SEE: Actor = allows(Sight.PROJECT)
@@ -142,3 +157,36 @@ def get_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchR
 def cancel_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchRead:
     """End a batch that is not through; what it has made stays."""
     return batches.batch_read(session, batches.cancel(session, actor, batch_id))
+
+
+@router.post(
+    "/cues/{cue_id}/reels",
+    status_code=201,
+    response_model=ReelRead,
+    responses=problems(CueNotFound, NothingToHear, TakesBeingDrawn, ReelTooLong),
+)
+def add_reel(cue_id: UUID, body: ReelAdd, session: DbSession, actor: Actor = MAY_SEE) -> ReelRead:
+    """Put all takes of a cue that the caller sees in a row, to be listened to; the same takes give the same reel."""
+    return reels.reel_read(reels.ask_for_reel(session, actor, cue_id, body))
+
+
+@router.get("/reels/{reel_id}", response_model=ReelRead, responses=problems(ReelNotFound))
+def get_reel(reel_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> ReelRead:
+    """Return whether a reel is made, and where each take begins in it."""
+    return reels.reel_read(reels.reel_in_sight(session, actor, reel_id))
+
+
+@router.get(
+    "/reels/{reel_id}/file",
+    response_class=Response,
+    responses={200: {"content": {"audio/wav": {}}}, **problems(ReelNotFound, ReelNotMade, BlobMissing)},
+)
+def get_reel_file(
+    reel_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
+) -> Response:
+    """Play or download a reel: 16-bit WAV, which never ships."""
+    reel = reels.reel_in_sight(session, actor, reel_id)
+    sha256 = reels.file_of(reel)
+    return blob_answer(
+        request, runtime.store, reel.studio_id, sha256, media_type="audio/wav", file_name=reel.file_name, by_link=True
+    )

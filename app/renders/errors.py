@@ -37,3 +37,23 @@ class TargetUnknown(Invalid):
 
 class LossUnknown(Conflict):
     """The game file was refused, or made before losses were measured."""
+
+
+class ReelNotFound(NotFound):
+    """No reel of that id within the caller's sight."""
+
+
+class NothingToHear(Conflict):
+    """The cue has no take that the caller sees and that can be played."""
+
+
+class TakesBeingDrawn(Conflict):
+    """A take of the cue has no preview yet."""
+
+
+class ReelTooLong(Conflict):
+    """The takes of the cue are too many or too long for one reel."""
+
+
+class ReelNotMade(Conflict):
+    """The reel has no file: it is still being made, or could not be."""

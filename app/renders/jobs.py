@@ -1,5 +1,6 @@
 """The jobs of this room: pictures of masters, game files, and new game files at a new spec."""
 
+import contextlib
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -7,6 +8,7 @@ from pathlib import Path
 from typing import Any
 from uuid import UUID
 
+import numpy as np
 import structlog
 from prometheus_client import Counter
 
@@ -16,10 +18,10 @@ from app.kit import kill
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
-from app.renders import batches, drawing, queries, service
+from app.renders import batches, drawing, queries, reel_sound, reels, service
 from app.renders.models import Picture, Render
 from app.renders.rules import Recipe, RenderState
-from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable
+from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable, spoken
 
 log = structlog.get_logger(__name__)
 TRIES = 3
@@ -27,6 +29,7 @@ TIMEOUT_S = 300.0
 MEMORY_BYTES = 1 << 30
 RENDERS = Counter("soundlist_renders", "Game files made, or refused.", ["state"])
 OUR_FAULT = "the renderer itself failed three times; that is our fault, and nothing is wrong with the master"
+NO_REEL = "the reel could not be made; that is our fault, and the takes are whole: ask for it again"
 
 
 @cache
@@ -211,3 +214,55 @@ def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
         batches.record(session, order, lane, render, picture, fault)
         kill.point("renders.batch_before_commit")
     kill.point("renders.batch_after_commit")
+
+
+@job("renders.make_reel")
+def make_reel(runtime: Runtime, payload: Payload) -> None:
+    """Put the previews of a cue's takes in a row, each behind its slate."""
+    reel_id = UUID(payload["reel_id"])
+    with runtime.database.reading() as session:
+        reel = queries.reel_by_id(session, reel_id)
+    if reel is None or reel.sha256 is not None:
+        return
+    slates = _slates(reel.takes, of_set=payload["sets"] == 1) if reel.with_slates else None
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder, contextlib.ExitStack() as copies:
+        out = Path(folder, "reel.wav")
+        try:
+            paths = [
+                str(copies.enter_context(runtime.store.local_copy(reel.studio_id, take["preview_sha256"])))
+                for take in reel.takes
+            ]
+            made = _tried(
+                lambda: _sandbox().call(
+                    reel_sound.make_reel,
+                    paths,
+                    slates,
+                    str(out),
+                    gap_ms=reel.gap_ms,
+                    crossfade_ms=reel.crossfade_ms,
+                )
+            )
+        except (SandboxFailed, BlobAltered, BlobMissing) as error:
+            log.error("a reel failed", reel_id=str(reel_id), error=str(error))
+            with runtime.database.writing() as session:
+                reels.refuse(session, reel_id, NO_REEL)
+            return
+        blob = runtime.store.put_file(reel.studio_id, out)
+    kill.point("renders.before_reel")
+    with runtime.database.writing() as session:
+        is_spoken = slates is not None and all(slate.speech is not None for slate in slates)
+        reels.keep(session, reel_id, blob, **made, is_spoken=is_spoken)
+
+
+def _slates(takes: list[dict[str, Any]], *, of_set: bool) -> list[reel_sound.Slate]:
+    """Return what says which take comes; all are beeped where one cannot be spoken."""
+    # Outside of the child, which may start no other program: these words are our own, not a stranger's.
+    slates = []
+    for take in takes:
+        words = f"variation {take['variation']}, version {take['number']}" if of_set else f"version {take['number']}"
+        said = spoken(words, reel_sound.SPEECH_RATE_HZ, None)
+        speech = None if said is None else np.round(said * 32_767).astype("<i2").tobytes()
+        slates.append(reel_sound.Slate(take["variation"] if of_set else 0, take["number"], speech))
+    if any(slate.speech is None for slate in slates):
+        return [slate._replace(speech=None) for slate in slates]
+    return slates

@@ -112,3 +112,30 @@ class Picture(Base):
     preview_sha256: Mapped[str | None]
     preview_media_type: Mapped[str | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Reel(Base):
+    """All takes of a cue that somebody sees, in a row, to be listened to; it never ships."""
+
+    __tablename__ = "renders_reels"
+    __table_args__ = (
+        UniqueConstraint("cue_id", "key"),
+        CheckConstraint("sha256 is null or refusal is null", name="made_or_refused"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    key: Mapped[str]  # hash of the takes and of how they follow one another
+    gap_ms: Mapped[int]
+    crossfade_ms: Mapped[int]
+    with_slates: Mapped[bool]
+    takes: Mapped[list[dict[str, Any]]] = mapped_column(default=list)  # in order: take, preview, where it begins
+    file_name: Mapped[str]
+    is_spoken: Mapped[bool] = mapped_column(default=False)
+    duration_s: Mapped[float | None]  # None, like the hash below, until it is made
+    sha256: Mapped[str | None]
+    file_bytes: Mapped[int | None] = mapped_column(BigInteger)
+    refusal: Mapped[str | None]  # in words
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)

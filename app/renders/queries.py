@@ -13,7 +13,7 @@ from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
-from app.renders.models import Batch, BatchItem, Picture, Render
+from app.renders.models import Batch, BatchItem, Picture, Reel, Render
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
 
@@ -247,3 +247,27 @@ def has_waiting_items(session: Session, batch_id: UUID) -> bool:
     return bool(
         session.scalar(select(exists().where(BatchItem.batch_id == batch_id, BatchItem.state == ItemState.WAITING)))
     )
+
+
+def visible_takes_of_cue(session: Session, actor: Actor, cue_id: UUID) -> Sequence[Take]:
+    """Return the takes of a cue that the caller sees, variation by variation, the oldest first."""
+    return session.scalars(
+        select(Take).where(Take.cue_id == cue_id, _in_reach(actor)).order_by(Take.variation, Take.number)
+    ).all()
+
+
+def sees_takes(session: Session, actor: Actor, take_ids: Collection[UUID]) -> bool:
+    """Whether the caller sees every one of some takes."""
+    seen = session.scalar(select(func.count()).where(Take.id.in_(take_ids), _in_reach(actor)))
+    return seen == len(take_ids)
+
+
+def reel_by_id(session: Session, reel_id: UUID) -> Reel | None:
+    """Return a reel without asking who looks."""
+    return session.get(Reel, reel_id)
+
+
+def reel_of(session: Session, cue_id: UUID, key: str) -> Reel | None:
+    """Return the reel of a cue under one key; nobody else adds one until the transaction ends."""
+    session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
+    return session.scalar(select(Reel).where(Reel.cue_id == cue_id, Reel.key == key))

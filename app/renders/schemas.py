@@ -177,3 +177,37 @@ class LossRead(BaseModel):
     seam_after: SeamRead | None
     mono_loss_db: float | None
     spectra: LossSpectra
+
+
+class ReelAdd(Schema):
+    """How the takes of a cue are to follow one another."""
+
+    gap_ms: int = Field(500, ge=0, le=5_000, description="Silence between takes.")
+    crossfade_ms: int = Field(0, ge=0, le=5_000, description="In place of the gap; 0: none.")
+    slates: bool = Field(True, description="Say before each take which it is.")
+
+
+class ReelTake(Schema):
+    """One take of a reel."""
+
+    take_id: UUID
+    variation: int
+    number: int
+    start_s: float | None = Field(description="Where it begins; null until the reel is made.")
+
+
+class ReelRead(Schema):
+    """All takes of a cue in a row, to be listened to; never for what ships."""
+
+    id: UUID
+    cue_id: UUID
+    state: Literal["making", "made", "refused"]
+    refusal: str | None
+    gap_ms: int
+    crossfade_ms: int
+    slates: Literal["spoken", "beeped", "none"]
+    takes: list[ReelTake]
+    duration_s: float | None
+    file_bytes: int | None
+    file_name: str
+    file_url: str | None

@@ -44,7 +44,7 @@ from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import current_spec, engagement_of
 from app.projects.rules import EngagementKind
 from app.projects.service import open_project
-from app.renders.models import Batch, Picture, Render, RenderSet
+from app.renders.models import Batch, Picture, Reel, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
@@ -130,6 +130,18 @@ class House(World):
         batch = Batch(**of, number=1)
         pack = SealedPack(**of, target="game", number=1, sealed_by=self.producer_id)
         pack.state, pack.sealed_at = PackState.SEALED, clock.now()
+        reel = Reel(
+            **of,
+            cue_id=cue.id,
+            key="0" * 64,
+            gap_ms=500,
+            crossfade_ms=0,
+            with_slates=True,
+            takes=[{"take_id": str(take.id), "preview_sha256": self.sha256, "variation": 1, "number": 1}],
+            file_name="shield_hit_reel.wav",
+            sha256=self.sha256,
+            file_bytes=len(FILE),
+        )
         mail = Mail(
             studio_id=self.studio_id,
             topic="link",
@@ -151,7 +163,7 @@ class House(World):
             tool_version="1",
         )
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
-        session.add_all([picture, render, draft, comment, build, batch, pack, mail, run, sets])
+        session.add_all([picture, render, draft, comment, build, batch, pack, reel, mail, run, sets])
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -169,6 +181,7 @@ class House(World):
             "take_id": take.id,
             "picture_id": picture.id,
             "render_id": render.id,
+            "reel_id": reel.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "build_id": build.id,

@@ -2425,6 +2425,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/cues/{cue_id}/reels": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Reel
+         * @description Put all takes of a cue that the caller sees in a row, to be listened to; the same takes give the same reel.
+         */
+        post: operations["add_reel"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reels/{reel_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reel
+         * @description Return whether a reel is made, and where each take begins in it.
+         */
+        get: operations["get_reel"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reels/{reel_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reel File
+         * @description Play or download a reel: 16-bit WAV, which never ships.
+         */
+        get: operations["get_reel_file"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/review-queue": {
         parameters: {
             query?: never;
@@ -7439,6 +7499,92 @@ export interface components {
             faults: string[];
             /** Entries */
             entries: components["schemas"]["EntryRead"][];
+        };
+        /**
+         * ReelAdd
+         * @description How the takes of a cue are to follow one another.
+         */
+        ReelAdd: {
+            /**
+             * Gap Ms
+             * @description Silence between takes.
+             * @default 500
+             */
+            gap_ms: number;
+            /**
+             * Crossfade Ms
+             * @description In place of the gap; 0: none.
+             * @default 0
+             */
+            crossfade_ms: number;
+            /**
+             * Slates
+             * @description Say before each take which it is.
+             * @default true
+             */
+            slates: boolean;
+        };
+        /**
+         * ReelRead
+         * @description All takes of a cue in a row, to be listened to; never for what ships.
+         */
+        ReelRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "making" | "made" | "refused";
+            /** Refusal */
+            refusal: string | null;
+            /** Gap Ms */
+            gap_ms: number;
+            /** Crossfade Ms */
+            crossfade_ms: number;
+            /**
+             * Slates
+             * @enum {string}
+             */
+            slates: "spoken" | "beeped" | "none";
+            /** Takes */
+            takes: components["schemas"]["ReelTake"][];
+            /** Duration S */
+            duration_s: number | null;
+            /** File Bytes */
+            file_bytes: number | null;
+            /** File Name */
+            file_name: string;
+            /** File Url */
+            file_url: string | null;
+        };
+        /**
+         * ReelTake
+         * @description One take of a reel.
+         */
+        ReelTake: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Variation */
+            variation: number;
+            /** Number */
+            number: number;
+            /**
+             * Start S
+             * @description Where it begins; null until the reel is made.
+             */
+            start_s: number | null;
         };
         /**
          * ReleaseClause
@@ -16586,6 +16732,157 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_reel: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReelAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReelRead"];
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-hear`, `takes-being-drawn`, `reel-too-long` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_reel: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reel_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReelRead"];
+                };
+            };
+            /** @description `reel-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_reel_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reel_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `reel-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reel-not-made` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

@@ -164,6 +164,43 @@ test('j goes to the next cue, e edits, Escape closes and then leads back', async
   await waitFor(() => expect(app.at()).toBe(server.path))
 })
 
+test('all takes are heard in a row, once they are put together', async () => {
+  const { server, id } = opened()
+  const reel = {
+    id: 'r1',
+    cue_id: id,
+    state: 'making',
+    refusal: null,
+    gap_ms: 500,
+    crossfade_ms: 0,
+    slates: 'beeped',
+    takes: [{ take_id: 't1', variation: 1, number: 1, start_s: null }],
+    duration_s: null,
+    file_bytes: null,
+    file_name: 'coolant_splash_reel.wav',
+    file_url: null,
+  }
+  server.answers[`POST /v1/cues/${id}/reels`] = reel
+  server.answers['GET /v1/reels/r1'] = { ...reel, state: 'made', duration_s: 1.12, file_url: '/v1/reels/r1/file' }
+  await userEvent.click(await screen.findByRole('button', { name: 'Hear all takes in a row' }))
+  expect(await screen.findByLabelText('All takes of coolant_splash in a row')).toHaveAttribute(
+    'src',
+    '/v1/reels/r1/file',
+  )
+  const download = screen.getByRole('link', { name: 'Download the reel' })
+  expect(download).toHaveAttribute('href', '/v1/reels/r1/file')
+  expect(download).toHaveAttribute('download', 'coolant_splash_reel.wav')
+  expect(screen.getByText(/One take, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
+})
+
+test('a reel that is refused says why', async () => {
+  const { server, id } = opened()
+  server.answers[`POST /v1/cues/${id}/reels`] = refusal(409, 'takes-being-drawn', 'a take is still being drawn')
+  await userEvent.click(await screen.findByRole('button', { name: 'Hear all takes in a row' }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('a take is still being drawn')
+  expect(screen.queryByRole('link', { name: 'Download the reel' })).not.toBeInTheDocument()
+})
+
 test('a designer sees the cue and asks; who answers is said', async () => {
   opened('designer')
   const question = await screen.findByRole('article', { name: 'Question: What falls in?' })

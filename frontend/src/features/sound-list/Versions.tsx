@@ -11,6 +11,7 @@ import { State, type StateKind } from '@/ui/State'
 
 import type { CueDetail, Take, Version } from './api'
 import classes from './Cue.module.css'
+import { Reel } from './Reel'
 
 const KIND_OF_TAKE = {
   received: 'checking',
@@ -53,6 +54,7 @@ export function Versions({ cue, projectId, versions, problem, playingId, reviews
           </li>
         ))}
       </ul>
+      {versions?.some(({ previewUrl }) => previewUrl !== null) && <Reel cueId={cue.id} cueName={cue.name} />}
     </Card>
   )
 }
