@@ -37,6 +37,7 @@ class MyProject(Schema):
     is_liaison: bool
     is_decider: bool
     engagement_kind: EngagementKind | None
+    nda_open: bool = Field(description="Brief, list and spec stay closed to the caller until the NDA is agreed.")
 
 
 class Me(Schema):

@@ -23,7 +23,7 @@ from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief
 from app.projects.models import Project
 from app.projects.queries import current_spec, deciders_of
-from app.projects.service import Standing, standing_in
+from app.projects.service import Standing, nda_is_open, standing_in
 from app.renders.models import Picture
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
@@ -62,6 +62,11 @@ def me(session: Session, actor: Actor, *, operators: Collection[str]) -> schemas
                 is_liaison=project.id in liaisons,
                 is_decider=project.id in deciders and deciders[project.id].id == person.id,
                 engagement_kind=engagements[project.id].kind if project.id in engagements else None,
+                nda_open=(
+                    project.studio_id not in actor.roles
+                    and project.id in engagements
+                    and nda_is_open(project, engagements[project.id])
+                ),
             )
             for project in projects
         ],

@@ -6596,6 +6596,11 @@ export interface components {
             /** Is Decider */
             is_decider: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
+            /**
+             * Nda Open
+             * @description Brief, list and spec stay closed to the caller until the NDA is agreed.
+             */
+            nda_open: boolean;
         };
         /**
          * MyStudio

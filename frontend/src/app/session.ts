@@ -12,6 +12,8 @@ export interface ShellData {
   /** Designers have a Desk; everyone of the studio has Today and Review. */
   side: 'studio' | 'designer'
   project: ShellProject | null
+  /** The project is closed to this person until its NDA is agreed; then all but its contracts is. */
+  ndaOpen: boolean
   projects: ShellProject[]
   /** What waits for this person, beside the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number }
@@ -34,6 +36,7 @@ export const NOBODY: ShellData = {
   person: null,
   side: 'studio',
   project: null,
+  ndaOpen: false,
   projects: [],
   counts: {},
   operates: false,

@@ -155,6 +155,7 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
         is_liaison: true,
         is_decider: true,
         engagement_kind: null,
+        nda_open: false,
         ...project,
       },
     ],

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from fastapi.testclient import TestClient
 from sqlalchemy import select
 
 from app.projects.models import Engagement
@@ -30,6 +31,11 @@ def ask_for_nda(world: World) -> None:
     assert answer.json()["nda_needed"] is True
 
 
+def told_open(caller: TestClient) -> bool:
+    (project,) = caller.get("/v1/me").json()["projects"]
+    return bool(project["nda_open"])
+
+
 def test_what_is_closed_opens_with_the_nda(world: World, contracts: Contracts):
     (cue,) = add(world, {"name": "Radar ping"})
     ask_for_nda(world)
@@ -42,9 +48,11 @@ def test_what_is_closed_opens_with_the_nda(world: World, contracts: Contracts):
     assert delivered.json()["code"] == "nda-needed"
     headed = world.designer.get(f"/v1/projects/{world.project_id}").json()
     assert headed["mine"]["nda_open"] is True
+    assert [told_open(each) for each in (world.designer, world.producer)] == [True, False]
     nda = contracts.begin("nda", title="NDA")
     agreed = contracts.agree(nda)
     assert world.designer.get(f"/v1/projects/{world.project_id}").json()["mine"]["nda_open"] is False
+    assert told_open(world.designer) is False
     for path in closed:
         assert world.designer.get(path).status_code == 200, path
 

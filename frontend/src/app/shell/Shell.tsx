@@ -1,4 +1,4 @@
-import { Outlet, useRouter } from '@tanstack/react-router'
+import { Outlet, useLocation, useRouter } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { isMac } from '@/ui/keyNames'
@@ -8,6 +8,7 @@ import { CommandPalette, useCommands } from '../palette'
 import type { Session } from '../session'
 import { ProjectName } from '../title'
 import { KeysSheet } from './KeysSheet'
+import { isClosed, NdaFirst } from './NdaFirst'
 import { useScheme } from './scheme'
 import { screensOf } from './screens'
 import classes from './Shell.module.css'
@@ -17,6 +18,7 @@ import { TopBar } from './TopBar'
 export function Shell({ session }: { session: Session }) {
   const data = session.useShell()
   const router = useRouter()
+  const { pathname } = useLocation()
   const [finding, setFinding] = useState(false)
   const [showingKeys, setShowingKeys] = useState(false)
   const { next: nextScheme, set: setScheme } = useScheme()
@@ -71,7 +73,11 @@ export function Shell({ session }: { session: Session }) {
         onKeys={() => setShowingKeys(true)}
       />
       <main id="main" tabIndex={-1} className={classes.main}>
-        <Outlet />
+        {data.project && data.ndaOpen && isClosed(pathname, data.project.id) ? (
+          <NdaFirst projectId={data.project.id} go={go} />
+        ) : (
+          <Outlet />
+        )}
       </main>
       <CommandPalette opened={finding} onClose={() => setFinding(false)} />
       <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />

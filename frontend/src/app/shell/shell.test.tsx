@@ -19,6 +19,7 @@ const PRODUCER: ShellData = {
     { id: 'p1', name: 'Shield Wing' },
     { id: 'p2', name: 'Deep Field' },
   ],
+  ndaOpen: false,
   counts: { review: 4 },
   operates: true,
   signOut: vi.fn(),

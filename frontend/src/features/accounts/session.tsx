@@ -41,7 +41,10 @@ function useShell(): ShellData {
   const project = me?.projects.find(({ id }) => id === wanted) ?? (projectId ? undefined : me?.projects[0])
   const isTeam = project?.part === 'team'
   const { data: queue } = useQuery({ ...queueQuery(project?.id ?? ''), enabled: isTeam })
-  const { data: desk } = useQuery({ ...deskQuery(project?.id ?? ''), enabled: project?.part === 'designer' })
+  const { data: desk } = useQuery({
+    ...deskQuery(project?.id ?? ''),
+    enabled: project?.part === 'designer' && !project.nda_open,
+  })
 
   useEffect(() => {
     if (project && project.id === projectId) keepLastProject(project.id)
@@ -61,6 +64,7 @@ function useShell(): ShellData {
     person: { name: me.person.name, role: isDemo ? me.person.name : partWord(me, project) },
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
     project: project ? { id: project.id, name: project.name } : null,
+    ndaOpen: project?.nda_open ?? false,
     projects: me.projects.map(({ id, name }) => ({ id, name })),
     counts: { review: queue?.length, desk: desk && desk.came_back.length + desk.unmatched },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),

@@ -2,6 +2,7 @@ import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query
 
 import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
+import { meQuery } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Project = Schemas['ProjectRead']
@@ -152,6 +153,8 @@ export function useDeed(contractId: string) {
         client.invalidateQueries({ queryKey: keys.record(contractId) }),
         client.invalidateQueries({ queryKey: keys.list(contract.project_id) }),
         client.invalidateQueries({ queryKey: ['project', contract.project_id] }),
+        // An NDA that is agreed opens the project.
+        client.invalidateQueries({ queryKey: meQuery.queryKey }),
       ])
     },
   })

@@ -161,6 +161,58 @@ describe('a designer', () => {
   })
 })
 
+describe('before the NDA is agreed', () => {
+  const closed = { ...ME, projects: [{ ...PROJECT, nda_open: true }] }
+  const nda = { ...CONTRACT, kind: 'nda', title: 'NDA' }
+  const found = (contracts: object[]) =>
+    serve(given({ 'GET /v1/me': closed, 'GET /v1/projects/p1/contracts': contracts }))
+
+  test.each(['', '/desk', '/sound-list', '/spec', '/money', '/game-files'])(
+    'a designer is told to read it in the place of projects/p1%s',
+    async (page) => {
+      const { asked } = found([nda])
+      openApp(`/projects/p1${page}`)
+      expect(await screen.findByRole('heading', { name: 'Read and accept the NDA first.', level: 1 })).toBeVisible()
+      expect(screen.queryByRole('alert')).toBeNull()
+      expect(asked.filter(({ path }) => path.startsWith('/v1/projects/')).map(({ path }) => path)).toEqual([
+        '/v1/projects/p1/contracts',
+      ])
+    },
+  )
+
+  test('the button opens its text, and accepting it opens the project', async () => {
+    const { answers } = found([nda])
+    answers['GET /v1/contracts/c1'] = nda
+    answers['POST /v1/contracts/c1/accept'] = { ...nda, state: 'agreed', waits_for: [], may: MAY }
+    const app = openApp('/projects/p1/desk')
+    const read = await screen.findByRole('button', { name: 'Read the NDA' })
+    const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+    expect(violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])
+    await userEvent.click(read)
+    expect(await screen.findByText('It includes 2 rounds.')).toBeVisible()
+    expect(app.at()).toBe(PAGE)
+    answers['GET /v1/me'] = ME
+    await userEvent.type(screen.getByLabelText('Your full name'), 'N. Designer{Enter}')
+    await screen.findByText('Agreed')
+    await userEvent.click(screen.getByRole('link', { name: /Sound list/ }))
+    expect(app.at()).toBe('/projects/p1/sound-list')
+    expect(screen.queryByRole('heading', { name: 'Read and accept the NDA first.' })).toBeNull()
+  })
+
+  test('who accepted it is told that the studio is next', async () => {
+    found([{ ...nda, waits_for: ['studio'] }])
+    openApp('/projects/p1/desk')
+    expect(await screen.findByRole('heading', { name: 'Your NDA waits for the studio.' })).toBeVisible()
+  })
+
+  test('where none was sent there is nothing to do but wait', async () => {
+    found([])
+    openApp('/projects/p1/desk')
+    expect(await screen.findByRole('heading', { name: 'The studio’s NDA is not here yet.' })).toBeVisible()
+    expect(screen.getByRole('button', { name: 'To the contracts' })).toBeVisible()
+  })
+})
+
 const accepted = (party: string, name: string) => ({
   party,
   name,
