@@ -34,7 +34,7 @@ UNIQUE_VIOLATION = "23505"
 CROSSED_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
 CONNECTION = {
     # Row policies make statements look dear, and compiling one takes longer than any of ours runs.
-    "options": "-c jit=off",
+    "options": "-cjit=off",  # without a space, which pg_dump would read as a plus
     # A host that is gone is noticed within half a minute.
     "connect_timeout": "10",
     "keepalives_idle": "10",

@@ -155,7 +155,7 @@ def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
             stage.take(cue, variation)
             stage.draft(stage.take(cue, variation))
     assert fetch(49) == for_one
-    assert for_one <= 20
+    assert for_one <= 24  # on PostgreSQL two of them say who asks
 
 
 def test_who_sees_the_queue(stage: Stage) -> None:
