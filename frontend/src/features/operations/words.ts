@@ -24,7 +24,7 @@ const JOBS: Partial<Record<string, string>> = {
   'renders.draw_mend': 'Draw a mended copy',
   'renders.draw_take': 'Draw a sound',
   'renders.make_next_of_batch': 'Make the next game files of a batch',
-  'renders.make_reel': 'Put takes in a row',
+  'renders.make_reel': 'Put versions in a row',
   'renders.make_renders': 'Make game files',
   'renders.plan_batch': 'Plan a batch of game files',
   'renders.renew_renders': 'Ask for new game files',

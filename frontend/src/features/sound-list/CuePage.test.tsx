@@ -182,21 +182,21 @@ test('all takes are heard in a row, once they are put together', async () => {
   }
   server.answers[`POST /v1/cues/${id}/reels`] = reel
   server.answers['GET /v1/reels/r1'] = { ...reel, state: 'made', duration_s: 1.12, file_url: '/v1/reels/r1/file' }
-  await userEvent.click(await screen.findByRole('button', { name: 'Hear all takes in a row' }))
-  expect(await screen.findByLabelText('All takes of coolant_splash in a row')).toHaveAttribute(
+  await userEvent.click(await screen.findByRole('button', { name: 'Hear all versions in a row' }))
+  expect(await screen.findByLabelText('All versions of coolant_splash in a row')).toHaveAttribute(
     'src',
     '/v1/reels/r1/file',
   )
   const download = screen.getByRole('link', { name: 'Download the reel' })
   expect(download).toHaveAttribute('href', '/v1/reels/r1/file')
   expect(download).toHaveAttribute('download', 'coolant_splash_reel.wav')
-  expect(screen.getByText(/One take, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
+  expect(screen.getByText(/One version, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
 })
 
 test('a reel that is refused says why', async () => {
   const { server, id } = opened()
   server.answers[`POST /v1/cues/${id}/reels`] = refusal(409, 'takes-being-drawn', 'a take is still being drawn')
-  await userEvent.click(await screen.findByRole('button', { name: 'Hear all takes in a row' }))
+  await userEvent.click(await screen.findByRole('button', { name: 'Hear all versions in a row' }))
   expect(await screen.findByRole('alert')).toHaveTextContent('a take is still being drawn')
   expect(screen.queryByRole('link', { name: 'Download the reel' })).not.toBeInTheDocument()
 })

@@ -11,7 +11,7 @@ const SLATES = {
   none: '',
 } as const satisfies Record<Made['slates'], string>
 
-/** All takes of a cue in a row, made when asked for; to be listened to, never for what ships. */
+/** All versions of a cue in a row, made when asked for; to be listened to, never for what ships. */
 export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
   const { ask, reel, error } = useReel(cueId)
   const problem = problemIn(error)
@@ -20,7 +20,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
     <div className={classes.inside}>
       <div className="row wrap">
         <Button icon="headphones" disabled={making} onClick={() => ask.mutate()}>
-          Hear all takes in a row
+          Hear all versions in a row
         </Button>
         {reel?.file_url && (
           <ButtonLink href={reel.file_url} download={reel.file_name} icon="download">
@@ -32,7 +32,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
         {making && 'Putting them in a row …'}
         {reel?.file_url &&
           !making &&
-          `${reel.takes.length === 1 ? 'One take' : `${reel.takes.length} takes`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} To listen to only: a reel is in no pack.`}
+          `${reel.takes.length === 1 ? 'One version' : `${reel.takes.length} versions`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} To listen to only: a reel is in no pack.`}
       </p>
       {reel?.file_url && !making && (
         // eslint-disable-next-line jsx-a11y/media-has-caption -- all that is said in it are numbers, which are on the page
@@ -42,7 +42,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
           src={reel.file_url}
           controls
           autoPlay
-          aria-label={`All takes of ${cueName} in a row`}
+          aria-label={`All versions of ${cueName} in a row`}
         />
       )}
       {reel?.refusal && <ProblemNote detail={reel.refusal} />}
