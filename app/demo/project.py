@@ -334,7 +334,8 @@ class _Maker:
                 stray.write(assets)
             files = sorted(assets.rglob("*.wav"))
             spec = audio_checks.parse_spec(self._producer.ask("GET", f"{path}/spec.toml").decode())
-            report = audio_checks.check_files(files, spec, target="game").to_dict()
+            sounds = audio_checks.read_sound_list(self._producer.ask("GET", f"{path}/sound-list.csv").decode())
+            report = audio_checks.check_files(files, spec, target="game", sound_list=sounds).to_dict()
             for file in report["files"]:
                 file["path"] = str(Path(file["path"]).relative_to(folder))
         build = {"label": label, "commit": "", "target": "game", "report": report}
