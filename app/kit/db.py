@@ -1,7 +1,7 @@
 """The database: one engine, sessions for requests and jobs, ids, and the types that both databases share."""
 
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from enum import StrEnum
@@ -11,6 +11,7 @@ from uuid import UUID
 
 import sqlalchemy as sa
 from sqlalchemy import Dialect, MetaData, event
+from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.engine import make_url
 from sqlalchemy.orm import DeclarativeBase, Session
@@ -172,6 +173,25 @@ def reach_further(session: Session, reach: Reach) -> None:
     if _is_guarded(session):
         session.flush()
         _say_reach(session.connection(), reach)
+
+
+def insert_unless_there(
+    session: Session,
+    table: type[Base],
+    values: Mapping[str, Any],
+    *,
+    unique: Sequence[str],
+    where: sa.ColumnElement[bool] | None = None,
+) -> bool:
+    """Insert a row unless another has its unique columns, written by whoever else; return whether it is new.
+
+    An INSERT that trips over the other row would undo all that its transaction did before; `where` is the unique
+    index's own condition. On PostgreSQL it waits for a transaction that has just written the other row.
+    """
+    is_postgresql = session.get_bind().dialect.name == "postgresql"
+    insert = postgresql.insert(table) if is_postgresql else sqlite.insert(table)
+    insert = insert.values(**values).on_conflict_do_nothing(index_elements=unique, index_where=where)
+    return session.scalar(insert.returning(sa.literal(1))) is not None
 
 
 @contextmanager

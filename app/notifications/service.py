@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor, Role
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
+from app.kit.db import insert_unless_there, new_id
 from app.kit.events import publish
 from app.notifications import queries
 from app.notifications.errors import MailBusy, MailNotFound
@@ -30,24 +31,24 @@ def write_mail(
     delay_s: float = 0,
 ) -> None:
     """Add news to the recipient's open mail on the topic, or begin one and have it sent after the delay."""
-    mail = queries.open_mail(session, topic, recipient)
-    if mail is not None:
-        if event_id not in mail.event_ids:
-            mail.lines = [*mail.lines, line]
-            mail.event_ids = [*mail.event_ids, event_id]
-        return
-    mail = Mail(
-        studio_id=studio_id,
-        topic=topic,
-        recipient=recipient,
-        subject=subject,
-        lines=[line],
-        event_ids=[event_id],
-        link=link,
-    )
-    session.add(mail)
-    session.flush()
-    publish(session, "mail.written", studio_id=mail.studio_id, delay_s=delay_s, mail_id=mail.id)
+    facts = {
+        "id": new_id(),
+        "studio_id": studio_id,
+        "topic": topic,
+        "recipient": recipient,
+        "subject": subject,
+        "lines": [line],
+        "event_ids": [event_id],
+        "link": link,
+    }
+    # What another job has just begun is joined; a mail that is sealed between the two is followed by another.
+    while (mail := queries.open_mail(session, topic, recipient)) is None:
+        if insert_unless_there(session, Mail, facts, unique=("topic", "recipient"), where=Mail.sealed_at.is_(None)):
+            publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=facts["id"])
+            return
+    if event_id not in mail.event_ids:
+        mail.lines = [*mail.lines, line]
+        mail.event_ids = [*mail.event_ids, event_id]
 
 
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:

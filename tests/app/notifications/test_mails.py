@@ -2,6 +2,7 @@
 
 import asyncio
 import socket
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -193,3 +194,32 @@ def test_mail_about_an_account_is_nobodys_but_its_owners(world: World):
         reset = session.query(Mail).filter_by(recipient=address, studio_id=None).one()
     assert world.producer.post(f"/v1/mails/{reset.id}/send").status_code == 404
     assert isinstance(reset.id, UUID)
+
+
+def test_two_jobs_that_tell_at_the_same_moment_write_one_mail(world: World):
+    database, topic = world.server.runtime.database, f"approved:{uuid4()}"
+
+    def tell(session: Session, event_id: str) -> None:
+        service.write_mail(
+            session,
+            event_id=event_id,
+            studio_id=world.studio_id,
+            topic=topic,
+            recipient="maker@example.test",
+            subject="sounds approved",
+            line=event_id,
+            delay_s=3600,
+        )
+
+    def second() -> None:
+        with database.writing() as session:
+            tell(session, "second")
+
+    with ThreadPoolExecutor(1) as other:
+        with database.writing() as session:
+            tell(session, "first")
+            telling = other.submit(second)
+            time.sleep(0.3)  # the second looks for an open mail, and finds none that is committed
+        telling.result(timeout=20)
+    (mail,) = [each for each in outbox(world) if each["recipient"] == "maker@example.test"]
+    assert str(mail["text"]).startswith("first\n\nsecond")
