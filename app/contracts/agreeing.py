@@ -85,7 +85,7 @@ def party_of(actor: Actor, contract: Contract) -> Party | None:
 
 def contracts_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
     """Return the contracts of a project that the caller may see, the oldest first."""
-    standing_in(session, actor, project_id, before_nda=True)
+    standing_in(session, actor, project_id, before_nda=True).ensure_party()
     return queries.contracts_in(session, actor, project_id)
 
 

@@ -12,6 +12,7 @@ from app.accounts.rules import Actor
 from app.contracts import money_queries
 from app.contracts.errors import CalendarNotFound
 from app.contracts.models import CalendarLink, Contract, Milestone
+from app.contracts.queries import agreed_in
 from app.kit import clock
 from app.kit.db import beyond_reach, reach_further
 from app.kit.money import money
@@ -26,6 +27,7 @@ REFRESH = timedelta(hours=6)
 def make_link(session: Session, actor: Actor, project_id: UUID) -> str:
     """Return the secret of the caller's calendar of a project; an earlier one loses its worth."""
     standing = standing_in(session, actor, project_id)
+    standing.ensure_party()
     withdraw_links(session, actor, project_id)
     secret = new_secret()
     session.add(
@@ -62,7 +64,7 @@ def feed(session: Session, secret: str) -> bytes:
     except ProjectNotFound:
         raise CalendarNotFound("whoever made this calendar sees the project no longer") from None
     calendar = Calendar.new(name=standing.project.name, prodid="-//Soundlist//EN", refresh_interval=REFRESH)
-    for contract in money_queries.agreed_in(session, link.project_id, designer_id=standing.only_designer_id):
+    for contract in agreed_in(session, actor, link.project_id):
         for event in _events(session, contract, standing.project):
             calendar.add_component(event)
     return bytes(calendar.to_ical())

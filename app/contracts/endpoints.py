@@ -35,7 +35,7 @@ from app.contracts.models import Contract, ContractTemplate, ContractVersion
 from app.contracts.rules import ContractKind, ContractState, Party
 from app.contracts.text import Block, blocks_of
 from app.kit.http import CurrentRuntime, DbSession, Route, problems
-from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound
+from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
 router = APIRouter(prefix="/v1", tags=["contracts"], route_class=Route)
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
@@ -133,7 +133,7 @@ def _attachment(name: str) -> dict[str, str]:
 @router.get("/contract-library/{kind}")
 def read_contract_library(
     kind: ContractKind,
-    actor: Actor = allows(Sight.PERSON),  # noqa: ARG001  nobody's in particular
+    _actor: Actor = allows(Sight.PERSON),
 ) -> schemas.LibraryRead:
     """Return the clauses that the library has for a kind of contract, and what they leave open."""
     return schemas.LibraryRead(
@@ -157,7 +157,7 @@ def read_contract_library(
 @router.get("/contract-library/{kind}/template.toml", response_class=PlainTextResponse)
 def download_library_template(
     kind: ContractKind,
-    actor: Actor = allows(Sight.PERSON),  # noqa: ARG001  nobody's in particular
+    _actor: Actor = allows(Sight.PERSON),
 ) -> PlainTextResponse:
     """Return what the library has for a kind as a template file."""
     return PlainTextResponse(templates.library_toml(kind), media_type=TOML, headers=_attachment(f"{kind}.toml"))
@@ -277,7 +277,7 @@ def download_contract_template_text(
 @router.get(
     "/projects/{project_id}/contracts",
     response_model=list[schemas.ContractBrief],
-    responses=problems(ProjectNotFound),
+    responses=problems(ProjectNotFound, TeamNeeded),
 )
 def list_contracts(
     project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)

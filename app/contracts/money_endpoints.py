@@ -42,7 +42,7 @@ from app.contracts.errors import (
 )
 from app.contracts.milestones import PlannedCue, PlannedMilestone
 from app.kit.http import CurrentRuntime, DbSession, Route, problems
-from app.projects.errors import ProducerNeeded, ProjectNotFound
+from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
 router = APIRouter(prefix="/v1", tags=["money"], route_class=Route)
@@ -269,7 +269,9 @@ def agree_day(worked_day_id: UUID, session: DbSession, actor: Actor = allows(Sig
     return days.worked_day(session, days.agree_day(session, actor, worked_day_id))
 
 
-@_secret_router.post("/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound))
+@_secret_router.post(
+    "/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound, TeamNeeded)
+)
 def make_calendar(
     project_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> schemas.CalendarLinkMade:
@@ -287,7 +289,7 @@ def withdraw_calendar(project_id: UUID, session: DbSession, actor: Actor = allow
 @_secret_router.get(
     "/calendars/{secret}", response_class=Response, responses=CALENDAR_ANSWER | problems(CalendarNotFound)
 )
-def read_calendar(secret: str, session: DbSession, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
+def read_calendar(secret: str, session: DbSession, _actor: Actor = allows(Sight.ANYONE)) -> Response:
     """Return the dates of contracts as iCalendar, for whoever holds the address."""
     return Response(calendar.feed(session, secret), media_type=calendar.ICALENDAR)
 

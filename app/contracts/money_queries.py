@@ -22,7 +22,7 @@ from app.contracts.models import (
     WorkedDay,
     WorkLog,
 )
-from app.contracts.rules import ContractKind, ContractState
+from app.contracts.rules import ContractState
 from app.sound_lists.models import Cue
 
 
@@ -203,16 +203,3 @@ def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequenc
             CalendarLink.revoked_at.is_(None),
         )
     ).all()
-
-
-def agreed_in(session: Session, project_id: UUID, *, designer_id: UUID | None) -> Sequence[Contract]:
-    """Return the agreed and ended contracts about work in a project; of one designer where one is given."""
-    found = select(Contract).where(
-        Contract.project_id == project_id,
-        Contract.state.in_((ContractState.AGREED, ContractState.ENDED)),
-        Contract.agreed_at.is_not(None),
-        Contract.kind.in_((ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK)),
-    )
-    if designer_id is not None:
-        found = found.where(Contract.designer_id == designer_id)
-    return session.scalars(found.options(joinedload(Contract.designer)).order_by(Contract.number)).all()

@@ -1,4 +1,7 @@
-"""Contracts within the caller's reach: the studio's team sees all of the studio's, a designer their own."""
+"""Contracts within the caller's reach: those who speak for the studio see its side's, a designer their own.
+
+A price is between two parties. Who only reviews or implements, another designer's colleague perhaps, sees none of it.
+"""
 
 from collections.abc import Collection, Iterator, Sequence
 from uuid import UUID
@@ -6,19 +9,25 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
-from app.accounts.rules import Actor
+from app.accounts.rules import Actor, Role
 from app.contracts.models import Contract, ContractAcceptance, ContractEvent, ContractTemplate, ContractVersion
 from app.contracts.rules import ContractKind, ContractState, Party
-from app.projects.models import Project
+from app.projects.models import Liaison, Project
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
 
 
 def in_reach(actor: Actor) -> ColumnElement[bool]:
-    """Return which contracts a caller may see; one is the studio's alone until it was sent once."""
+    """Return which contracts a caller may see: a producer the studio's, a liaison the project's, a designer their own.
+
+    One is the studio's alone until it was sent once.
+    """
+    produces = [studio_id for studio_id, roles in actor.roles.items() if Role.PRODUCER in roles]
+    named = exists().where(Liaison.project_id == Contract.project_id, Liaison.person_id == actor.person_id)
+    speaks = or_(Contract.studio_id.in_(produces), Contract.studio_id.in_(actor.roles) & named)
     was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
     is_shown = or_(Contract.state == ContractState.AGREED, was_sent)
-    return or_(Contract.studio_id.in_(actor.roles), (Contract.designer_id == actor.person_id) & is_shown)
+    return or_(speaks, (Contract.designer_id == actor.person_id) & is_shown)
 
 
 def contract_for(session: Session, actor: Actor, contract_id: UUID) -> Contract | None:
@@ -31,6 +40,22 @@ def contracts_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[C
     return session.scalars(
         select(Contract)
         .where(Contract.project_id == project_id, in_reach(actor))
+        .options(*WHOLE)
+        .order_by(Contract.number)
+    ).all()
+
+
+def agreed_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
+    """Return the agreed and ended contracts about work in a project that the caller may see, the oldest first."""
+    return session.scalars(
+        select(Contract)
+        .where(
+            Contract.project_id == project_id,
+            Contract.agreed_at.is_not(None),
+            Contract.state.in_((ContractState.AGREED, ContractState.ENDED)),
+            Contract.kind.in_((ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK)),
+            in_reach(actor),
+        )
         .options(*WHOLE)
         .order_by(Contract.number)
     ).all()

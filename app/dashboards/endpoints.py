@@ -67,7 +67,7 @@ def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Si
     return service.overview(session, actor, project_id)
 
 
-@router.get("/projects/{project_id}/money", responses=problems(ProjectNotFound))
+@router.get("/projects/{project_id}/money", responses=problems(ProjectNotFound, TeamNeeded))
 def read_project_money(
     project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> schemas.ProjectMoney:

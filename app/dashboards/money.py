@@ -11,11 +11,13 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.contracts import money_queries
+from app.contracts.agreeing import party_of
 from app.contracts.invoices import invoice_read
 from app.contracts.ledger import book_of, terms_of
 from app.contracts.models import Contract
 from app.contracts.money import extra_round_read, figures, milestones_read, priced_by_cue
 from app.contracts.money_schemas import FiguresRead, InvoiceRead, MilestoneRead
+from app.contracts.queries import agreed_in
 from app.contracts.slip import Holder, Turn, growth_days, slip_of
 from app.dashboards import queries, schemas
 from app.kit import clock
@@ -23,10 +25,16 @@ from app.projects.service import standing_in
 
 
 def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.ProjectMoney:
-    """Return the money of a project: the team sees every agreed contract, a designer their own."""
+    """Return the money of a project: who speaks for the studio sees every agreed contract, a designer their own.
+
+    Raises TeamNeeded for the rest of the team. How late a designer is, the two parties see alone.
+    """
     standing = standing_in(session, actor, project_id)
-    contracts = money_queries.agreed_in(session, project_id, designer_id=standing.only_designer_id)
-    read = [_contract_money(session, contract) for contract in contracts]
+    standing.ensure_party()
+    read = [
+        _contract_money(session, contract, with_slips=party_of(actor, contract) is not None)
+        for contract in agreed_in(session, actor, project_id)
+    ]
     totals: dict[str, list[FiguresRead]] = defaultdict(list)
     for one in read:
         totals[one.currency].append(one.figures)
@@ -41,12 +49,12 @@ def _added(figures_of_each: list[FiguresRead]) -> FiguresRead:
     return FiguresRead(**{name: sum(getattr(one, name) for one in figures_of_each) for name in names})
 
 
-def _contract_money(session: Session, contract: Contract) -> schemas.ContractMoney:
+def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -> schemas.ContractMoney:
     book, terms = book_of(session, contract), terms_of(session, contract)
     milestones = milestones_read(session, contract, book)
     rounds, cues = money_queries.extra_rounds_of(session, contract.id), priced_by_cue(session, contract)
     invoices = [invoice_read(session, contract, book, one) for one in money_queries.invoices_of(session, contract.id)]
-    slips = _slips(session, contract.project_id, milestones)
+    slips = _slips(session, contract.project_id, milestones) if with_slips else {}
     late_days = [slips[one.id].days for one in milestones if one.id in slips]
     return schemas.ContractMoney(
         contract_id=contract.id,

@@ -284,6 +284,8 @@ class _Maker:
                 visitor.ask("POST", f"{contract}/accept", json=accept)
 
     def _plan(self) -> list[dict[str, Any]]:
+        # Nothing is dated back: the record is chained over the moments at which things were done, and these are now.
+        # So the palette is due on the day on which the demo is made, and is accepted and paid in time on it.
         today = clock.now().date()
         deposit = {"name": "Deposit", "amount_minor": cues.DEPOSIT_MINOR, "is_deposit": True}
         milestones = [

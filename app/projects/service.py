@@ -78,6 +78,14 @@ class Standing:
         if not (self.is_producer or self.is_liaison or self.is_decider):
             raise TeamNeeded("only a producer or a liaison of this project can do this")
 
+    def ensure_party(self) -> None:
+        """Raise TeamNeeded for members of the studio who do not speak for it, and so see no contract and no money.
+
+        Designers pass: they see their own.
+        """
+        if self.is_team:
+            self.ensure_speaks()
+
     def ensure_decider(self) -> None:
         """Raise DeciderNeeded unless the caller has the last word."""
         if not self.is_decider:

@@ -13158,6 +13158,15 @@ export interface operations {
                     "application/json": components["schemas"]["CalendarLinkMade"];
                 };
             };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `project-not-found` */
             404: {
                 headers: {
@@ -13770,6 +13779,15 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ContractBrief"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `project-not-found` */
@@ -18769,6 +18787,15 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ProjectMoney"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `project-not-found` */

@@ -14,6 +14,8 @@ export interface ShellData {
   project: ShellProject | null
   /** The project is closed to this person until its NDA is agreed; then all but its contracts is. */
   ndaOpen: boolean
+  /** The project's contracts and money are this person's to see. */
+  isParty: boolean
   projects: ShellProject[]
   /** What waits for this person, beside the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number }
@@ -37,6 +39,7 @@ export const NOBODY: ShellData = {
   side: 'studio',
   project: null,
   ndaOpen: false,
+  isParty: false,
   projects: [],
   counts: {},
   operates: false,

@@ -43,6 +43,11 @@ export function useMyProject(projectId: string): MyProject | undefined {
 const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
   (await everyPage(read)).flatMap(({ items }) => items)
 
+/** Whether contracts and money are between this person and another: who only reviews or implements sees neither. */
+export const isParty = (project: MyProject | undefined): boolean =>
+  project !== undefined &&
+  (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_decider)
+
 /** How often a screen that people leave open asks whether something new arrived. */
 export const ARRIVALS_MS = 15_000
 

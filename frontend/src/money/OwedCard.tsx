@@ -76,7 +76,8 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
           )}
           <span className="small mid">
             Paid {amount(figures.paid_minor, currency)}
-            {contract.last_days_to_pay !== null && `; last after ${plural(contract.last_days_to_pay, 'day')}`}
+            {contract.last_days_to_pay !== null &&
+              `; last ${contract.last_days_to_pay === 0 ? 'on the day of the invoice' : `after ${plural(contract.last_days_to_pay, 'day')}`}`}
           </span>
         </div>
       </div>

@@ -130,19 +130,6 @@ def test_the_pdf_is_the_same_each_time(agreed: Agreed) -> None:
     assert first.content == second.content
 
 
-def test_who_may(agreed: Agreed) -> None:
-    accept_alpha(agreed)
-    world, issued = agreed.world, agreed.invoice()
-    body = {"amount_minor": 1, "reference": "T", "paid_on": TODAY.isoformat()}
-    assert refused(world.designer.post(f"/v1/invoices/{issued['id']}/payments", json=body)) == (403, "producer-needed")
-    assert refused(world.reviewer.post(f"/v1/invoices/{issued['id']}/payments", json=body)) == (403, "producer-needed")
-    for outsider in (world.stranger, world.other_designer):
-        for path in (f"contracts/{agreed.contract_id}/ledger", f"invoices/{issued['id']}"):
-            assert outsider.get(f"/v1/{path}").status_code == 404
-    mine = world.producer.post(f"/v1/contracts/{agreed.contract_id}/invoices", json={"seller": "me"})
-    assert refused(mine) == (403, "other-party-needed")
-
-
 def test_a_plan_is_fixed_once_agreed_and_says_all_its_faults_before(agreed: Agreed) -> None:
     cue = agreed.cue("radar_ping")
     wrong = agreed.plan(
@@ -194,7 +181,7 @@ def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
     read = told(agreed.world.designer.get(address))
     assert read["cue_habit"]["mean_percent"] == pytest.approx(30)
     assert read["cue_habit"]["habit"] == "steady"
-    assert refused(agreed.world.reviewer.get(address)) == (403, "producer-needed")
+    assert refused(agreed.world.decider.get(address)) == (403, "producer-needed")
 
 
 def test_a_steady_habit_forecasts_the_open_milestone(agreed: Agreed) -> None:

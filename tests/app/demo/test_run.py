@@ -143,6 +143,8 @@ def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
         ("Alpha", 3, 10, 180_000),
         ("Beta", 0, 7, 236_250),
     ]
+    assert [(slip["name"], slip["days"]) for slip in contract["slips"]] == [("Palette", 0)]  # in time
+    assert contract["last_days_to_pay"] == 0
     (extra,) = contract["proposed_rounds"]
     assert (extra["cue"]["name"], extra["number"], extra["included"], extra["amount_minor"]) == (
         "missile_launch", 3, 2, 7_875,

@@ -18,14 +18,15 @@ export function screenOf(screens: readonly Screen[], pathname: string): Screen |
 }
 
 /** The tabs of the person's role, in their order. */
-export function screensOf({ person, side, project, counts }: ShellData): Screen[] {
+export function screensOf({ person, side, project, isParty, counts }: ShellData): Screen[] {
   if (person === null) return []
   const inProject: Screen[] = project
     ? [{ label: 'Sound list', path: `/projects/${project.id}/sound-list`, icon: 'lines', letter: 'l' }]
     : []
-  const contractTab: Screen[] = project
-    ? [{ label: 'Contract', path: `/projects/${project.id}/contracts`, icon: 'file', letter: 'c' }]
-    : []
+  const contractTab: Screen[] =
+    project && isParty
+      ? [{ label: 'Contract', path: `/projects/${project.id}/contracts`, icon: 'file', letter: 'c' }]
+      : []
   const projectTab: Screen = project
     ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p' }
     : { label: 'Projects', path: '/projects', icon: 'sliders', letter: 'p' }

@@ -20,6 +20,7 @@ const PRODUCER: ShellData = {
     { id: 'p2', name: 'Deep Field' },
   ],
   ndaOpen: false,
+  isParty: true,
   counts: { review: 4 },
   operates: true,
   signOut: vi.fn(),
@@ -164,4 +165,10 @@ test('before anyone is let in, nothing of the page is shown', async () => {
   await open(PRODUCER, '/projects/p1/today', () => Promise.reject(new Error('the server is away')))
   expect(await screen.findByRole('alert')).toHaveTextContent('This page did not open.')
   expect(screen.queryByRole('heading', { name: 'Today' })).not.toBeInTheDocument()
+})
+
+test('who only reviews has no tab for contracts', () => {
+  const labels = (data: ShellData) => screensOf(data).map(({ label }) => label)
+  expect(labels(PRODUCER)).toContain('Contract')
+  expect(labels({ ...PRODUCER, isParty: false })).toEqual(['Today', 'Sound list', 'Review', 'Project'])
 })

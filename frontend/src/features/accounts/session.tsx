@@ -7,7 +7,7 @@ import { deskQuery } from '@/app/desk'
 import { keepLastProject, lastProject } from '@/app/lastProject'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
-import { queueQuery } from '@/judging/api'
+import { isParty, queueQuery } from '@/judging/api'
 
 import { meQuery, sessionQuery } from './api'
 import { DemoSwitch } from './DemoSwitch'
@@ -65,6 +65,7 @@ function useShell(): ShellData {
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
     project: project ? { id: project.id, name: project.name } : null,
     ndaOpen: project?.nda_open ?? false,
+    isParty: isParty(project),
     projects: me.projects.map(({ id, name }) => ({ id, name })),
     counts: { review: queue?.length, desk: desk && desk.came_back.length + desk.unmatched },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),

@@ -3,7 +3,7 @@ import { useParams } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
 import { useTitle } from '@/app/title'
-import { useMyProject } from '@/judging/api'
+import { isParty, useMyProject } from '@/judging/api'
 import { type ContractMoney, moneyQuery } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
@@ -22,7 +22,8 @@ export function MoneyPage() {
   useTitle('Money')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/money' })
   const project = useMyProject(projectId)
-  const { data, error } = useQuery(moneyQuery(projectId))
+  const mayLook = isParty(project)
+  const { data, error } = useQuery({ ...moneyQuery(projectId), enabled: mayLook })
   const side = project?.part === 'designer' ? 'designer' : 'team'
   return (
     <div className="page">
@@ -37,6 +38,12 @@ export function MoneyPage() {
         </div>
       </header>
       {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      {project && !mayLook && (
+        <EmptyState head="Money is between those who pay and those who are paid.">
+          The studio’s producers, the liaisons of this project and its designers see it here. You review: prices are no
+          matter of yours.
+        </EmptyState>
+      )}
       {data?.contracts.length === 0 && (
         <EmptyState head="No contract is agreed here.">
           {side === 'team'

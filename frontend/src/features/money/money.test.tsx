@@ -216,6 +216,13 @@ describe('a producer', () => {
   })
 })
 
+test('who only reviews is told that prices are not theirs, and nothing is asked', async () => {
+  server.on('GET /v1/me', aMe({ is_liaison: false, is_decider: false }))
+  openApp(PAGE)
+  expect(await screen.findByRole('heading', { name: /Money is between those who pay/ })).toBeVisible()
+  expect(server.of(`GET /v1/projects/${PROJECT}/money`)).toHaveLength(0)
+})
+
 describe('a designer', () => {
   beforeEach(() => {
     server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_decider: false }))

@@ -331,6 +331,20 @@ test('a version that is not there says so', async () => {
   expect(await screen.findByRole('heading', { level: 1, name: 'This version is not here.' })).toBeInTheDocument()
 })
 
+test('a version that an NDA keeps closed leads to the NDA', async () => {
+  const me = aMe({ part: 'designer', is_liaison: false, is_decider: false, nda_open: true })
+  server
+    .on('GET /v1/me', me)
+    .on('GET /v1/takes/t1', refusal(403, 'nda-needed', 'this project shows its brief once its NDA is accepted'))
+    .on(`GET /v1/projects/${PROJECT}/contracts`, [
+      { id: 'nda-1', kind: 'nda', state: 'sent', title: 'NDA', waits_for: ['designer', 'studio'] },
+    ])
+  const app = openApp('/takes/t1')
+  expect(await screen.findByRole('heading', { level: 1, name: 'Read and accept the NDA first.' })).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Read the NDA' }))
+  await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/contracts/nda-1`))
+})
+
 test('the page is without fault for those who listen to it', async () => {
   await opened()
   await card('Mend')

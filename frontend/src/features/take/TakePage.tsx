@@ -4,6 +4,7 @@ import { type ReactNode, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
+import { NdaFirst } from '@/app/shell/NdaFirst'
 import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
 import { meQuery, useMyProject } from '@/judging/api'
@@ -30,6 +31,7 @@ export function TakePage() {
   useTitle(take ? nameOf(take) : 'Version')
   if (take === undefined) {
     const problem = error instanceof ApiProblem ? error : null
+    if (problem?.code === 'nda-needed') return <Closed />
     return (
       <div className="page">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This version is not here.' : 'Version'}</h1>
@@ -38,6 +40,15 @@ export function TakePage() {
     )
   }
   return <WithSounds key={take.id} take={take} />
+}
+
+/** The version of a project that its NDA keeps closed; the refusal names no project, so each that waits has its way. */
+function Closed() {
+  const navigate = useNavigate()
+  const { data: me } = useQuery(meQuery)
+  return me?.projects
+    .filter(({ nda_open }) => nda_open)
+    .map(({ id }) => <NdaFirst key={id} projectId={id} go={(path) => void navigate({ href: path })} />)
 }
 
 const nameOf = ({ cue, file_name, number }: Take): string =>

@@ -6,7 +6,7 @@ import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
-import { queueQuery, useMyProject } from '@/judging/api'
+import { isParty, queueQuery, useMyProject } from '@/judging/api'
 import { firstOpen } from '@/judging/choice'
 import { isNoted } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
@@ -46,7 +46,7 @@ export function TodayPage(): ReactNode {
   const open = items.filter((item) => !isNoted(item))
   const first = firstOpen(items)
   const rest = items.filter((item) => item !== first)
-  const money = useQuery(moneyQuery(projectId))
+  const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
   const mayDecide = project?.is_decider ?? false
