@@ -51,6 +51,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "pack.asked": ("builds.seal_pack",),
     "batch.asked": ("renders.plan_batch",),
     "reel.asked": ("renders.make_reel",),
+    "master_export.asked": ("renders.export_master",),
     "list.revised": ("notifications.tell_list_revised",),
     "question.asked": ("notifications.tell_question",),
     "question.answered": ("notifications.tell_answer",),

@@ -11,11 +11,13 @@ from app.kit.blob_answer import blob_answer
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
-from app.renders import batches, reels, service
+from app.renders import batches, master_exports, reels, service
 from app.renders.errors import (
     BatchEnded,
     BatchNotFound,
     LossUnknown,
+    MasterExportNotFound,
+    MasterExportNotMade,
     NotDrawn,
     NothingRendered,
     NothingToHear,
@@ -33,6 +35,7 @@ from app.renders.schemas import (
     BatchRead,
     BatchSummary,
     LossRead,
+    MasterExportRead,
     PeaksRead,
     ReelAdd,
     ReelRead,
@@ -189,4 +192,48 @@ def get_reel_file(
     sha256 = reels.file_of(reel)
     return blob_answer(
         request, runtime.store, reel.studio_id, sha256, media_type="audio/wav", file_name=reel.file_name, by_link=True
+    )
+
+
+@router.post(
+    "/takes/{take_id}/master-exports",
+    status_code=201,
+    response_model=MasterExportRead,
+    responses=problems(TakeNotFound),
+)
+def add_master_export(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
+    """Have a take's master copied with what is known of it written into it; the master stays as it was delivered."""
+    return master_exports.export_read(master_exports.ask_for_export(session, actor, take_id))
+
+
+@router.get(
+    "/master-exports/{master_export_id}", response_model=MasterExportRead, responses=problems(MasterExportNotFound)
+)
+def get_master_export(master_export_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
+    """Return whether a master with its provenance is made, and what it says."""
+    return master_exports.export_read(master_exports.export_in_sight(session, actor, master_export_id))
+
+
+@router.get(
+    "/master-exports/{master_export_id}/file",
+    response_class=Response,
+    responses={
+        200: {"content": {"audio/wav": {}}},
+        **problems(MasterExportNotFound, MasterExportNotMade, BlobMissing),
+    },
+)
+def get_master_export_file(
+    master_export_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
+) -> Response:
+    """Download a master that says where it comes from, in bext and in iXML with the fields of ASWG-G006."""
+    export = master_exports.export_in_sight(session, actor, master_export_id)
+    sha256 = master_exports.file_of(export)
+    return blob_answer(
+        request,
+        runtime.store,
+        export.studio_id,
+        sha256,
+        media_type="audio/wav",
+        file_name=export.file_name,
+        by_link=True,
     )

@@ -55,5 +55,13 @@ class ReelTooLong(Conflict):
     """The takes of the cue are too many or too long for one reel."""
 
 
+class MasterExportNotFound(NotFound):
+    """No handed-out master of that id within the caller's sight."""
+
+
+class MasterExportNotMade(Conflict):
+    """The copy has no file: it is still being made, or could not be."""
+
+
 class ReelNotMade(Conflict):
     """The reel has no file: it is still being made, or could not be."""

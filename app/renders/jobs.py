@@ -5,7 +5,7 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from uuid import UUID
 
 import numpy as np
@@ -18,17 +18,19 @@ from app.kit import kill
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
-from app.renders import batches, drawing, queries, reel_sound, reels, service
+from app.renders import batches, drawing, master_exports, queries, reel_sound, reels, service
 from app.renders.models import Picture, Render
 from app.renders.rules import Recipe, RenderState
-from audio_checks import RenderRefused, Sandbox, SandboxFailed, Unreadable, spoken
+from audio_checks import Exported, RenderRefused, Sandbox, SandboxFailed, Unreadable, export_master, spoken
 
 log = structlog.get_logger(__name__)
+R = TypeVar("R")
 TRIES = 3
 TIMEOUT_S = 300.0
 MEMORY_BYTES = 1 << 30
 RENDERS = Counter("soundlist_renders", "Game files made, or refused.", ["state"])
 OUR_FAULT = "the renderer itself failed three times; that is our fault, and nothing is wrong with the master"
+NO_EXPORT = "the copy could not be made; that is our fault, and the master is whole: ask for it again"
 NO_REEL = "the reel could not be made; that is our fault, and the takes are whole: ask for it again"
 
 
@@ -81,7 +83,7 @@ def _draw(runtime: Runtime, studio_id: UUID, sha256: str, *, loop: bool) -> None
         service.keep_picture(session, picture)
 
 
-def _tried(call: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+def _tried(call: Callable[[], R]) -> R:
     """Return what a sandboxed call gives, tried again when its child fails; the last failure is raised."""
     for _ in range(TRIES - 1):
         try:
@@ -216,6 +218,35 @@ def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
     kill.point("renders.batch_after_commit")
 
 
+@job("renders.export_master")
+def write_provenance(runtime: Runtime, payload: Payload) -> None:
+    """Copy a master with what is known of it written into the copy."""
+    export_id = UUID(payload["export_id"])
+    with runtime.database.reading() as session:
+        found = master_exports.to_make(session, export_id)
+    if found is None:
+        return
+    export, master_sha256, provenance = found
+    refusal, blob, left = "", None, []
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+        out = Path(folder, "master.wav")
+        try:
+            with runtime.store.local_copy(export.studio_id, master_sha256) as master:
+                made: Exported = _tried(lambda: _sandbox().call(export_master, str(master), str(out), provenance))
+            blob, left = runtime.store.put_file(export.studio_id, out), list(made.left)
+        except Unreadable as error:
+            refusal = f"{error}; {error.fix}"
+        except (SandboxFailed, BlobAltered, BlobMissing) as error:
+            log.error("a master could not be copied", export_id=str(export_id), error=str(error))
+            refusal = NO_EXPORT
+    kill.point("renders.before_export")
+    with runtime.database.writing() as session:
+        if blob is None:
+            master_exports.refuse(session, export_id, refusal)
+        else:
+            master_exports.keep(session, export_id, blob, left=left)
+
+
 @job("renders.make_reel")
 def make_reel(runtime: Runtime, payload: Payload) -> None:
     """Put the previews of a cue's takes in a row, each behind its slate."""
@@ -224,7 +255,10 @@ def make_reel(runtime: Runtime, payload: Payload) -> None:
         reel = queries.reel_by_id(session, reel_id)
     if reel is None or reel.sha256 is not None:
         return
-    slates = _slates(reel.takes, of_set=payload["sets"] == 1) if reel.with_slates else None
+    slates = None
+    if reel.with_slates:
+        # What was asked for by an earlier version says nothing of speech, which it tried always.
+        slates = _slates(reel.takes, of_set=payload["sets"] == 1, speaks=payload.get("speaks", 1) == 1)
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder, contextlib.ExitStack() as copies:
         out = Path(folder, "reel.wav")
         try:
@@ -254,15 +288,18 @@ def make_reel(runtime: Runtime, payload: Payload) -> None:
         reels.keep(session, reel_id, blob, **made, is_spoken=is_spoken)
 
 
-def _slates(takes: list[dict[str, Any]], *, of_set: bool) -> list[reel_sound.Slate]:
+def _slates(takes: list[dict[str, Any]], *, of_set: bool, speaks: bool) -> list[reel_sound.Slate]:
     """Return what says which take comes; all are beeped where one cannot be spoken."""
     # Outside of the child, which may start no other program: these words are our own, not a stranger's.
-    slates = []
-    for take in takes:
-        words = f"variation {take['variation']}, version {take['number']}" if of_set else f"version {take['number']}"
+    slates = [reel_sound.Slate(take["variation"] if of_set else 0, take["number"], None) for take in takes]
+    if not speaks:
+        return slates
+    spoken_slates = []
+    for slate in slates:
+        words = f"variation {slate.variation}, version {slate.version}" if of_set else f"version {slate.version}"
         said = spoken(words, reel_sound.SPEECH_RATE_HZ, None)
-        speech = None if said is None else np.round(said * 32_767).astype("<i2").tobytes()
-        slates.append(reel_sound.Slate(take["variation"] if of_set else 0, take["number"], speech))
-    if any(slate.speech is None for slate in slates):
-        return [slate._replace(speech=None) for slate in slates]
-    return slates
+        if said is None:
+            return slates
+        speech = np.round(said * 32_767).astype("<i2").tobytes()
+        spoken_slates.append(slate._replace(speech=speech))
+    return spoken_slates

@@ -139,3 +139,26 @@ class Reel(Base):
     file_bytes: Mapped[int | None] = mapped_column(BigInteger)
     refusal: Mapped[str | None]  # in words
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class MasterExport(Base):
+    """A copy of a take's master that says where it comes from, as it was known when somebody asked for it."""
+
+    __tablename__ = "renders_master_exports"
+    __table_args__ = (
+        UniqueConstraint("take_id", "key"),
+        CheckConstraint("sha256 is null or refusal is null", name="made_or_refused"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
+    key: Mapped[str]  # hash of the master and of what was known of it
+    provenance: Mapped[dict[str, Any]]  # as audio_checks names it
+    left: Mapped[list[str]] = mapped_column(default=list)  # what could not be written, in words
+    file_name: Mapped[str]
+    sha256: Mapped[str | None]  # None until it is made
+    file_bytes: Mapped[int | None] = mapped_column(BigInteger)
+    refusal: Mapped[str | None]  # in words
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)

@@ -13,7 +13,7 @@ from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
-from app.renders.models import Batch, BatchItem, Picture, Reel, Render
+from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
 
@@ -249,10 +249,11 @@ def has_waiting_items(session: Session, batch_id: UUID) -> bool:
     )
 
 
-def visible_takes_of_cue(session: Session, actor: Actor, cue_id: UUID) -> Sequence[Take]:
-    """Return the takes of a cue that the caller sees, variation by variation, the oldest first."""
+def visible_takes_of_cue(session: Session, actor: Actor, cue_id: UUID, *, newest_first: bool) -> Sequence[Take]:
+    """Return the takes of a cue that the caller sees, variation by variation."""
+    by_number = Take.number.desc() if newest_first else Take.number
     return session.scalars(
-        select(Take).where(Take.cue_id == cue_id, _in_reach(actor)).order_by(Take.variation, Take.number)
+        select(Take).where(Take.cue_id == cue_id, _in_reach(actor)).order_by(Take.variation, by_number)
     ).all()
 
 
@@ -271,3 +272,14 @@ def reel_of(session: Session, cue_id: UUID, key: str) -> Reel | None:
     """Return the reel of a cue under one key; nobody else adds one until the transaction ends."""
     session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
     return session.scalar(select(Reel).where(Reel.cue_id == cue_id, Reel.key == key))
+
+
+def master_export_by_id(session: Session, export_id: UUID) -> MasterExport | None:
+    """Return a handed-out master without asking who looks."""
+    return session.get(MasterExport, export_id)
+
+
+def master_export_of(session: Session, take_id: UUID, key: str) -> MasterExport | None:
+    """Return the handed-out master of a take under one key; nobody else adds one until the transaction ends."""
+    session.execute(select(Take.id).where(Take.id == take_id).with_for_update(key_share=True))
+    return session.scalar(select(MasterExport).where(MasterExport.take_id == take_id, MasterExport.key == key))

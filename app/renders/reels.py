@@ -25,7 +25,7 @@ ENDING = "_reel"
 def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) -> Reel:
     """Return the reel of the takes that the caller sees of a cue, and have it made unless it was or is."""
     standing, cue = cue_in_sight(session, actor, cue_id)
-    takes = queries.visible_takes_of_cue(session, actor, cue_id)
+    takes = queries.visible_takes_of_cue(session, actor, cue_id, newest_first=wanted.order == "newest")
     pictures = queries.pictures_of_sounds(session, [cue.studio_id], [take.master_sha256 for take in takes])
     if any(take.master_sha256 not in pictures for take in takes):
         raise TakesBeingDrawn("a take of this cue is still being drawn", fix="ask again in a moment")
@@ -54,14 +54,21 @@ def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
             key=key,
             gap_ms=wanted.gap_ms,
             crossfade_ms=wanted.crossfade_ms,
-            with_slates=wanted.slates,
+            with_slates=wanted.slates != "none",
             takes=order,
             file_name=f"{slug(cue.file_name or cue.name)}{ENDING}.wav",
         )
         session.add(reel)
     reel.refusal = None
     session.flush()
-    publish(session, "reel.asked", studio_id=standing.project.studio_id, reel_id=reel.id, sets=int(cue.variations > 1))
+    publish(
+        session,
+        "reel.asked",
+        studio_id=standing.project.studio_id,
+        reel_id=reel.id,
+        sets=int(cue.variations > 1),
+        speaks=int(wanted.slates == "spoken"),
+    )
     return reel
 
 

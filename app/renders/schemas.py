@@ -179,12 +179,18 @@ class LossRead(BaseModel):
     spectra: LossSpectra
 
 
+Slates = Literal["spoken", "beeped", "none"]
+
+
 class ReelAdd(Schema):
     """How the takes of a cue are to follow one another."""
 
     gap_ms: int = Field(500, ge=0, le=5_000, description="Silence between takes.")
     crossfade_ms: int = Field(0, ge=0, le=5_000, description="In place of the gap; 0: none.")
-    slates: bool = Field(True, description="Say before each take which it is.")
+    slates: Slates = Field(
+        "spoken", description="What says before each take which it is; beeps too where the server cannot speak."
+    )
+    order: Literal["oldest", "newest"] = Field("oldest", description="Which take comes first, of each variation.")
 
 
 class ReelTake(Schema):
@@ -205,9 +211,23 @@ class ReelRead(Schema):
     refusal: str | None
     gap_ms: int
     crossfade_ms: int
-    slates: Literal["spoken", "beeped", "none"]
+    slates: Slates
     takes: list[ReelTake]
     duration_s: float | None
+    file_bytes: int | None
+    file_name: str
+    file_url: str | None
+
+
+class MasterExportRead(Schema):
+    """A take's master with what is known of it written into bext and iXML; its sound is the master's, byte for byte."""
+
+    id: UUID
+    take_id: UUID
+    state: Literal["making", "made", "refused"]
+    refusal: str | None
+    told: dict[str, str] = Field(description="What it says, by the names of ASWG-G006.")
+    left: list[str] = Field(description="What could not be written, in words.")
     file_bytes: int | None
     file_name: str
     file_url: str | None

@@ -44,7 +44,7 @@ from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import current_spec, engagement_of
 from app.projects.rules import EngagementKind
 from app.projects.service import open_project
-from app.renders.models import Batch, Picture, Reel, Render, RenderSet
+from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
@@ -142,6 +142,8 @@ class House(World):
             sha256=self.sha256,
             file_bytes=len(FILE),
         )
+        export = MasterExport(**of, take_id=take.id, key="0" * 64, provenance={}, file_name="shield_hit.wav")
+        export.sha256, export.file_bytes = self.sha256, len(FILE)
         mail = Mail(
             studio_id=self.studio_id,
             topic="link",
@@ -163,7 +165,7 @@ class House(World):
             tool_version="1",
         )
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
-        session.add_all([picture, render, draft, comment, build, batch, pack, reel, mail, run, sets])
+        session.add_all([picture, render, draft, comment, build, batch, pack, reel, export, mail, run, sets])
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -182,6 +184,7 @@ class House(World):
             "picture_id": picture.id,
             "render_id": render.id,
             "reel_id": reel.id,
+            "master_export_id": export.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "build_id": build.id,

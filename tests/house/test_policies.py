@@ -19,6 +19,7 @@ from tests.support.server import RunningServer
 # Objects that one designer made: another designer of the same project does not see them.
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
+    "master_export_id",
     *("contract_id", "extra_round_id", "invoice_id", "payment_id", "worked_day_id"),
 }
 TEAMS = {Sight.PRODUCER, Sight.TEAM, Sight.DECIDER}

@@ -2485,6 +2485,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/master-exports": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Master Export
+         * @description Have a take's master copied with what is known of it written into it; the master stays as it was delivered.
+         */
+        post: operations["add_master_export"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/master-exports/{master_export_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Master Export
+         * @description Return whether a master with its provenance is made, and what it says.
+         */
+        get: operations["get_master_export"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/master-exports/{master_export_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Master Export File
+         * @description Download a master that says where it comes from, in bext and in iXML with the fields of ASWG-G006.
+         */
+        get: operations["get_master_export_file"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/review-queue": {
         parameters: {
             query?: never;
@@ -6189,6 +6249,47 @@ export interface components {
             failure: string | null;
         };
         /**
+         * MasterExportRead
+         * @description A take's master with what is known of it written into bext and iXML; its sound is the master's, byte for byte.
+         */
+        MasterExportRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "making" | "made" | "refused";
+            /** Refusal */
+            refusal: string | null;
+            /**
+             * Told
+             * @description What it says, by the names of ASWG-G006.
+             */
+            told: {
+                [key: string]: string;
+            };
+            /**
+             * Left
+             * @description What could not be written, in words.
+             */
+            left: string[];
+            /** File Bytes */
+            file_bytes: number | null;
+            /** File Name */
+            file_name: string;
+            /** File Url */
+            file_url: string | null;
+        };
+        /**
          * MasterSoundRead
          * @description A take's master, to see and to hear; its measurements are in its check.
          */
@@ -7524,10 +7625,18 @@ export interface components {
             crossfade_ms: number;
             /**
              * Slates
-             * @description Say before each take which it is.
-             * @default true
+             * @description What says before each take which it is; beeps too where the server cannot speak.
+             * @default spoken
+             * @enum {string}
              */
-            slates: boolean;
+            slates: "spoken" | "beeped" | "none";
+            /**
+             * Order
+             * @description Which take comes first, of each variation.
+             * @default oldest
+             * @enum {string}
+             */
+            order: "oldest" | "newest";
         };
         /**
          * ReelRead
@@ -16882,6 +16991,144 @@ export interface operations {
                 };
             };
             /** @description `reel-not-made` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_master_export: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MasterExportRead"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_master_export: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                master_export_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MasterExportRead"];
+                };
+            };
+            /** @description `master-export-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_master_export_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                master_export_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `master-export-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `master-export-not-made` */
             409: {
                 headers: {
                     [name: string]: unknown;

@@ -71,7 +71,7 @@ def test_the_same_takes_give_the_same_reel_and_another_take_another(world: World
     cue_id, _ = two_takes(world)
     first = made(world, world.reviewer, cue_id)
     assert ask(world.designer, cue_id) == first  # all takes are this designer's
-    other = made(world, world.reviewer, cue_id, slates=False, crossfade_ms=50)
+    other = made(world, world.reviewer, cue_id, slates="none", crossfade_ms=50)
     assert (other["id"] != first["id"], other["slates"], other["duration_s"]) == (True, "none", 0.35)
     deliver_sound(world, "laser.wav", tone(600), rate=48_000, bits=16)
     longer = made(world, world.reviewer, cue_id)
@@ -122,6 +122,13 @@ def test_a_set_is_heard_variation_by_variation(world: World) -> None:
     assert [one["start_s"] for one in reel["takes"]] == pytest.approx([0.84, 0.84 + 0.2 + 1.08])
 
 
+def test_the_newest_take_may_come_first(world: World) -> None:
+    cue_id, takes = two_takes(world)
+    reel = made(world, world.reviewer, cue_id, order="newest", slates="none")
+    assert [one["take_id"] for one in reel["takes"]] == takes[::-1]
+    assert made(world, world.reviewer, cue_id, order="oldest", slates="none")["id"] != reel["id"]
+
+
 def test_what_cannot_be_heard_is_refused_in_words(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     cue_id = add_cue(world, "siren")["id"]
 
@@ -166,6 +173,9 @@ def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch
     reel = made(world, world.reviewer, cue_id)
     assert (reel["slates"], said) == ("spoken", ["version 1", "version 2"])
     assert reel["takes"][0]["start_s"] == pytest.approx(0.8, abs=0.001)
+    beeped = made(world, world.reviewer, cue_id, slates="beeped")
+    assert (beeped["slates"], len(said)) == ("beeped", 2)  # nothing more was said
+    assert beeped["takes"][0]["start_s"] == 0.42
 
 
 def test_a_reel_never_ships(world: World) -> None:

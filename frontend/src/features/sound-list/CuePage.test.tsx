@@ -174,7 +174,10 @@ test('all takes are heard in a row, once they are put together', async () => {
     gap_ms: 500,
     crossfade_ms: 0,
     slates: 'beeped',
-    takes: [{ take_id: 't1', variation: 1, number: 1, start_s: null }],
+    takes: [
+      { take_id: 't1', variation: 1, number: 1, start_s: 0.42 },
+      { take_id: 't2', variation: 1, number: 2, start_s: 1.53 },
+    ],
     duration_s: null,
     file_bytes: null,
     file_name: 'coolant_splash_reel.wav',
@@ -182,15 +185,29 @@ test('all takes are heard in a row, once they are put together', async () => {
   }
   server.answers[`POST /v1/cues/${id}/reels`] = reel
   server.answers['GET /v1/reels/r1'] = { ...reel, state: 'made', duration_s: 1.12, file_url: '/v1/reels/r1/file' }
+  await userEvent.click(await screen.findByText('How they follow one another'))
+  await userEvent.click(screen.getByRole('button', { name: 'Crossfade' }))
+  const seconds = screen.getByRole('textbox', { name: 'Length of the crossfade' })
+  await userEvent.clear(seconds)
+  await userEvent.type(seconds, '0.25')
+  await userEvent.click(screen.getByRole('button', { name: 'Beeps' }))
+  await userEvent.click(screen.getByRole('button', { name: 'Newest first' }))
   await userEvent.click(await screen.findByRole('button', { name: 'Hear all versions in a row' }))
-  expect(await screen.findByLabelText('All versions of coolant_splash in a row')).toHaveAttribute(
-    'src',
-    '/v1/reels/r1/file',
-  )
+  const audio = await screen.findByLabelText<HTMLAudioElement>('All versions of coolant_splash in a row')
+  expect(server.sent('POST', `/v1/cues/${id}/reels`)[0]?.body).toEqual({
+    gap_ms: 0,
+    crossfade_ms: 250,
+    slates: 'beeped',
+    order: 'newest',
+  })
+  expect(audio).toHaveAttribute('src', '/v1/reels/r1/file')
+  const play = vi.spyOn(audio, 'play').mockResolvedValue()
+  await userEvent.click(screen.getByRole('button', { name: /^version 2/ }))
+  expect([audio.currentTime, play.mock.calls.length]).toEqual([1.53, 1])
   const download = screen.getByRole('link', { name: 'Download the reel' })
   expect(download).toHaveAttribute('href', '/v1/reels/r1/file')
   expect(download).toHaveAttribute('download', 'coolant_splash_reel.wav')
-  expect(screen.getByText(/One version, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
+  expect(screen.getByText(/2 versions, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
 })
 
 test('a reel that is refused says why', async () => {

@@ -1,8 +1,12 @@
-import { ButtonLink, Button } from '@/ui/Button'
-import { length } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { NumberInput } from '@mantine/core'
+import { useRef, useState } from 'react'
 
-import { problemIn, type Reel as Made, useReel } from './api'
+import { ButtonLink, Button } from '@/ui/Button'
+import { length, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
+
+import { problemIn, type Reel as Made, type ReelAdd, useReel } from './api'
 import classes from './Cue.module.css'
 
 const SLATES = {
@@ -10,16 +14,17 @@ const SLATES = {
   beeped: 'As many beeps as its number before each.',
   none: '',
 } as const satisfies Record<Made['slates'], string>
+const MOST_S = 5
 
 /** All versions of a cue in a row, made when asked for; to be listened to, never for what ships. */
 export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
-  const { ask, reel, error } = useReel(cueId)
+  const { ask, made: reel, making, error } = useReel(cueId)
+  const [how, setHow] = useState<Required<ReelAdd>>({ gap_ms: 500, crossfade_ms: 0, slates: 'spoken', order: 'oldest' })
   const problem = problemIn(error)
-  const making = ask.isPending || reel?.state === 'making'
   return (
     <div className={classes.inside}>
       <div className="row wrap">
-        <Button icon="headphones" disabled={making} onClick={() => ask.mutate()}>
+        <Button icon="headphones" disabled={making} onClick={() => ask.mutate(how)}>
           Hear all versions in a row
         </Button>
         {reel?.file_url && (
@@ -28,25 +33,110 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
           </ButtonLink>
         )}
       </div>
+      <How how={how} onChange={setHow} />
       <p className="small dim" role="status">
-        {making && 'Putting them in a row …'}
+        {making && `Putting ${reel ? plural(reel.takes.length, 'version') : 'them'} in a row …`}
         {reel?.file_url &&
           !making &&
           `${reel.takes.length === 1 ? 'One version' : `${reel.takes.length} versions`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} To listen to only: a reel is in no pack.`}
       </p>
-      {reel?.file_url && !making && (
-        // eslint-disable-next-line jsx-a11y/media-has-caption -- all that is said in it are numbers, which are on the page
-        <audio
-          key={reel.id}
-          className={classes.reel}
-          src={reel.file_url}
-          controls
-          autoPlay
-          aria-label={`All versions of ${cueName} in a row`}
-        />
-      )}
+      {reel?.file_url && !making && <Player key={reel.id} reel={reel} fileUrl={reel.file_url} cueName={cueName} />}
       {reel?.refusal && <ProblemNote detail={reel.refusal} />}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
     </div>
+  )
+}
+
+interface HowProps {
+  how: Required<ReelAdd>
+  onChange: (how: Required<ReelAdd>) => void
+}
+
+/** What lies between the versions, what is said before each, and which comes first. */
+function How({ how, onChange }: HowProps) {
+  const join = how.crossfade_ms > 0 ? 'crossfade' : 'gap'
+  const joined = (by: string, ms: number) =>
+    onChange({ ...how, gap_ms: by === 'gap' ? ms : 0, crossfade_ms: by === 'gap' ? 0 : Math.max(ms, 1) })
+  const ms = join === 'gap' ? how.gap_ms : how.crossfade_ms
+  return (
+    <details className="small">
+      <summary className={classes.how}>How they follow one another</summary>
+      <div className={`row wrap ${classes.howFields}`}>
+        <Segmented
+          label="Between versions"
+          options={[
+            { value: 'gap', label: 'Gap' },
+            { value: 'crossfade', label: 'Crossfade' },
+          ]}
+          value={join}
+          onChange={(by) => joined(by, ms || 500)}
+        />
+        <NumberInput
+          aria-label={join === 'gap' ? 'Length of the gap' : 'Length of the crossfade'}
+          suffix=" s"
+          min={join === 'gap' ? 0 : 0.1}
+          max={MOST_S}
+          step={0.1}
+          decimalScale={2}
+          clampBehavior="strict"
+          w={92}
+          value={ms / 1000}
+          onChange={(value) => typeof value === 'number' && joined(join, Math.round(value * 1000))}
+        />
+        <Segmented
+          label="Before each version"
+          options={[
+            { value: 'spoken', label: 'Spoken number' },
+            { value: 'beeped', label: 'Beeps' },
+            { value: 'none', label: 'Nothing' },
+          ]}
+          value={how.slates}
+          onChange={(slates) => onChange({ ...how, slates })}
+        />
+        <Segmented
+          label="Order"
+          options={[
+            { value: 'oldest', label: 'Oldest first' },
+            { value: 'newest', label: 'Newest first' },
+          ]}
+          value={how.order}
+          onChange={(order) => onChange({ ...how, order })}
+        />
+      </div>
+    </details>
+  )
+}
+
+/** The reel, and where each version begins in it. */
+function Player({ reel, fileUrl, cueName }: { reel: Made; fileUrl: string; cueName: string }) {
+  const audio = useRef<HTMLAudioElement>(null)
+  const ofSet = new Set(reel.takes.map(({ variation }) => variation)).size > 1
+  const playFrom = (startS: number) => {
+    if (audio.current === null) return
+    audio.current.currentTime = startS
+    void audio.current.play()
+  }
+  return (
+    <>
+      {/* eslint-disable-next-line jsx-a11y/media-has-caption -- all that is said in it are numbers, which are on the page */}
+      <audio
+        ref={audio}
+        className={classes.reel}
+        src={fileUrl}
+        controls
+        autoPlay
+        aria-label={`All versions of ${cueName} in a row`}
+      />
+      <ol className="row wrap" aria-label="Versions in the reel">
+        {reel.takes.map(({ take_id, variation, number, start_s }) => (
+          <li key={take_id}>
+            <Button variant="quiet" onClick={() => playFrom(start_s ?? 0)}>
+              {ofSet && `_${String(variation).padStart(2, '0')} `}version {number}
+              <span className="small dim">{length(start_s ?? 0)}</span>
+            </Button>
+          </li>
+        ))}
+      </ol>
+    </>
   )
 }

@@ -3,12 +3,12 @@ import {
   type QueryClient,
   queryOptions,
   useMutation,
-  useQuery,
   useQueryClient,
 } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
+import { useMade } from '@/api/useMade'
 import { useMyProject } from '@/judging/api'
 
 type Schemas = components['schemas']
@@ -20,6 +20,7 @@ export type Standing = Schemas['Standing']
 export type Question = Schemas['QuestionRead']
 export type Take = Schemas['TakeRead']
 export type Reel = Schemas['ReelRead']
+export type ReelAdd = Schemas['ReelAdd']
 export type Finding = Schemas['FindingRead']
 export type Revision = Schemas['RevisionRead']
 export type Comparison = Schemas['ListComparison']
@@ -408,25 +409,10 @@ export async function readAgain(client: QueryClient, projectId: string, cueId: s
   return client.fetchQuery({ ...cueQuery(cueId), staleTime: 0 })
 }
 
-const REEL_MS = 500
-
-/** Ask for all takes of a cue in a row; the reel is read again until it is made. */
-export function useReel(cueId: string) {
-  const ask = useMutation({
-    mutationFn: () =>
-      answered(
-        api.POST('/v1/cues/{cue_id}/reels', {
-          ...ofCue(cueId),
-          body: { gap_ms: 500, crossfade_ms: 0, slates: true },
-        }),
-      ),
-  })
-  const asked = ask.data
-  const now = useQuery({
-    queryKey: ['reel', asked?.id, ask.submittedAt],
-    queryFn: () => answered(api.GET('/v1/reels/{reel_id}', { params: { path: { reel_id: asked?.id ?? '' } } })),
-    enabled: asked?.state === 'making',
-    refetchInterval: ({ state: { data } }) => (data === undefined || data.state === 'making' ? REEL_MS : false),
-  })
-  return { ask, reel: asked?.state === 'making' ? (now.data ?? asked) : asked, error: ask.error ?? now.error }
-}
+/** Ask for all takes of a cue in a row. */
+export const useReel = (cueId: string) =>
+  useMade<ReelAdd, Reel>(
+    'reel',
+    (body) => answered(api.POST('/v1/cues/{cue_id}/reels', { ...ofCue(cueId), body })),
+    (id) => answered(api.GET('/v1/reels/{reel_id}', { params: { path: { reel_id: id } } })),
+  )

@@ -354,3 +354,57 @@ test('the page is without fault for those who listen to it', async () => {
   })
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
 })
+
+describe('the master', () => {
+  const copy = {
+    id: 'x1',
+    take_id: 't1',
+    state: 'making',
+    refusal: null,
+    told: { project: 'Shield Wing', originator: 'Sound designer', orderRef: 'SW-009' },
+    left: [],
+    file_bytes: null,
+    file_name: 'airlock_cycle.wav',
+    file_url: null,
+  }
+
+  test('is had as delivered, or as a copy that says where it comes from', async () => {
+    server.on('POST /v1/takes/t1/master-exports', copy)
+    server.on('GET /v1/master-exports/x1', {
+      ...copy,
+      state: 'made',
+      file_bytes: 348_000,
+      file_url: '/v1/master-exports/x1/file',
+      left: ['the "iXML" chunk is empty; it is left as it is'],
+    })
+    await opened()
+    const master = await card('Master')
+    expect(within(master).getByRole('link', { name: 'Download as delivered' })).toHaveAttribute(
+      'href',
+      '/v1/takes/t1/master',
+    )
+    await userEvent.click(within(master).getByRole('button', { name: 'Write provenance' }))
+    const download = await within(master).findByRole('link', { name: 'Download with provenance' })
+    expect(download).toHaveAttribute('href', '/v1/master-exports/x1/file')
+    expect(download).toHaveAttribute('download', 'airlock_cycle.wav')
+    expect(
+      within(master)
+        .getAllByRole('definition')
+        .map((each) => each.textContent),
+    ).toEqual(['Shield Wing', 'Sound designer', 'SW-009'])
+    expect(master).toHaveTextContent('The "iXML" chunk is empty; it is left as it is.')
+  })
+
+  test('that cannot be copied says why', async () => {
+    server.on('POST /v1/takes/t1/master-exports', {
+      ...copy,
+      state: 'refused',
+      refusal: 'it ends early; send it again',
+    })
+    await opened()
+    const master = await card('Master')
+    await userEvent.click(within(master).getByRole('button', { name: 'Write provenance' }))
+    expect(await within(master).findByRole('alert')).toHaveTextContent('It ends early; send it again.')
+    expect(within(master).getByRole('link', { name: 'Download as delivered' })).toBeInTheDocument()
+  })
+})

@@ -18,6 +18,7 @@ import { State } from '@/ui/State'
 
 import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
 import { FindingsCard } from './FindingsCard'
+import { MasterCard } from './MasterCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
 import { ReverbCard } from './ReverbCard'
@@ -171,6 +172,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
         </div>
         <aside className="stack" aria-label="Figures of this version">
           <FiguresCard check={check} findings={findings} />
+          <MasterCard take={take} />
           {sounds && sounds.renders.length > 0 && <GameFilesCard files={sounds.renders} />}
           <HistoryCard takeId={take.id} />
         </aside>
@@ -262,9 +264,6 @@ function Head({ take, check, isTeam, mend }: HeadProps) {
               Your desk
             </Link>
           )}
-          <a className="link" href={`/v1/takes/${take.id}/master`} download>
-            Download the master
-          </a>
         </p>
       </div>
       <div className="wide-only">

@@ -2,6 +2,7 @@ import { queryOptions } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem } from '@/api'
 import type { components } from '@/api/schema.gen'
+import { useMade } from '@/api/useMade'
 import { keys } from '@/judging/api'
 
 type Schemas = components['schemas']
@@ -11,6 +12,7 @@ export type Finding = Schemas['FindingRead']
 export type Sounds = Schemas['TakeSoundsRead']
 export type GameFile = Schemas['RenderSoundRead']
 export type HistoryEntry = Schemas['HistoryEntry']
+export type MasterExport = Schemas['MasterExportRead']
 export type Bands = Schemas['BandsRead']
 
 const POLL_MS = 1000
@@ -56,3 +58,11 @@ export const bandsQuery = (peaksUrl: string | null) =>
     enabled: peaksUrl !== null,
     staleTime: Infinity,
   })
+
+/** Ask for a master with what is known of it written into it. */
+export const useMasterExport = (takeId: string) =>
+  useMade<void, MasterExport>(
+    'master-export',
+    () => answered(api.POST('/v1/takes/{take_id}/master-exports', ofTake(takeId))),
+    (id) => answered(api.GET('/v1/master-exports/{master_export_id}', { params: { path: { master_export_id: id } } })),
+  )

@@ -1,0 +1,79 @@
+import { ApiProblem } from '@/api'
+import { ended } from '@/judging/findings'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { bytes } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type MasterExport, type Take, useMasterExport } from './api'
+import classes from './Take.module.css'
+
+/** By the names of ASWG-G006, in the order in which they are read. */
+const SAID = {
+  project: 'Project',
+  originatorStudio: 'Studio',
+  originator: 'Made by',
+  orderRef: 'Cue',
+  fxName: 'Name',
+  notes: 'Note',
+} as const
+
+/** The master to take along: as it was delivered, or as a copy that says where it comes from. */
+export function MasterCard({ take }: { take: Take }) {
+  const { ask, made, making, error } = useMasterExport(take.id)
+  return (
+    <Card aria-labelledby="master">
+      <CardHead id="master" title="Master" end={bytes(take.master_bytes)} />
+      <div className={`stack ${classes.inside}`}>
+        <p className="small mid">
+          As it was delivered, byte for byte; or a copy of the same sound that says where it comes from, in bext and
+          iXML.
+        </p>
+        <div className="row wrap">
+          <ButtonLink href={`/v1/takes/${take.id}/master`} download icon="download">
+            Download as delivered
+          </ButtonLink>
+          {made?.file_url ? (
+            <ButtonLink href={made.file_url} download={made.file_name} icon="download">
+              Download with provenance
+            </ButtonLink>
+          ) : (
+            <Button icon="file" disabled={making} onClick={() => ask.mutate()}>
+              Write provenance
+            </Button>
+          )}
+        </div>
+        <p className="small dim" role="status">
+          {making && 'Writing it into a copy …'}
+          {made?.file_bytes && `The copy has ${bytes(made.file_bytes)} and says this:`}
+        </p>
+        {made?.file_url && <Told made={made} />}
+        {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
+        {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+      </div>
+    </Card>
+  )
+}
+
+function Told({ made: { told, left } }: { made: MasterExport }) {
+  return (
+    <>
+      <dl className={classes.lines}>
+        {Object.entries(SAID).map(
+          ([field, what]) =>
+            told[field] && (
+              <div key={field}>
+                <dt className="dim">{what}</dt>
+                <dd>{told[field]}</dd>
+              </div>
+            ),
+        )}
+      </dl>
+      {left.map((each) => (
+        <p key={each} className="small mid">
+          {ended(each)}
+        </p>
+      ))}
+    </>
+  )
+}
