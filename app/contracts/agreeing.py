@@ -11,7 +11,7 @@ from app.accounts.models import Person
 from app.accounts.rules import Actor, Role
 from app.contracts import clauses as clause_rules
 from app.contracts import queries, record
-from app.contracts.clauses import Clause, Terms, render
+from app.contracts.clauses import Clause, Terms, render, terms_in_force
 from app.contracts.documents import pdf_of, sha256_of
 from app.contracts.errors import (
     AlreadyAccepted,
@@ -177,7 +177,7 @@ def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> 
     contract = contract_in_sight(session, actor, contract_id)
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio can do this")
-    facts = facts_of(session, contract, draft)
+    facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft)
     text = render(draft.title, draft.clauses, draft.terms, facts, draft.currency)
     return text, _problems(draft)
 
@@ -342,7 +342,8 @@ def _add_version(
 ) -> ContractVersion:
     """Add the text as it reads now, unless that is the newest version's, and a version `anew` is not asked for."""
     session.flush()
-    text = render(contract.title, clauses, terms, facts_of(session, contract), contract.currency)
+    facts = facts_of(session, contract, terms_in_force(clauses, terms))
+    text = render(contract.title, clauses, terms, facts, contract.currency)
     newest = queries.newest_version(session, contract.id)
     rows = [clause.as_row() for clause in clauses]
     if newest and not anew and (newest.text, newest.clauses, newest.terms) == (text, rows, terms):

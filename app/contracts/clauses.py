@@ -20,7 +20,10 @@ MOST_CLAUSES = 80
 LONGEST_TEXT = 20_000
 LONGEST_TITLE = 120
 LONGEST_TERM = 500
+MISTYPED = 0.9  # a name this like one of the library is taken for it
 LARGEST = 2**53  # beyond it JavaScript rounds whole numbers
+
+BY_DAY = "day_rate"  # a value of the term price_mode
 
 TermValue = int | str
 Terms = dict[str, TermValue]
@@ -68,6 +71,15 @@ class Clause:
 
 
 @dataclass(frozen=True)
+class Choice:
+    """One of the values that a term may have: what a form calls it, and what the text says then."""
+
+    value: TermValue
+    label: str
+    words: str
+
+
+@dataclass(frozen=True)
 class Term:
     """Something that a clause leaves open: `_bp` ends a part of the whole, `_minor` an amount of money."""
 
@@ -76,6 +88,9 @@ class Term:
     label: str
     min: int | None = None
     max: int | None = None
+    choices: Sequence[Choice] = field(default_factory=tuple)
+    struck: TermValue | None = None  # what holds where no clause that stands names it; None: what was written
+    said: bool = False  # the software goes by it, so it is the default or some clause that stands says otherwise
 
 
 @dataclass(frozen=True)
@@ -108,8 +123,13 @@ def _read(path: Path) -> LibraryClause:
         why=said["why"],
         music=music,
         instead_of=said.get("instead_of"),
-        terms=tuple(Term(name, **facts) for name, facts in said.get("terms", {}).items()),
+        terms=tuple(_term(name, facts) for name, facts in said.get("terms", {}).items()),
     )
+
+
+def _term(name: str, facts: dict[str, Any]) -> Term:
+    choices = tuple(Choice(**choice) for choice in facts.pop("choices", ()))
+    return Term(name, **facts, choices=choices)
 
 
 @cache
@@ -126,6 +146,20 @@ def begin(kind: ContractKind, *, with_music: bool = False) -> tuple[list[Clause]
         for each in chosen
     ]
     return clauses, {term.name: term.default for each in chosen for term in each.terms}
+
+
+def terms_in_force(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Terms:
+    """Return what the terms come to: what only a struck clause names holds as if nothing had been agreed on it."""
+    named = names_in([clause for clause in clauses if clause.stands])
+    struck = {name: term.struck for name, term in known_terms().items() if term.struck is not None}
+    return {name: value if name in named else struck.get(name, value) for name, value in terms.items()}
+
+
+def names_in(clauses: Sequence[Clause]) -> set[str]:
+    """Return the variables of some clauses, those in the words of their choices included."""
+    named = {name for clause in clauses for name in variables_in(clause.text)}
+    chosen = [choice for name in named & known_terms().keys() for choice in known_terms()[name].choices]
+    return named | {name for choice in chosen for name in variables_in(choice.words)}
 
 
 def variables_in(text: str) -> list[str]:
@@ -153,8 +187,21 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
                 f"clauses.{each.clause.key}",
                 f"this stands instead of the clause {each.instead_of}; strike one of them",
             )
+    named, written = names_in(clauses), names_in([clause for clause in clauses if clause.stands])
     for name, value in terms.items():
-        yield from ((f"terms.{name}", fault) for fault in _faults_of_term(name, value))
+        place = f"terms.{name}"
+        yield from ((place, fault) for fault in _faults_of_term(name, value))
+        known = known_terms().get(name)
+        if value == "" and name in written:
+            yield place, f"nothing stands for {{{name}}}; write it, or strike its clause"
+        elif known and known.said and value != known.default and name not in written:
+            yield place, f"{_shown(name, value)}, and no clause that stands says so; let one say {{{name}}}"
+        elif not known and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
+            yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
+    if terms.get("price_mode") == BY_DAY:
+        for name in ("day_rate_minor", "days_cap"):
+            if not terms.get(name):
+                yield f"terms.{name}", "none; a price by the day wants a rate, and the most days that are paid"
 
 
 def _faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
@@ -184,8 +231,15 @@ def _faults_of_term(name: str, value: Any) -> Iterator[str]:
         return
     known = known_terms().get(name)
     is_number = isinstance(value, int) and not isinstance(value, bool)
-    if not is_number and (name.endswith(("_bp", "_minor")) or (known and isinstance(known.default, int))):
+    if known and known.choices:
+        wanted = [choice.value for choice in known.choices]
+        if value not in wanted:
+            near = difflib.get_close_matches(str(value), [str(each) for each in wanted], n=1)
+            yield f"{value!r}; wanted {' or '.join(map(str, wanted))}" + (f"; is it {near[0]}?" if near else "")
+    elif not is_number and (name.endswith(("_bp", "_minor")) or (known and isinstance(known.default, int))):
         yield f"{value!r}; wanted a whole number"
+    elif is_number and known and isinstance(known.default, str):
+        yield f"{value}; wanted a text"
     elif is_number and known and known.min is not None and known.max is not None:
         if not known.min <= value <= known.max:
             yield f"{_shown(name, value)}; wanted {_shown(name, known.min)} to {_shown(name, known.max)}"
@@ -195,12 +249,16 @@ def _faults_of_term(name: str, value: Any) -> Iterator[str]:
         yield f"{len(value)} characters; at most {LONGEST_TERM} are kept"
 
 
-def _shown(name: str, value: int) -> str:
-    return percent(value) if name.endswith("_bp") else str(value)
+def _shown(name: str, value: TermValue) -> str:
+    return percent(value) if name.endswith("_bp") and isinstance(value, int) else str(value)
 
 
 def written_term(name: str, value: TermValue, currency: str) -> str:
     """Return a term as the text says it."""
+    known = known_terms().get(name)
+    for choice in known.choices if known else ():
+        if choice.value == value:
+            return choice.words
     if isinstance(value, str):
         return value
     if name.endswith("_minor"):

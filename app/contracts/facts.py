@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
+from app.contracts.clauses import BY_DAY
 from app.contracts.models import Contract, ContractCue, Milestone
 from app.contracts.money_queries import cues_of as covered_cues
 from app.contracts.money_queries import milestones_of
@@ -36,7 +37,9 @@ class Priced(Protocol):
     holdback_bp: int
 
 
-def facts_of(session: Session, contract: Contract, priced: Priced | None = None) -> dict[str, str]:
+def facts_of(
+    session: Session, contract: Contract, terms: Mapping[str, object], priced: Priced | None = None
+) -> dict[str, str]:
     """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise."""
     priced = priced or contract
     project = contract.project
@@ -45,7 +48,7 @@ def facts_of(session: Session, contract: Contract, priced: Priced | None = None)
     wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
     cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
     decider = session.get_one(Person, decider_of(session, project))
-    total_minor = sum(milestone.amount_minor for milestone in milestones)
+    total_minor = sum(milestone.amount_minor for milestone in milestones) + _days_minor(terms)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
         "studio": literal(project.studio.name),
@@ -66,6 +69,14 @@ def facts_of(session: Session, contract: Contract, priced: Priced | None = None)
         "release_sentence": RELEASE_SENTENCES[priced.release_clause],
         **_framework(session, contract),
     }
+
+
+def _days_minor(terms: Mapping[str, object]) -> int:
+    """Return what all days together may cost; a draft that is only looked at may have any terms."""
+    rate_minor, days = terms.get("day_rate_minor"), terms.get("days_cap")
+    if terms.get("price_mode") != BY_DAY or not isinstance(rate_minor, int) or not isinstance(days, int):
+        return 0
+    return rate_minor * days
 
 
 def in_words(day: date) -> str:
@@ -114,9 +125,13 @@ def _milestone_table(
 ) -> str:
     if not milestones:
         return NONE_YET
-    rows = [["Milestone", "Date", "Cues", "Amount"], ["---"] * 4]
+    has_rates = any(milestone.tax_bp is not None for milestone in milestones)
+    heads = ["Milestone", "Date", "Cues", "Amount", *(["Tax"] if has_rates else [])]
+    rows = [heads, ["---"] * len(heads)]
     for milestone in milestones:
         own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
         day = "at signing" if milestone.is_deposit else in_words(milestone.due_on) if milestone.due_on else ""
-        rows.append([literal(milestone.name), day, ", ".join(own), money(milestone.amount_minor, currency)])
+        rate = percent(milestone.tax_bp) if milestone.tax_bp is not None else ""
+        cells = [literal(milestone.name), day, ", ".join(own), money(milestone.amount_minor, currency), rate]
+        rows.append(cells[: len(heads)])
     return _table(rows)

@@ -45,7 +45,7 @@ def draft_invoice(session: Session, actor: Actor, contract_id: UUID) -> schemas.
         number=last.number + 1 if last else 1,
         seller=last.seller if last else contract.designer.name,
         buyer=last.buyer if last else contract.project.studio.name,
-        po_number=last.po_number if last else "",
+        po_number=terms.po_number or (last.po_number if last else ""),
         reverse_charge=terms.reverse_charge,
         payment_days=terms.payment_days,
         lines=[
@@ -77,7 +77,7 @@ def issue_invoice(
         number=number,
         issued_on=today,
         due_on=today + timedelta(days=terms.payment_days),
-        po_number=po_number,
+        po_number=po_number or terms.po_number,
         seller=seller or parties[0],
         buyer=buyer or parties[1],
         note=note,

@@ -8,6 +8,7 @@ from sqlalchemy import Row, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
+from app.contracts.clauses import Clause, terms_in_force
 from app.contracts.models import (
     CalendarLink,
     Contract,
@@ -75,17 +76,18 @@ def covered_elsewhere(session: Session, contract_id: UUID, cue_ids: Collection[U
 
 
 def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
-    """Return what the newest version of a contract leaves open, over what its framework says."""
+    """Return what the newest version of a contract leaves open and its standing clauses name, over its framework's."""
     terms: dict[str, object] = {}
     for contract_id in (contract.framework_id, contract.id):
         if contract_id is not None:
-            newest = session.scalar(
-                select(ContractVersion.terms)
+            newest = session.execute(
+                select(ContractVersion.clauses, ContractVersion.terms)
                 .where(ContractVersion.contract_id == contract_id)
                 .order_by(ContractVersion.number.desc())
                 .limit(1)
-            )
-            terms |= newest or {}
+            ).first()
+            if newest is not None:
+                terms |= terms_in_force([Clause.of(row) for row in newest.clauses], newest.terms)
     return terms
 
 

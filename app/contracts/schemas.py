@@ -27,6 +27,14 @@ class ClauseRow(Schema):
     stands: bool = True
 
 
+class ChoiceRead(Schema):
+    """One of the values that a term may have, and what the text says then."""
+
+    value: int | str
+    label: str
+    words: str
+
+
 class TermRead(Schema):
     """What a clause leaves open: `_bp` ends a part in basis points, `_minor` an amount in minor units."""
 
@@ -35,6 +43,7 @@ class TermRead(Schema):
     label: str
     min: int | None
     max: int | None
+    choices: list[ChoiceRead] = Field(description="Empty where any value does.")
 
 
 class LibraryClauseRead(Schema):

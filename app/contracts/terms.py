@@ -6,6 +6,7 @@ from enum import StrEnum
 from typing import Any
 
 from app.contracts.book import KillFees
+from app.contracts.clauses import BY_DAY
 
 
 class PriceMode(StrEnum):
@@ -13,7 +14,7 @@ class PriceMode(StrEnum):
 
     FLAT = "flat"  # a milestone's amount, shared by its cues
     PER_CUE = "per_cue"  # a price for each cue, which its milestone adds up
-    DAY_RATE = "day_rate"  # days worked, up to a number of them
+    DAY_RATE = BY_DAY  # days worked, up to a number of them
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class MoneyTerms:
     reverse_charge: bool = False  # the studio owes the tax where it is; none is invoiced
     day_rate_minor: int = 0
     days_cap: int = 0
+    po_number: str = ""  # what invoices begin with
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":

@@ -4129,6 +4129,18 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ChoiceRead
+         * @description One of the values that a term may have, and what the text says then.
+         */
+        ChoiceRead: {
+            /** Value */
+            value: number | string;
+            /** Label */
+            label: string;
+            /** Words */
+            words: string;
+        };
+        /**
          * CiLines
          * @description Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN.
          */
@@ -9063,6 +9075,11 @@ export interface components {
             min: number | null;
             /** Max */
             max: number | null;
+            /**
+             * Choices
+             * @description Empty where any value does.
+             */
+            choices: components["schemas"]["ChoiceRead"][];
         };
         /**
          * ThumbRead

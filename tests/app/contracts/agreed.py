@@ -9,6 +9,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from app.contracts import milestones
+from app.contracts.clauses import Clause
 from app.contracts.models import Contract, ContractVersion
 from app.contracts.rules import ContractKind, ContractState, ReleaseClause
 from app.kit import clock
@@ -56,7 +57,7 @@ class Agreed(Stage):
             **of,
             contract_id=contract.id,
             number=1,
-            clauses=[],
+            clauses=[Clause("terms", "Terms", " ".join(f"{{{name}}}" for name in self.terms)).as_row()],
             terms=self.terms,
             text="",
             text_sha256="",

@@ -68,6 +68,33 @@ def test_a_draft_is_looked_at_before_it_is_saved(world: World, contracts: Contra
     assert (refused.status_code, refused.json()["code"]) == (422, "bad-draft")
 
 
+def test_the_text_says_how_the_price_comes_about(world: World, contracts: Contracts):
+    (cue,) = add(world, {"name": "Radar ping"})
+    begun = contracts.begin(currency="EUR")
+    plan = [
+        {"name": "Deposit", "amount_minor": 10_000, "is_deposit": True},
+        {"name": "Alpha", "amount_minor": 0, "tax_bp": 700, "cues": [{"cue_id": cue["id"]}]},
+    ]
+    contracts.ask(world.producer, "PUT", f"/contracts/{begun['id']}/milestones", json={"milestones": plan})
+    by_day = {"price_mode": "day_rate", "day_rate_minor": 40_000, "days_cap": 12, "tax_bp": 1_900}
+    said = words_of(contracts.save(begun, terms={**begun["version"]["terms"], **by_day}))
+    assert "The price is EUR 4,900.00. Of it EUR 100.00 is a deposit" in said, "the deposit and all the days"
+    assert "a day of work costs EUR 400.00" in said
+    assert "adds tax of 19 % to each invoice" in said
+    assert "Alpha ·  · SW-001 · EUR 0.00 · 7 %" in said
+
+
+def test_a_mistyped_term_is_refused_in_words(world: World, contracts: Contracts):
+    begun = contracts.begin()
+    terms = {**begun["version"]["terms"], "price_mode": "by_day"}
+    body = contracts.draft_of(begun, terms=terms)
+    shown = contracts.ask(world.producer, "POST", f"/contracts/{begun['id']}/preview", json=body)
+    message = "'by_day'; wanted flat or per_cue or day_rate"
+    assert [each["message"] for each in shown["problems"]] == [message]
+    refused = world.producer.put(f"/v1/contracts/{begun['id']}/draft", json={**body, "based_on_version": 1})
+    assert (refused.status_code, refused.json()["errors"][0]["message"]) == (422, message)
+
+
 def test_two_editors_notice_each_other(world: World, contracts: Contracts):
     begun = contracts.begin()
     contracts.save(begun, title="Mine")

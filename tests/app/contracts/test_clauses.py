@@ -2,7 +2,18 @@
 
 import pytest
 
-from app.contracts.clauses import FACTS, Clause, begin, faults_of, known_terms, library, render, variables_in
+from app.contracts.clauses import (
+    FACTS,
+    Clause,
+    begin,
+    faults_of,
+    known_terms,
+    library,
+    names_in,
+    render,
+    terms_in_force,
+    variables_in,
+)
 from app.contracts.rules import ContractKind
 
 WANTED = {
@@ -31,7 +42,7 @@ WANTED = {
     "disputes",
 }
 MUSIC = {"music_rights", "music_skus", "music_soundtrack"}
-OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus"} | MUSIC
+OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order"} | MUSIC
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:
@@ -62,15 +73,16 @@ def test_what_the_library_begins_has_no_faults(kind: ContractKind):
     for with_music in (False, True):
         clauses, terms = begin(kind, with_music=with_music)
         assert list(faults_of(clauses, terms)) == []
-        text = render("Effects", clauses, terms, dict.fromkeys(FACTS, "something"), "USD")
+        text = render("Effects", clauses, terms | {"po_number": "PO-1"}, dict.fromkeys(FACTS, "something"), "USD")
         assert variables_in(text) == []
         assert "no legal advice" in text, "a template says that it is a start"
 
 
 def test_every_term_of_the_library_is_used_by_its_own_clause():
     for each in library():
-        assert {term.name for term in each.terms} <= set(variables_in(each.clause.text)), each.clause.key
-        assert set(variables_in(each.clause.text)) <= FACTS.keys() | known_terms().keys()
+        named = names_in([each.clause])
+        assert {term.name for term in each.terms} <= named, each.clause.key
+        assert named <= FACTS.keys() | known_terms().keys()
 
 
 def test_terms_are_written_by_their_units():
@@ -85,6 +97,9 @@ def test_struck_clauses_are_not_numbered():
     text = render("Effects", clauses, {}, {}, "USD")
     assert "## 2. C" in text
     assert "Two." not in text
+
+
+PRICE = [Clause("price", "Price", "It comes about {price_mode}.")]
 
 
 @pytest.mark.parametrize(
@@ -102,6 +117,15 @@ def test_struck_clauses_are_not_numbered():
         ([Clause("a", "A", "x")], {"silence_days": "ten"}, "terms.silence_days", "wanted a whole number"),
         ([Clause("a", "A", "x")], {"own_minor": -1}, "terms.own_minor", "wanted 0 or more"),
         ([Clause("a", "A", "x")], {"studio": "ours"}, "terms.studio", "none of the server's own"),
+        (PRICE, {"price_mode": "day_rat"}, "terms.price_mode", "wanted flat or per_cue or day_rate; is it day_rate?"),
+        (PRICE, {"price_mode": "day_rate"}, "terms.day_rate_minor", "wants a rate"),
+        (PRICE, {"price_mode": "day_rate", "day_rate_minor": 40_000}, "terms.days_cap", "the most days that are paid"),
+        ([Clause("a", "A", "x")], {"price_mode": "per_cue"}, "terms.price_mode", "no clause that stands says so"),
+        ([Clause("a", "A", "x")], {"tax_bp": 1_900}, "terms.tax_bp", "19 %, and no clause that stands says so"),
+        ([Clause("a", "A", "{reverse_charge}")], {"reverse_charge": 2}, "terms.reverse_charge", "2; wanted 0 or 1"),
+        ([Clause("a", "A", "{po_number}")], {"po_number": ""}, "terms.po_number", "write it, or strike its clause"),
+        ([Clause("a", "A", "{po_number}")], {"po_number": 7}, "terms.po_number", "7; wanted a text"),
+        ([Clause("a", "A", "x")], {"round_included": 2}, "terms.round_included", "is it {rounds_included}?"),
     ],
 )  # fmt: skip
 def test_faults_are_named(clauses: list[Clause], terms: dict[str, int | str], place: str, words: str):
@@ -114,3 +138,39 @@ def test_clauses_that_stand_instead_of_one_another_do_not_stand_together():
     clauses, terms = begin(ContractKind.SINGLE)
     both = [Clause(clause.key, clause.title, clause.text) for clause in clauses]
     assert "strike one of them" in dict(faults_of(both, terms))["clauses.ownership_on_creation"]
+
+
+@pytest.mark.parametrize(
+    ("terms", "words"),
+    [
+        ({"price_mode": "flat"}, "a fixed amount for each milestone"),
+        ({"price_mode": "per_cue"}, "by the price of each cue"),
+        (
+            {"price_mode": "day_rate", "day_rate_minor": 40_000, "days_cap": 12},
+            "a day of work costs EUR 400.00, counted in quarters, and at most 12 days are paid",
+        ),
+        ({"reverse_charge": 0, "tax_bp": 1_900}, "adds tax of 19 % to each invoice"),
+        ({"reverse_charge": 1, "tax_bp": 1_900}, "(reverse charge): the designer invoices none"),
+        ({"po_number": "PO-77"}, "purchase order for this work is PO-77"),
+        ({"voice_hour_minor": 25_000}, "Voice talent that the designer brings costs EUR 250.00 an hour"),
+        ({"rush_bp": 3_000, "rush_days": 3}, "in less than 3 working days costs 30 % more"),
+        ({"direction_hour_minor": 8_000}, "Directing a voice session costs EUR 80.00 an hour"),
+    ],
+)
+def test_what_the_software_reckons_by_is_said(terms: dict[str, int | str], words: str):
+    clauses, defaults = begin(ContractKind.SINGLE)
+    standing = [Clause(clause.key, clause.title, clause.text) for clause in clauses if clause.key != "ownership"]
+    whole = defaults | {"po_number": "PO-1"} | terms
+    assert list(faults_of(standing, whole)) == []
+    assert words in render("Effects", standing, whole, dict.fromkeys(FACTS, "something"), "EUR")
+
+
+def test_what_only_a_struck_clause_says_holds_no_more():
+    clauses, terms = begin(ContractKind.SINGLE)
+    struck = [
+        Clause(clause.key, clause.title, clause.text, clause.key not in ("kill_fee", "rates")) for clause in clauses
+    ]
+    assert terms_in_force(clauses, terms)["kill_fee_in_work_bp"] == 5_000
+    left = terms_in_force(struck, terms)
+    assert [left[name] for name in ("kill_fee_in_work_bp", "kill_fee_delivered_bp", "extra_round_bp")] == [0, 0, 0]
+    assert left["rounds_included"] == terms["rounds_included"]

@@ -41,6 +41,14 @@ def test_everything_due_is_invoiced_once(agreed: Agreed) -> None:
     assert refused(again) == (409, "nothing-to-invoice")
 
 
+def test_an_invoice_begins_with_the_purchase_order_that_was_agreed_on(world: World) -> None:
+    agreed = Agreed(world, terms={"po_number": "PO-77"})
+    accept_alpha(agreed)
+    draft = told(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
+    assert draft["po_number"] == "PO-77"
+    assert agreed.invoice()["po_number"] == "PO-77"
+
+
 def test_tax_of_each_rate_is_rounded_once(world: World) -> None:
     agreed = Agreed(world, terms={"tax_bp": 1_900}, currency="EUR")
     first, second = agreed.cue("radar_ping"), agreed.cue("vo_oath")

@@ -206,6 +206,13 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
   )
 }
 
+/** What a clause leaves open: the terms that its text names, and those that the choice taken there names. */
+function termsOf(clause: Clause, known: LibraryClause | undefined, terms: Draft['terms']): string[] {
+  const chosen = known?.terms.flatMap(({ name, choices }) => choices.filter(({ value }) => value === terms[name])) ?? []
+  const said = [clause.text, ...chosen.map(({ words }) => words)].join(' ')
+  return Object.keys(terms).filter((name) => said.includes(`{${name}}`))
+}
+
 interface ClauseFieldsProps {
   clause: Clause
   known: LibraryClause | undefined
@@ -217,7 +224,7 @@ interface ClauseFieldsProps {
 
 function ClauseFields({ clause, known, terms, currency, onChange, onTerm }: ClauseFieldsProps) {
   const [open, setOpen] = useState(false)
-  const used = Object.keys(terms).filter((name) => clause.text.includes(`{${name}}`))
+  const used = termsOf(clause, known, terms)
   return (
     <div className={classes.clause}>
       <div className={classes.clauseHead}>
@@ -243,7 +250,7 @@ function ClauseFields({ clause, known, terms, currency, onChange, onTerm }: Clau
             <TermField
               key={name}
               name={name}
-              label={known?.terms.find((term) => term.name === name)?.label ?? inWords(name)}
+              known={known?.terms.find((term) => term.name === name)}
               value={terms[name] ?? ''}
               currency={currency}
               onChange={(value) => onTerm(name, value)}
@@ -275,13 +282,26 @@ function ClauseFields({ clause, known, terms, currency, onChange, onTerm }: Clau
 
 interface TermFieldProps {
   name: string
-  label: string
+  known: LibraryClause['terms'][number] | undefined
   value: number | string
   currency: string
   onChange: (value: number | string) => void
 }
 
-function TermField({ name, label, value, currency, onChange }: TermFieldProps) {
+function TermField({ name, known, value, currency, onChange }: TermFieldProps) {
+  const label = known?.label ?? inWords(name)
+  const choices = known?.choices ?? []
+  if (choices.length > 0) {
+    return (
+      <Select
+        label={label}
+        data={choices.map((choice) => ({ value: String(choice.value), label: choice.label }))}
+        value={String(value)}
+        allowDeselect={false}
+        onChange={(taken) => onChange(choices.find((choice) => String(choice.value) === taken)?.value ?? value)}
+      />
+    )
+  }
   if (typeof value === 'string') {
     return <TextInput label={label} value={value} onChange={({ currentTarget }) => onChange(currentTarget.value)} />
   }
