@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from audio_checks.placeholders.speech import spoken
     from audio_checks.provenance import Exported, Provenance, export_master
     from audio_checks.render.key import render_key
-    from audio_checks.render.preview import average_spectrum, preview, wave_shapes
+    from audio_checks.render.preview import average_spectrum, preview, spectrogram, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, render_master
     from audio_checks.render.rendered import Loss, Rendered
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
@@ -117,6 +117,7 @@ __all__ = [
     "set_findings",
     "sizes_asked_for",
     "slug",
+    "spectrogram",
     "spoken",
     "stems_of",
     "wave_shapes",
@@ -147,7 +148,7 @@ _HOMES = {
     "audio_checks.placeholders.speech": ("spoken",),
     "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.render.key": ("render_key",),
-    "audio_checks.render.preview": ("average_spectrum", "preview", "wave_shapes"),
+    "audio_checks.render.preview": ("average_spectrum", "preview", "spectrogram", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),

@@ -5,21 +5,18 @@ Answers are plain values, the only ones that may come out of a sandbox.
 
 import json
 import wave
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from app.renders.spectrum import SpectrumPicture
-from audio_checks import AudioFile, Target, average_spectrum, preview, render_master, wave_shapes
+from app.renders.spectrum import spectrum_png
+from audio_checks import AudioFile, Target, average_spectrum, preview, render_master, spectrogram, wave_shapes
 
 THUMB_POINTS = 160
 PEAKS_POINTS = 4096
 THUMB_FULL_SCALE = 127
 PLAYABLE_RATE_HZ = 48_000
-BLOCK_FRAMES = 65_536
 PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
 
 
@@ -34,7 +31,8 @@ def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
     played = path if plays_itself else str(Path(folder, PREVIEW))
     if not plays_itself:
         preview(path, played, loop=loop)
-    Path(folder, SPECTRUM).write_bytes(_spectrum(played))
+    # Of what plays: its 16 bits reach below black, and its 48 kHz above the top row.
+    Path(folder, SPECTRUM).write_bytes(spectrum_png(spectrogram(played)))
     return {
         "duration_s": facts.duration_s,
         "facts": {
@@ -67,20 +65,6 @@ def _plays_itself(path: str) -> bool:
             return is_narrow and bool(file.getframerate() <= PLAYABLE_RATE_HZ)
     except (wave.Error, EOFError):
         return False
-
-
-def _spectrum(path: str) -> bytes:
-    """Return the spectrum of a file that plays: 16 bits reach below black, 48 kHz above the top row."""
-    with wave.open(path) as file:
-        picture = SpectrumPicture(file.getframerate(), file.getnchannels(), file.getnframes())
-        for block in _blocks(file):
-            picture.add(block)
-    return picture.png()
-
-
-def _blocks(file: wave.Wave_read) -> Iterator[NDArray[np.float64]]:
-    while raw := file.readframes(BLOCK_FRAMES):
-        yield np.frombuffer(raw, "<i2").reshape(-1, file.getnchannels()) / 32_768.0
 
 
 def _thumb(shape: dict[str, Any]) -> dict[str, Any]:

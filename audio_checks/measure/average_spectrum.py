@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.window_powers import WindowPowers
 
 WINDOW_FRAMES = 8_192
 BANDS_AN_OCTAVE = 6
 LOWEST_HZ = 20.0
+WINDOWS_AT_ONCE = 16  # bounds the memory of one step
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ class AverageSpectrum:
         self._channels = channels
         self._size = size = WINDOW_FRAMES if bands_of_hz is None else _frames_of_window(sample_rate_hz)
         self._hop = size // 2
-        self._window = np.sin(np.pi * (np.arange(size) + 0.5) / size)
+        self._powers = _half_of_a_sine(size)
         self._held = np.zeros((channels, self._hop))
         self._power = np.zeros(size // 2 + 1)
         self._edges_hz = _edges(bands_of_hz or sample_rate_hz)
@@ -63,17 +66,16 @@ class AverageSpectrum:
     def add(self, block: NDArray[np.float64]) -> None:
         """Take in the next frames, shape (frames, channels)."""
         held = np.concatenate((self._held, block.T), axis=1)
-        start = 0
-        while start + self._size <= held.shape[1]:
-            spectra = np.fft.rfft(held[:, start : start + self._size] * self._window, axis=1)
-            self._power += (spectra.real**2 + spectra.imag**2).sum(axis=0)
-            start += self._hop
-        self._held = held[:, start:]
+        count = max(0, (held.shape[1] - self._size) // self._hop + 1)
+        for first in range(0, count, WINDOWS_AT_ONCE):
+            windows = min(WINDOWS_AT_ONCE, count - first)
+            powers = self._powers.of(held, first=first * self._hop, hop=self._hop, count=windows)
+            self._power += powers.sum(axis=(0, 1))
+        self._held = held[:, count * self._hop :]
 
     def result(self) -> BandLevels:
         """Return the levels, and end the stream; −inf everywhere for silence and for no frames."""
-        shares = _shares(self._edges_hz, self._rate, self._size)
-        bands = shares @ self._energy() / max(1, self._frames * self._channels)
+        bands = self._in_bands(self._energy()) / max(1, self._frames * self._channels)
         centres = np.sqrt(self._edges_hz[:-1] * self._edges_hz[1:])
         return BandLevels(centres, np.array([power_decibels(float(band)) for band in bands]))
 
@@ -83,6 +85,20 @@ class AverageSpectrum:
         whole = float(energy.sum())
         middles = np.arange(len(energy)) * (self._rate / self._size)
         return power_decibels(float(energy[middles > hz].sum()) / whole) if whole else -math.inf
+
+    def _in_bands(self, energy: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the energy of each band: bins are cut at the edges of bands, and their pieces added up."""
+        width_hz = self._rate / self._size
+        bins = np.clip((np.arange(len(energy) + 1) - 0.5) * width_hz, 0, self._rate / 2)
+        cuts = np.union1d(bins, self._edges_hz)
+        cuts = cuts[(cuts >= self._edges_hz[0]) & (cuts <= bins[-1])]  # bands may reach further than this rate
+        middles = (cuts[:-1] + cuts[1:]) / 2
+        of_bin = np.searchsorted(bins, middles) - 1
+        pieces = energy[of_bin] * np.diff(cuts) / np.diff(bins)[of_bin]
+        of_band = np.searchsorted(self._edges_hz, middles) - 1
+        bands = np.zeros(len(self._edges_hz) - 1)
+        np.add.at(bands, of_band, pieces)
+        return bands
 
     def _energy(self) -> NDArray[np.float64]:
         """Return the energy of each bin, once the windows have run out over the end."""
@@ -108,11 +124,6 @@ def _edges(sample_rate_hz: int) -> NDArray[np.float64]:
     return edges
 
 
-def _shares(edges_hz: NDArray[np.float64], sample_rate_hz: int, size: int) -> NDArray[np.float64]:
-    """Return how much of each bin belongs to each band, shape (bands, bins)."""
-    width_hz = sample_rate_hz / size
-    middles = np.arange(size // 2 + 1) * width_hz
-    low, high = np.maximum(middles - width_hz / 2, 0), np.minimum(middles + width_hz / 2, sample_rate_hz / 2)
-    inside = np.minimum(high, edges_hz[1:, np.newaxis]) - np.maximum(low, edges_hz[:-1, np.newaxis])
-    shares: NDArray[np.float64] = np.clip(inside, 0, None) / (high - low)
-    return shares
+@lru_cache(maxsize=8)
+def _half_of_a_sine(size: int) -> WindowPowers:
+    return WindowPowers(np.sin(np.pi * (np.arange(size) + 0.5) / size))

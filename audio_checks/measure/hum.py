@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.window_powers import hann_powers
 
 MAINS_HZ = (50.0, 60.0)
 MULTIPLES = 8  # that are looked for
@@ -96,7 +94,7 @@ class _Windows:
     def __init__(self, channels: int, cells_per_s: float, length: int, cell_frames: int) -> None:
         self._length = length
         self._hop = max(1, length // 2)
-        self._window, self._turns = _plan(length)
+        self._window_powers = hann_powers(length)
         self._bin_hz = cells_per_s / length
         self._bins = min(length // 2, math.ceil((MULTIPLES * MAINS_HZ[-1] + 2 * FAR_HZ) / self._bin_hz) + 2)
         # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
@@ -121,13 +119,7 @@ class _Windows:
     def _powers(self, kept: NDArray[np.float64], start: int, count: int) -> NDArray[np.float64]:
         """Return the power of the lowest bins of windows from a start on, shape (count, channels, bins)."""
         hop = self._hop * self._every
-        if self._turns is None:
-            windows = sliding_window_view(kept, self._length, axis=1)[:, start::hop][:, :count]
-            bins = np.fft.rfft(windows * self._window, axis=2)[:, :, : self._bins]
-            return (np.square(bins.real) + np.square(bins.imag)).swapaxes(0, 1)
-        powers = np.empty((count * len(kept), self._bins))
-        kernel.powers(kept, self._window, start, hop, self._turns, powers)
-        return powers.reshape(count, len(kept), self._bins)
+        return self._window_powers.of(kept, first=start, hop=hop, count=count, bins=self._bins)
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
@@ -182,19 +174,6 @@ class _Windows:
         if power < PROMINENT * sorted(beside)[len(beside) // 2]:
             return None
         return hz, left + power + right
-
-
-@lru_cache(maxsize=8)
-def _plan(length: int) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
-    """Return a Hann window and the turns that its transform takes; None where the kernel has no such transform."""
-    smooth = length
-    for prime in (2, 3, 5, 7):
-        while smooth % prime == 0:
-            smooth //= prime
-    turns = (
-        np.exp(-2j * np.pi * np.arange(length) / length).view(np.float64).reshape(length, 2) if smooth == 1 else None
-    )
-    return np.hanning(length + 1)[:-1].copy(), turns
 
 
 def _weight(lines: list[_Line]) -> tuple[int, float]:

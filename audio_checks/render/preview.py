@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
+from audio_checks.measure.spectrogram import Spectrogram
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
 from audio_checks.render.render import Recipe, render
 from audio_checks.render.rendered import Rendered
@@ -97,6 +98,28 @@ def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
         for block in wav.blocks(sound.file, layout):
             spectrum.add(block)
         return spectrum.result()
+
+
+def spectrogram(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """Return the levels of a sound over pitch and time in dBFS of a tone, streaming it once; see `Spectrogram`.
+
+    Returns
+    -------
+    ndarray, shape (128, columns)
+        Rows from 20 kHz to 60 Hz in equal steps of pitch, at most 1000 columns from the first frame to
+        the last; −inf for silence and above half the sample rate.
+
+    Raises
+    ------
+    Unreadable
+        When the file breaks a rule of structure.
+    """
+    with open_sound(path) as sound:
+        layout = sound.layout
+        levels = Spectrogram(layout.sample_rate_hz, layout.channels, layout.frames)
+        for block in wav.blocks(sound.file, layout):
+            levels.add(block)
+        return levels.levels()
 
 
 def playable_rate_hz(sample_rate_hz: int) -> int:

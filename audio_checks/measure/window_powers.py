@@ -1,0 +1,68 @@
+"""The power of every bin of windows that follow each other at even distances."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+from audio_checks import kernel
+
+PRIMES = (2, 3, 5, 7)  # of which the kernel's transforms are made
+
+
+class WindowPowers:
+    """One shape of window, and what its transform takes.
+
+    Parameters
+    ----------
+    window : ndarray, shape (length,)
+        What each frame of a window is multiplied by.
+    """
+
+    def __init__(self, window: NDArray[np.float64]) -> None:
+        self.length = length = len(window)
+        self._window = np.ascontiguousarray(window)
+        rest = length
+        for prime in PRIMES:
+            while rest % prime == 0:
+                rest //= prime
+        turns = np.exp(-2j * np.pi * np.arange(length) / length)
+        self._turns = turns.view(np.float64).reshape(length, 2) if rest == 1 else None
+
+    def of(
+        self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, bins: int | None = None
+    ) -> NDArray[np.float64]:
+        """Return the squared magnitudes of the lowest bins of each window.
+
+        Parameters
+        ----------
+        signal : ndarray, shape (channels, frames)
+            Each channel contiguous.
+        first, hop, count : int
+            Where the first window starts, frames between two starts, and how many windows there are;
+            the last one ends inside the signal.
+        bins : int, optional
+            Of each window; all up to half the sample rate if left out.
+
+        Returns
+        -------
+        ndarray, shape (count, channels, bins)
+            A sine of amplitude a in the middle of a bin gives (a · sum(window) / 2)²; silence gives 0.
+        """
+        bins = self.length // 2 + 1 if bins is None else bins
+        if self._turns is None:
+            windows = sliding_window_view(signal, self.length, axis=1)[:, first::hop][:, :count]
+            spectra = np.fft.rfft(windows * self._window, axis=2)[:, :, :bins]
+            return (np.square(spectra.real) + np.square(spectra.imag)).swapaxes(0, 1)
+        powers = np.empty((count * len(signal), bins))
+        kernel.powers(signal, self._window, first, hop, self._turns, powers)
+        return powers.reshape(count, len(signal), bins)
+
+
+@lru_cache(maxsize=16)
+def hann_powers(length: int) -> WindowPowers:
+    """Return a Hann window of so many frames, the first of them 0."""
+    return WindowPowers(np.hanning(length + 1)[:-1])
