@@ -8,10 +8,13 @@ from enum import Enum
 from typing import Any
 
 import sqlalchemy as sa
+from sqlalchemy.schema import AddConstraint, CreateIndex, DropConstraint, DropIndex
 
 from app.kit.db import Base, Database
 
 ROWS_AT_ONCE = 20_000
+CACHE_KB = 1_000_000  # of SQLite's pages: keys in no order would be read from the disk again and again
+BUILD_MEMORY = "SET LOCAL maintenance_work_mem = '512MB'"
 Row = tuple[Any, ...]
 
 
@@ -45,20 +48,23 @@ class Bulk:
             self.flush()
 
     def flush(self) -> None:
-        """Write what is gathered."""
+        """Write what is gathered; in a transaction of its own, since a log of all of it would be as large as all."""
+        if self._database.is_sqlite:
+            self._connection.cursor().execute("BEGIN IMMEDIATE")
         for table in Base.metadata.sorted_tables:
             if table in self._rows:
                 self._write(table)
+        self._connection.commit()
         self._gathered = 0
 
     def _bound(self, column: sa.Column[Any]) -> Callable[[Any], Any]:
+        if isinstance(column.type, sa.JSON):  # a text is what was written as JSON already, once for very many rows
+            return lambda value: value if value is None or isinstance(value, str) else json.dumps(value)
         if self._database.is_sqlite:
             processor = column.type.dialect_impl(self._database.engine.dialect).bind_processor(
                 self._database.engine.dialect
             )
             return processor or (lambda value: value)
-        if isinstance(column.type, sa.JSON):
-            return lambda value: None if value is None else json.dumps(value)
         return lambda value: value.value if isinstance(value, Enum) else value
 
     def _write(self, table: sa.Table) -> None:
@@ -75,24 +81,38 @@ class Bulk:
 
 
 @contextmanager
-def filling(database: Database, *, analysed: bool = True) -> Iterator[Bulk]:
-    """Give a Bulk whose rows are there when the block ends, with fresh statistics for the planner if wanted."""
+def filling(database: Database) -> Iterator[Bulk]:
+    """Give a Bulk whose rows are there when the block ends."""
     connection = database.engine.raw_connection()
     try:
-        cursor = connection.cursor()
         if database.is_sqlite:
-            cursor.execute("PRAGMA synchronous=OFF")
-            cursor.execute("BEGIN IMMEDIATE")
+            connection.cursor().execute("PRAGMA synchronous=OFF")
+            connection.cursor().execute(f"PRAGMA cache_size=-{CACHE_KB}")
         bulk = Bulk(database, connection)
         yield bulk
         bulk.flush()
-        if database.is_sqlite:
-            cursor.execute("COMMIT")
-        else:
-            connection.commit()
     finally:
         connection.invalidate()
-    if not analysed:
-        return
-    with database.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as analysing:
-        analysing.exec_driver_sql("ANALYZE" if database.is_sqlite else "VACUUM ANALYZE")
+
+
+@contextmanager
+def bare(database: Database) -> Iterator[None]:
+    """Take indexes away for a block, and on PostgreSQL foreign keys: made at its end they cost a fraction."""
+    tables = Base.metadata.sorted_tables
+    indexes = [index for table in tables for index in table.indexes]
+    keys = [] if database.is_sqlite else [key for table in tables for key in table.foreign_key_constraints]
+    with database.writing() as session:
+        for gone in (*map(DropConstraint, keys), *map(DropIndex, indexes)):
+            session.execute(gone)
+    yield
+    with database.writing() as session:
+        session.execute(sa.text(f"PRAGMA cache_size=-{CACHE_KB}" if database.is_sqlite else BUILD_MEMORY))
+        for made in (*map(CreateIndex, indexes), *map(AddConstraint, keys)):
+            session.execute(made)
+
+
+def analyse(database: Database) -> None:
+    """Have PostgreSQL count what its planner goes by, as it would by itself in time; no server of ours tells SQLite."""
+    if not database.is_sqlite:
+        with database.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
+            connection.exec_driver_sql("VACUUM ANALYZE")

@@ -1,157 +1,280 @@
 """How screens answer as projects and the server grow.
 
-    python -m benchmarks.scale                      a project of 100,000 takes on a server of 1,000,000
-    python -m benchmarks.scale --quick              a tenth of a hundredth of it, in a minute
-    python -m benchmarks.scale --database postgresql://…   the same on PostgreSQL; the database must be empty
+    python -m benchmarks.scale --keep DIR             a project of 100,000 takes on a server of 1,000,000, on SQLite
+    python -m benchmarks.scale --keep DIR --postgresql    the same on PostgreSQL, a server of its own in the folder
+    python -m benchmarks.scale --quick                a hundredth of it, in a minute
 
-Figures are those of a client on the same machine, over HTTP, one request at a time: from the first byte sent to the
-last byte of the answer. The tables and the picture go to docs/scale.md.
+Filling comes first and takes minutes; what is filled once in a folder that is kept is asked again and again.
 """
 
 import argparse
+import contextlib
+import json
+import os
 import random
 import statistics
 import tempfile
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from urllib.parse import quote
+from uuid import UUID
 
 import httpx
+import sqlalchemy as sa
+from fastapi.testclient import TestClient
 
-from benchmarks.bulk import filling
+from app import logs
+from app.kit import clock
+from app.kit.db import Base
+from app.main import create_app
+from app.row_security import condition
+from benchmarks.bulk import analyse, bare, filling
+from benchmarks.growth import draw_growth
+from benchmarks.plans import heard, whole_reads
+from benchmarks.screens import SCREENS, WORDS, Screen, sign_in
 from benchmarks.served import Place, headers_for
-from benchmarks.studios import Made, ProjectMaker, make_team, others
+from benchmarks.studios import Made, ProjectMaker, Team, make_team, others
 from benchmarks.tables import DOCS, machine, table, write_between
+from tests.support.postgres import Postgres
 
+DATABASE = "scale"
+FILLED = "filled.json"
 LIMIT_MS = 100.0
-WARM_UP = 5
-TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
+HELD = ("review queue", "sound list", "where its cues stand", "search")  # to the limit, and drawn
+FURTHER = ", further pages"
+WARM_UP = 3
+ASKS = 60  # of one screen in one project
+LEAST, LONGEST_S = 20, 4.0  # asks of a slow one
+LARGE_ROWS = 10_000
+TURNS = 3  # with and without policies
 
 
 @dataclass(frozen=True)
 class Size:
-    """How much to make and how often to ask."""
+    """How much to make."""
 
     projects: tuple[int, ...]  # takes
     server: int  # takes in all
-    asks: int
 
 
-FULL = Size((1_000, 3_000, 10_000, 30_000, 100_000), 1_000_000, 200)
-QUICK = Size((1_000, 3_000), 10_000, 40)
-Ask = Callable[[httpx.Client, Made, random.Random], httpx.Response]
-
-
-def _first_page(path: str) -> Ask:
-    return lambda client, made, _dice: client.get(path.format(project=made.project_id))
-
-
-def _any_page(path: str) -> Ask:
-    """Ask for a page somewhere in the list: the cursor of a page that was answered before."""
-    cursors: dict[str, list[str]] = {}
-
-    def ask(client: httpx.Client, made: Made, dice: random.Random) -> httpx.Response:
-        address = path.format(project=made.project_id)
-        known = cursors.setdefault(address, [])
-        answer = client.get(address, params={"cursor": dice.choice(known)} if known else {})
-        if answer.status_code == httpx.codes.OK and (following := answer.json().get("next")):
-            known.append(following)
-        return answer
-
-    return ask
-
-
-def _find(client: httpx.Client, made: Made, dice: random.Random) -> httpx.Response:
-    return client.get(f"/v1/projects/{made.project_id}/find", params={"q": dice.choice(TYPED)})
-
-
-SCREENS: dict[str, Ask] = {
-    "review queue, first page": _first_page("/v1/review-queue?project_id={project}"),
-    "review queue, further pages": _any_page("/v1/review-queue?project_id={project}"),
-    "review queue of all projects": _first_page("/v1/review-queue"),
-    "sound list, first page": _first_page("/v1/projects/{project}/sound-list"),
-    "sound list, further pages": _any_page("/v1/projects/{project}/sound-list"),
-    "where its cues stand, first page": _first_page("/v1/projects/{project}/sound-list/standing"),
-    "where its cues stand, further pages": _any_page("/v1/projects/{project}/sound-list/standing"),
-    "search": _find,
-}
-
-
-def p95_ms(times_s: list[float]) -> float:
-    """Return the time within which 95 of 100 answers came."""
-    return 1000 * statistics.quantiles(times_s, n=20)[-1]
-
-
-def ask_screens(address: str, made: Made, asks: int) -> dict[str, float]:
-    """Return the p95 of every screen, in milliseconds."""
-    dice, told = random.Random(7), {}
-    with httpx.Client(base_url=address, headers=headers_for(made.decider_secret), timeout=60) as client:
-        for name, ask in SCREENS.items():
-            times = []
-            for turn in range(WARM_UP + asks):
-                begun = time.perf_counter()
-                answer = ask(client, made, dice)
-                taken = time.perf_counter() - begun
-                if answer.status_code != httpx.codes.OK:
-                    raise SystemExit(f"{name}: {answer.status_code} {answer.text[:300]}")
-                if turn >= WARM_UP:
-                    times.append(taken)
-            told[name] = p95_ms(times)
-    return told
+FULL = Size((1_000, 3_000, 10_000, 30_000, 100_000), 1_000_000)
+QUICK = Size((1_000, 3_000), 10_000)
 
 
 def fill(place: Place, size: Size) -> list[Made]:
     """Make the projects that are measured and those of others around them."""
-    runtime, begun = place.runtime(), time.monotonic()
-    with filling(runtime.database) as bulk:
-        made = [  # each in a studio of its own: a queue of all projects is then of that size
-            ProjectMaker(bulk, make_team(bulk, f"Measured {takes}"), takes=takes, seed=takes).make()
-            for takes in size.projects
-        ]
-        studios = {}
-        for place_of, takes in others(size.server - sum(size.projects)):
-            if place_of not in studios:
-                studios[place_of] = make_team(bulk, f"Other {place_of}")
-            ProjectMaker(bulk, studios[place_of], takes=takes, seed=takes + place_of).make()
-    print(f"{bulk.written:,} rows in {time.monotonic() - begun:.0f} s", flush=True)
+    runtime, begun, takes_made = place.runtime(), time.monotonic(), 0
+    with bare(runtime.database):
+        with filling(runtime.database) as bulk:
+
+            def make(studio: str, takes: int, seed: int) -> Made:
+                nonlocal takes_made
+                if studio not in teams:
+                    teams[studio] = make_team(bulk, studio)
+                made = ProjectMaker(bulk, teams[studio], takes=takes, seed=seed).make()
+                takes_made += made.takes
+                print(f"{time.monotonic() - begun:6.0f} s  {takes_made:>9,} takes", flush=True)
+                return made
+
+            teams: dict[str, Team] = {}
+            # each in a studio of its own: a queue of all projects is then of that size
+            measured = [make(f"Measured {takes}", takes, takes) for takes in size.projects]
+            for place_of, takes in others(size.server - sum(size.projects)):
+                make(f"Other {place_of}", takes, takes + place_of)
+        print(f"{time.monotonic() - begun:6.0f} s  {bulk.written:>9,} rows; indexes next", flush=True)
+    analyse(runtime.database)
+    print(f"{time.monotonic() - begun:6.0f} s  filled", flush=True)
     runtime.close()
-    return made
+    return measured
+
+
+def filled(place: Place, size: Size) -> list[Made]:
+    """Return the projects that are measured, made now or by an earlier run in the same folder."""
+    kept = place.folder / FILLED
+    if not kept.exists():
+        made = fill(place, size)
+        kept.write_text(json.dumps([asdict(each) for each in made], default=str))
+    ids = ("studio_id", "project_id")
+    return [Made(**each | {key: UUID(each[key]) for key in ids}) for each in json.loads(kept.read_text())]
 
 
 @contextmanager
-def _folder(kept: Path | None) -> Iterator[Path]:
-    if kept is not None:
-        kept.mkdir(parents=True, exist_ok=True)
-        yield kept
-        return
-    with tempfile.TemporaryDirectory(prefix="soundlist-scale-") as folder:
-        yield Path(folder)
+def placed(kept: Path | None, *, postgresql: bool) -> Iterator[tuple[Place, Postgres | None]]:
+    """Give a place to fill, and the PostgreSQL server that was started in it where one is wanted."""
+    with ExitStack() as stack:
+        folder = kept or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="soundlist-scale-")))
+        folder.mkdir(parents=True, exist_ok=True)
+        folder = folder.resolve()
+        if not postgresql:
+            yield Place(folder), None
+            return
+        folder.chmod(0o755)  # the server runs as a user of its own
+        (folder / "postgresql").mkdir(exist_ok=True)
+        server = Postgres(folder / "postgresql", durable=False)
+        server.start()
+        stack.callback(server.stop)
+        url = server.url(DATABASE) if server.has_database(DATABASE) else server.new_database(DATABASE)
+        yield Place(folder, url), server
+
+
+@dataclass(frozen=True)
+class Asked:
+    """How long the answers to one request took, those of a warm server."""
+
+    wall_s: list[float]
+    cpu_s: list[float]
+
+    def __str__(self) -> str:
+        return f"{p95_ms(self.wall_s):.0f} ({p95_ms(self.cpu_s):.0f})"
+
+
+def p95_ms(times_s: Sequence[float]) -> float:
+    """Return the time within which 95 of 100 were done."""
+    return 1000 * statistics.quantiles(times_s, n=20)[-1]
+
+
+class Server:
+    """A web process that is asked, and what it and its database spend on it."""
+
+    def __init__(self, address: str, web_pid: int, database_pid: int | None) -> None:
+        self._address = address
+        self._web_pid = web_pid
+        self._database_pid = database_pid
+
+    def ask(self, screen: Screen, made: Made, *, further: bool = False) -> Asked:
+        """Ask for one screen again and again; for pages anywhere in the list where further ones are wanted."""
+        dice, times, cursors = random.Random(7), Asked([], []), []
+        with httpx.Client(base_url=self._address, headers=headers_for(screen.secret(made)), timeout=60) as client:
+            for turn in range(WARM_UP + ASKS):
+                if turn >= WARM_UP + LEAST and sum(times.wall_s) > LONGEST_S:
+                    break
+                address = screen.address(made).format(words=dice.choice(WORDS))
+                if further and cursors:
+                    address += f"{'&' if '?' in address else '?'}cursor={quote(dice.choice(cursors))}"
+                spent, begun = self._spent_s(), time.perf_counter()
+                answer = client.get(address)
+                wall_s, now = time.perf_counter() - begun, self._spent_s()
+                if answer.status_code != httpx.codes.OK:
+                    raise SystemExit(f"{address}: {answer.status_code} {answer.text[:300]}")
+                if further and (following := answer.json().get("next")):
+                    cursors.append(following)
+                if turn >= WARM_UP:
+                    times.wall_s.append(wall_s)
+                    times.cpu_s.append(sum(now[pid] - before for pid, before in spent.items() if pid in now))
+        return times
+
+    def _spent_s(self) -> dict[int, float]:
+        """Return the CPU time of the web process and of each process of its database."""
+        pids = [self._web_pid]
+        if self._database_pid is not None:
+            children = Path(f"/proc/{self._database_pid}/task/{self._database_pid}/children").read_text()
+            pids += map(int, children.split())
+        spent = {}
+        for pid in pids:
+            with contextlib.suppress(OSError):  # one that just ended
+                spent[pid] = time.clock_gettime(~pid << 3 | 2)  # clock_getcpuclockid(3)
+        return spent
+
+
+def ask_all(server: Server, made: Sequence[Made]) -> dict[str, list[Asked]]:
+    """Return what every screen took, by project, and print each as it is known."""
+    told: dict[str, list[Asked]] = {}
+    for name, screen in SCREENS.items():
+        for further in (False, True) if screen.paged else (False,):
+            line = name + FURTHER * further
+            told[line] = [server.ask(screen, each, further=further) for each in made]
+            print(f"{line:40} {'  '.join(f'{each!s:>11}' for each in told[line])}", flush=True)
+    return told
+
+
+def read_whole(place: Place, made: Made) -> dict[str, set[str]]:
+    """Return the large tables that screens would read from one end to the other, now that they are large."""
+    runtime, found = place.runtime(), {}
+    browser = TestClient(create_app(runtime), base_url="http://127.0.0.1:8000")
+    with runtime.database.reading() as session:
+        large = {
+            name
+            for name, table in Base.metadata.tables.items()
+            if len(session.execute(sa.select(sa.literal(1)).select_from(table).limit(LARGE_ROWS)).all()) == LARGE_ROWS
+        }
+    for name, screen in SCREENS.items():
+        asking = sign_in(browser, runtime.settings, screen.secret(made))
+        with heard(runtime.database.engine) as statements:
+            asking.get(screen.address(made).format(words=WORDS[0])).raise_for_status()
+        with runtime.database.engine.connect() as connection:
+            if tables := set().union(*(whole_reads(connection, each, large) for each in statements)):
+                found[name] = tables
+    runtime.close()
+    return found
+
+
+def policies_cost(place: Place, server: Server, made: Made) -> dict[str, tuple[float, float]]:
+    """Return the median CPU seconds of each held screen with row policies and without, asked in turns."""
+    runtime = place.runtime()
+    spent: dict[str, tuple[list[float], list[float]]] = {name: ([], []) for name in HELD}
+    for _ in range(TURNS):
+        for place_of, verb in enumerate(("ENABLE", "DISABLE")):
+            with runtime.database.writing() as session:
+                for table in Base.metadata.sorted_tables:
+                    if condition(table) is not None:
+                        session.execute(sa.text(f"ALTER TABLE {table.name} {verb} ROW LEVEL SECURITY"))
+            for name in HELD:
+                spent[name][place_of].extend(server.ask(SCREENS[name], made).cpu_s)
+    with runtime.database.writing() as session:
+        for table in Base.metadata.sorted_tables:
+            if condition(table) is not None:
+                session.execute(sa.text(f"ALTER TABLE {table.name} ENABLE ROW LEVEL SECURITY"))
+    runtime.close()
+    return {name: (statistics.median(held), statistics.median(free)) for name, (held, free) in spent.items()}
 
 
 def main() -> None:
-    """Make, ask, and write down."""
+    """Fill, ask, and write down."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.scale", description=__doc__.partition("\n")[0])
     parser.add_argument("--quick", action="store_true", help="small sizes; nothing is written to docs")
-    parser.add_argument("--database", default="", help="an empty PostgreSQL database; SQLite if left out")
-    parser.add_argument("--keep", type=Path, help="a folder to keep the data in")
+    parser.add_argument("--postgresql", action="store_true", help="on a PostgreSQL server of its own; else on SQLite")
+    parser.add_argument("--keep", type=Path, help="a folder to keep the data in, or to find it in")
     options = parser.parse_args()
-    size = QUICK if options.quick else FULL
-    with _folder(options.keep) as folder:
-        place = Place(folder.resolve(), options.database)
-        made = fill(place, size)
-        with place.serving() as (address, _):
-            told = [ask_screens(address, each, size.asks) for each in made]
-    head = ["p95, ms", *(f"{each.takes:,} takes, {each.cues:,} cues" for each in made)]
-    text = table(head, [[name, *(f"{one[name]:.0f}" for one in told)] for name in SCREENS])
-    print(text)
-    kind = "PostgreSQL" if options.database else "SQLite"
-    if not options.quick:
-        note = f"{kind}, {size.server:,} takes on the server, {machine()}."
-        write_between(DOCS / "scale.md", f"screens {kind.lower()}", f"{note}\n\n{text}")
-    slow = [name for name in SCREENS if told[-1][name] > LIMIT_MS]
-    print(f"over {LIMIT_MS:.0f} ms: {', '.join(slow) or 'none'}")
+    logs.configure()
+    kind, size = ("PostgreSQL" if options.postgresql else "SQLite"), QUICK if options.quick else FULL
+    with placed(options.keep, postgresql=options.postgresql) as (place, database):
+        made = filled(place, size)
+        whole = read_whole(place, made[-1])
+        print("read from one end to the other:", whole or "no large table", flush=True)
+        with place.serving() as (address, process):
+            server = Server(address, process.pid, database.pid if database else None)
+            told = ask_all(server, made)
+            cost = policies_cost(place, server, made[-1]) if database else {}
+    head = ["p95, ms: wall (CPU)", *(f"{each.takes:,} takes, {each.cues:,} cues" for each in made)]
+    text = table(head, [[name, *times] for name, times in told.items()])
+    if cost:
+        rows = [
+            [name, *(f"{1000 * each:.1f}" for each in both), f"{both[0] / both[1]:.2f}"] for name, both in cost.items()
+        ]
+        costs = table(["CPU, ms, median", "with row policies", "without", "ratio"], rows)
+        print(costs)
+        text += f"\n\nWhat row policies cost in the largest project, asked with and without in turns:\n\n{costs}"
+    slow = [
+        name
+        for name, times in told.items()
+        if name.removesuffix(FURTHER) in HELD and p95_ms(times[-1].wall_s) > LIMIT_MS
+    ]
+    print(f"over {LIMIT_MS:.0f} ms of those that must not be: {', '.join(slow) or 'none'}")
+    if options.quick:
+        return
+    load = ", ".join(f"{each:.1f}" for each in os.getloadavg())
+    note = f"{kind}, {size.server:,} takes on the server; {machine()}; {clock.now():%-d %B %Y}, load {load} at the end."
+    write_between(DOCS / "scale.md", f"screens {kind.lower()}", f"{note}\n\n{text}")
+    draw_growth(
+        DOCS / "pictures" / f"growth_{kind.lower()}.svg",
+        title=f"CPU time of an answer, p95, {kind}",
+        takes=[each.takes for each in made],
+        times_ms={name: [p95_ms(each.cpu_s) for each in told[name]] for name in HELD},
+        limit_ms=LIMIT_MS,
+    )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Makes studios, lists and takes of any size, shaped like real ones, straight into the tables."""
 
 import hashlib
+import json
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -63,10 +64,12 @@ class Team:
 class Made:
     """What a project was filled with."""
 
+    studio_id: UUID
     project_id: UUID
     cues: int
     takes: int
     waiting_cues: int
+    producer_secret: str
     decider_secret: str
     designer_secret: str
 
@@ -115,10 +118,12 @@ class ProjectMaker:
             cues += 1
             self._make_cue(cues)
         return Made(
+            self._team.studio_id,
             self._project_id,
             cues,
             self._takes,
             self._waiting_cues,
+            sign_in(self._bulk, self._team.producer_id),
             sign_in(self._bulk, self._team.decider_id),
             sign_in(self._bulk, self._team.designer_ids[0]),
         )
@@ -199,9 +204,10 @@ class ProjectMaker:
         self._make_picture(sha256)
         if state is TakeState.RECEIVED:
             return
-        report = _report(name, sha256, rejected=state is TakeState.RETURNED)
-        add(CheckRun, **self._tenant, take_id=take_id, spec_id=self._spec_id, key=sha256, verdict=report["verdict"],
-            pcm_sha256=sha256, report=report, tool_version=audio_checks.TOOL_VERSION, created_at=at)  # fmt: skip
+        is_rejected = state is TakeState.RETURNED
+        add(CheckRun, **self._tenant, take_id=take_id, spec_id=self._spec_id, key=sha256, pcm_sha256=sha256,
+            verdict="rejected" if is_rejected else "conforming", report=_report(name, sha256, rejected=is_rejected),
+            tool_version=audio_checks.TOOL_VERSION, created_at=at)  # fmt: skip
         if state in RENDERED_STATES:
             self._make_renders(take_id, sha256, category, loop=loop)
         if state is TakeState.APPROVED:
@@ -222,16 +228,16 @@ class ProjectMaker:
             key = recipe.key(master_sha256)
             self._bulk.add(
                 Render, **self._tenant, take_id=take_id, target=target, key=key, state=RenderState.MADE, sha256=key,
-                pcm_sha256=key, file_bytes=576_044, facts=_facts(), measurements=_measurements(),
+                pcm_sha256=key, file_bytes=576_044, facts=_facts_text(), measurements=_measurements_text(),
             )  # fmt: skip
             self._make_picture(key)
         self._bulk.add(RenderSet, take_id=take_id, studio_id=self._team.studio_id, spec_id=self._spec_id, edition=1)
 
     def _make_picture(self, sha256: str) -> None:
         self._bulk.add(
-            Picture, studio_id=self._team.studio_id, sound_sha256=sha256, duration_s=3.0, facts=_facts(),
+            Picture, studio_id=self._team.studio_id, sound_sha256=sha256, duration_s=3.0, facts=_facts_text(),
             thumb=_thumb(), peaks_sha256=sha256, spectrum_sha256=sha256, preview_sha256=sha256,
-            preview_media_type="audio/wav",
+            preview_media_type="audio/wav", drawn_bytes=310_000,
         )  # fmt: skip
 
 
@@ -255,10 +261,11 @@ def _recipes(category: str, loop: bool) -> Any:
 
 
 @cache
-def _thumb() -> dict[str, Any]:
+def _thumb() -> str:
     dice = random.Random(1)
     high = [dice.randrange(0, 127) for _ in range(THUMB_POINTS)]
-    return {"points": THUMB_POINTS, "min": [-one for one in high], "max": high, "rms": [one // 2 for one in high]}
+    shape = {"points": THUMB_POINTS, "min": [-one for one in high], "max": high, "rms": [one // 2 for one in high]}
+    return json.dumps(shape)
 
 
 @cache
@@ -267,6 +274,11 @@ def _facts() -> dict[str, Any]:
         "container": "wav", "encoding": "pcm", "sample_rate_hz": 48_000, "bit_depth": 24, "effective_bits": 24,
         "channels": 2, "frames": 144_000, "duration_s": 3.0, "chunks": ["fmt ", "data"],
     }  # fmt: skip
+
+
+@cache
+def _facts_text() -> str:
+    return json.dumps(_facts())
 
 
 @cache
@@ -283,6 +295,11 @@ def _measurements() -> dict[str, Any]:
 
 
 @cache
+def _measurements_text() -> str:
+    return json.dumps(_measurements())
+
+
+@cache
 def _finding() -> dict[str, Any]:
     return {
         "check": "sample-peak", "code": "sample-peak:over", "severity": "error", "message":
@@ -291,9 +308,16 @@ def _finding() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _report(name: str, sha256: str, *, rejected: bool) -> dict[str, Any]:
-    return {
-        "path": name, "sha256": sha256, "pcm_sha256": sha256, "category": "ui",
+@cache
+def _report_text(*, rejected: bool) -> str:
+    """Return the report on a file whose name and hash stand in it as {name} and {sha256}."""
+    report = {
+        "path": "{name}", "sha256": "{sha256}", "pcm_sha256": "{sha256}", "category": "ui",
         "verdict": "rejected" if rejected else "conforming", "facts": _facts(), "measurements": _measurements(),
         "judgements": {}, "findings": [_finding()] if rejected else [],
     }  # fmt: skip
+    return json.dumps(report)
+
+
+def _report(name: str, sha256: str, *, rejected: bool) -> str:
+    return _report_text(rejected=rejected).replace("{name}", name).replace("{sha256}", sha256)

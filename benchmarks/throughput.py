@@ -86,7 +86,7 @@ def run(
     place: Place, runtime: Runtime, warm: list[bytes], sounds: list[bytes], workers: int, command: tuple[str, ...]
 ) -> tuple[float, float]:
     """Return wall and CPU seconds from the delivery of all sounds, in a project of their own, to their last job."""
-    with filling(runtime.database, analysed=False) as bulk:
+    with filling(runtime.database) as bulk:
         made = ProjectMaker(bulk, make_team(bulk, f"{workers} workers"), takes=0, seed=1).make()
     with ExitStack() as running:
         processes = [

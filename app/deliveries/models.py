@@ -51,6 +51,7 @@ class Take(Base):
             "studio_id",  # which the row policies of PostgreSQL ask for
         ),
         Index("ix_deliveries_takes_project_id_id", "project_id", "id"),
+        Index("ix_deliveries_takes_kept", "studio_id", "master_sha256", "master_bytes"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)

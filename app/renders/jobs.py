@@ -96,19 +96,19 @@ def _tried(call: Callable[[], R]) -> R:
 def _stored_picture(
     runtime: Runtime, studio_id: UUID, sound_sha256: str, folder: Path, drawn: dict[str, Any]
 ) -> Picture:
-    def stored(name: str) -> str:
-        return runtime.store.put_file(studio_id, folder / name).sha256
-
+    peaks, spectrum = (runtime.store.put_file(studio_id, folder / name) for name in (drawing.PEAKS, drawing.SPECTRUM))
+    preview = None if drawn["plays_itself"] else runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
     return Picture(
         studio_id=studio_id,
         sound_sha256=sound_sha256,
         duration_s=drawn["duration_s"],
         facts=drawn["facts"],
         thumb=drawn["thumb"],
-        peaks_sha256=stored(drawing.PEAKS),
-        spectrum_sha256=stored(drawing.SPECTRUM),
-        preview_sha256=sound_sha256 if drawn["plays_itself"] else stored(drawing.PREVIEW),
+        peaks_sha256=peaks.sha256,
+        spectrum_sha256=spectrum.sha256,
+        preview_sha256=preview.sha256 if preview else sound_sha256,
         preview_media_type="audio/wav",
+        drawn_bytes=sum(blob.size_bytes for blob in (peaks, spectrum, preview) if blob),
     )
 
 

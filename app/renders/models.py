@@ -19,10 +19,11 @@ class Render(Base):
     __table_args__ = (
         UniqueConstraint("take_id", "target", "key"),
         CheckConstraint("(state = 'made') = (sha256 is not null)", name="made_has_file"),
+        Index("ix_renders_renders_kept", "studio_id", "sha256", "file_bytes"),  # what a studio keeps is summed up of it
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     target: Mapped[str]
@@ -99,10 +100,13 @@ class Picture(Base):
     """What the eye and ear need of one stored sound: its shape at two sizes, its spectrum, a preview to play."""
 
     __tablename__ = "renders_pictures"
-    __table_args__ = (UniqueConstraint("studio_id", "sound_sha256"),)
+    __table_args__ = (
+        UniqueConstraint("studio_id", "sound_sha256"),
+        Index("ix_renders_pictures_kept", "studio_id", "drawn_bytes"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
     sound_sha256: Mapped[str] = mapped_column(index=True)  # of a master or of a render
     duration_s: Mapped[float | None]  # None, like the hashes below, when the sound cannot be drawn
     facts: Mapped[dict[str, Any]] = mapped_column(default=dict)  # rate, depth, channels and frames
@@ -111,6 +115,9 @@ class Picture(Base):
     spectrum_sha256: Mapped[str | None]
     preview_sha256: Mapped[str | None]
     preview_media_type: Mapped[str | None]
+    drawn_bytes: Mapped[int | None] = mapped_column(
+        BigInteger
+    )  # of all three together; None: drawn before it was noted
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -35,6 +35,8 @@ class Postgres:
         self._running: subprocess.Popen[bytes] | None = None
         if self._user:
             shutil.chown(folder, self._user)
+        if self._data.exists():
+            return
         self._run(
             "initdb", "--auth=trust", f"--username={SUPERUSER}", "--encoding=UTF8", "--locale=C.UTF-8",
             "--no-sync", "--no-instructions", "--pgdata", str(self._data),
@@ -105,6 +107,11 @@ class Postgres:
     def url(self, database: str) -> str:
         """Return what SOUNDLIST_DATABASE_URL would say."""
         return f"postgresql://{OWNER}@/{database}?host={self.folder}"
+
+    def has_database(self, name: str) -> bool:
+        """Whether a database is there."""
+        with self.superuser() as connection:
+            return connection.execute("select 1 from pg_database where datname = %s", [name]).fetchone() is not None
 
     def new_database(self, name: str) -> str:
         """Create an empty database, and return its URL."""

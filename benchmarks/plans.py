@@ -1,0 +1,50 @@
+"""How a database says that it will find what a statement asks for."""
+
+import re
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+from typing import Any
+
+import sqlalchemy as sa
+
+Statement = tuple[str, Any]
+
+
+@contextmanager
+def heard(engine: sa.Engine) -> Iterator[list[Statement]]:
+    """Gather the statements that are executed during a block."""
+    statements: list[Statement] = []
+
+    def hear(_connection: Any, _cursor: Any, statement: str, parameters: Any, *_: Any) -> None:
+        statements.append((statement, parameters))
+
+    sa.event.listen(engine, "before_cursor_execute", hear)
+    yield statements
+    sa.event.remove(engine, "before_cursor_execute", hear)
+
+
+def plan_of(connection: sa.Connection, statement: Statement) -> list[str]:
+    """Return the lines of what the database says it will do."""
+    text, parameters = statement
+    if connection.dialect.name == "sqlite":
+        return [row[3] for row in connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {text}", parameters)]
+    return [row[0] for row in connection.exec_driver_sql(f"EXPLAIN {text}", parameters)]
+
+
+def whole_reads(connection: sa.Connection, statement: Statement, tables: Collection[str]) -> set[str]:
+    """Return those of the tables, or of their indexes, that a statement reads from one end to the other."""
+    if not re.match(r"\s*(SELECT|WITH)\b", statement[0]) or "set_config" in statement[0]:
+        return set()
+    plan = plan_of(connection, statement)
+    if connection.dialect.name == "sqlite":
+        names = [found.group(1) for line in plan if (found := re.match(r"SCAN (\w+)", line))]
+    else:
+        names = [
+            found.group(1)
+            for line, following in pairwise([*plan, ""])
+            if (found := re.search(r"(?:Seq|Index|Index Only) Scan(?: Backward)?(?: using \w+)? on (\w+)", line))
+            and "Index Cond" not in following
+        ]
+    names = [re.sub(r"_\d+$", "", name) for name in names]
+    return {table for table in tables if any(name == table or f"_{table}_" in name for name in names)}
