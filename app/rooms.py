@@ -42,6 +42,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("conformance.check_take", "renders.draw_take"),
     "take.checked": ("renders.make_renders", "notifications.tell_check"),
+    "take.rendered": ("renders.hear_take",),
+    "palette.changed": ("renders.hear_palette",),
     "mend.asked": ("conformance.make_mend",),
     "mend.made": ("renders.draw_mend",),
     "take.waived": ("renders.make_renders",),

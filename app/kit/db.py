@@ -103,6 +103,7 @@ class Base(DeclarativeBase):
         StrEnum: sa.Enum(StrEnum, native_enum=False, length=32, values_callable=lambda kind: [e.value for e in kind]),
         dict[str, Any]: sa.JSON().with_variant(JSONB(), "postgresql"),
         list[str]: sa.JSON().with_variant(JSONB(), "postgresql"),
+        list[float]: sa.JSON().with_variant(JSONB(), "postgresql"),
         list[dict[str, Any]]: sa.JSON().with_variant(JSONB(), "postgresql"),
     }
 

@@ -15,11 +15,12 @@ from prometheus_client import Counter
 from app.conformance.queries import mend_by_id
 from app.deliveries.queries import take_by_id
 from app.kit import kill
+from app.kit.events import publish
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
-from app.renders import batches, drawing, master_exports, queries, reel_sound, reels, service
-from app.renders.models import Picture, Render
+from app.renders import batches, drawing, master_exports, queries, reel_sound, reels, service, timbre
+from app.renders.models import Picture, Render, Timbre
 from app.renders.rules import Recipe, RenderState
 from audio_checks import Exported, RenderRefused, Sandbox, SandboxFailed, Unreadable, export_master, spoken
 
@@ -110,6 +111,44 @@ def _stored_picture(
         preview_media_type="audio/wav",
         drawn_bytes=sum(blob.size_bytes for blob in (peaks, spectrum, preview) if blob),
     )
+
+
+@cache
+def _librosa_sandbox() -> Sandbox:
+    loaded = ("numpy", "audio_checks", "librosa.core.spectrum", "librosa.feature.spectral", timbre.__name__)
+    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=2 * MEMORY_BYTES, preload=loaded)
+
+
+@job("renders.hear_take")
+def hear_take(runtime: Runtime, payload: Payload) -> None:
+    """Measure what a take's master is like, for comparing it with others."""
+    with runtime.database.reading() as session:
+        take = take_by_id(session, UUID(payload["take_id"]))
+        if take is None or queries.timbre_of(session, take.studio_id, take.master_sha256) is not None:
+            return
+        studio_id, sha256 = take.studio_id, take.master_sha256
+        loop = take.cue is not None and take.cue.loop
+    with (
+        runtime.store.local_copy(studio_id, sha256) as master,
+        tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
+    ):
+        try:
+            heard = _tried(lambda: _librosa_sandbox().call(timbre.measure, str(master), folder, loop=loop))
+        except (Unreadable, RenderRefused, SandboxFailed) as error:
+            log.info("a sound could not be compared", sha256=sha256, error=str(error))
+            heard = None
+    with runtime.database.writing() as session:
+        service.keep_timbre(session, Timbre(studio_id=studio_id, sound_sha256=sha256, **(heard or {})))
+
+
+@job("renders.hear_palette")
+def hear_palette(runtime: Runtime, payload: Payload) -> None:
+    """Ask for what is needed to compare the sounds of a project, once it has a palette."""
+    project_id, studio_id = UUID(payload["project_id"]), UUID(payload["studio_id"])
+    with runtime.database.writing() as session:
+        if queries.has_palette(session, project_id):
+            for take_id in queries.unheard_take_ids(session, project_id):
+                publish(session, "take.rendered", studio_id=studio_id, priority=BULK, take_id=take_id)
 
 
 @job("renders.make_renders")

@@ -121,6 +121,20 @@ class Picture(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
+class Timbre(Base):
+    """What a stored sound is like beside others: its colour, and how its energy is spread over frequency."""
+
+    __tablename__ = "renders_timbres"
+    __table_args__ = (UniqueConstraint("studio_id", "sound_sha256"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    sound_sha256: Mapped[str]  # of a master
+    timbre: Mapped[list[float]] = mapped_column(default=list)  # empty, like the bands, where there is nothing to hear
+    bands_db: Mapped[list[float]] = mapped_column(default=list)  # from 20 Hz on, under the loudest
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
 class Reel(Base):
     """All takes of a cue that somebody sees, in a row, to be listened to; it never ships."""
 

@@ -13,9 +13,10 @@ from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.projects.models import Engagement, Spec
-from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render
+from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 
 RenderRow = Row[UUID, str, str, RenderState, int | None, str | None]
 
@@ -50,6 +51,24 @@ def pictures_of_sounds(session: Session, studio_ids: Iterable[UUID], sha256s: It
 def picture_of(session: Session, studio_id: UUID, sha256: str) -> Picture | None:
     """Return the picture of one stored sound."""
     return session.scalar(select(Picture).where(Picture.studio_id == studio_id, Picture.sound_sha256 == sha256))
+
+
+def timbre_of(session: Session, studio_id: UUID, sha256: str) -> Timbre | None:
+    """Return what one stored sound is like."""
+    return session.scalar(select(Timbre).where(Timbre.studio_id == studio_id, Timbre.sound_sha256 == sha256))
+
+
+def has_palette(session: Session, project_id: UUID) -> bool:
+    """Whether a project's list marks any cue as its palette."""
+    marked = select(Cue.id).where(Cue.project_id == project_id, Cue.palette, Cue.state != CueState.CUT)
+    return bool(session.scalar(select(marked.exists())))
+
+
+def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the matched takes of a project that may still ship and whose sound has not been measured yet."""
+    heard = exists().where(Timbre.studio_id == Take.studio_id, Timbre.sound_sha256 == Take.master_sha256)
+    query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES), ~heard)
+    return session.scalars(query.where(Take.cue_id.is_not(None)).order_by(Take.id)).all()
 
 
 def _in_reach(actor: Actor) -> ColumnElement[bool]:

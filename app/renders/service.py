@@ -12,10 +12,12 @@ from app.conformance.queries import made_mend_of
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_by_id
 from app.deliveries.service import take_for
+from app.kit.events import publish
+from app.kit.queue import BULK
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
-from app.renders.models import Picture, Render, RenderSet
+from app.renders.models import Picture, Render, RenderSet, Timbre
 from app.renders.rules import RENDERED_STATES, Recipe
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 
@@ -184,3 +186,12 @@ def complete(session: Session, order: RenderOrder) -> None:
     if take is None or take.edition != order.edition or current_spec(session, take.project_id).id != order.spec_id:
         return
     session.merge(RenderSet(take_id=take.id, studio_id=take.studio_id, spec_id=order.spec_id, edition=order.edition))
+    if queries.has_palette(session, take.project_id):
+        publish(session, "take.rendered", studio_id=take.studio_id, priority=BULK, take_id=take.id)
+
+
+def keep_timbre(session: Session, timbre: Timbre) -> None:
+    """Put what a sound is like on record, once."""
+    if queries.timbre_of(session, timbre.studio_id, timbre.sound_sha256) is None:
+        session.add(timbre)
+        session.flush()

@@ -7,10 +7,10 @@ from fastapi import APIRouter
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
-from app.deliveries.errors import TakeNotFound, WrongState
+from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, problems
 from app.projects.errors import DeciderNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import comments, review_room, sendings, service
+from app.reviews import comments, fit, review_room, sendings, service
 from app.reviews.errors import (
     AlreadyAccepted,
     AlreadySent,
@@ -35,12 +35,14 @@ from app.reviews.schemas import (
     CueCut,
     CueCutRead,
     CueReviewRead,
+    DeliveryFitRead,
     HistoryEntry,
     QueueItem,
     SendingAdd,
     SendingRead,
     SetAccept,
     SetAccepted,
+    TakeFitRead,
     VerdictGive,
     VerdictGiven,
     VerdictUndone,
@@ -195,3 +197,17 @@ def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Si
 def cut_cue(cue_id: UUID, body: CueCut, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> Cue:
     """Cut a cue that the game no longer needs; it is kept with its reason and its takes."""
     return service.cut_cue(session, actor, cue_id, reason=body.reason)
+
+
+@router.get("/takes/{take_id}/fit", response_model=TakeFitRead, responses=problems(TakeNotFound, TeamNeeded))
+def see_take_fit(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> TakeFitRead:
+    """Show how a take lies among the approved sounds of its category, or of the palette."""
+    return fit.take_fit(session, actor, take_id)
+
+
+@router.get(
+    "/deliveries/{delivery_id}/fit", response_model=DeliveryFitRead, responses=problems(DeliveryNotFound, TeamNeeded)
+)
+def see_delivery_fit(delivery_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> DeliveryFitRead:
+    """Show how a delivery lies among what other designers made before and was approved."""
+    return fit.delivery_fit(session, actor, delivery_id)

@@ -1,7 +1,7 @@
 """The bodies of this room."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 from uuid import UUID
 
 from pydantic import Field
@@ -9,9 +9,11 @@ from pydantic import Field
 from app.accounts.schemas import PersonBrief
 from app.conformance.schemas import FindingRead
 from app.deliveries.rules import TakeState
+from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief
+from app.reviews.fit_rules import FitBasis, Measure, Stands
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
@@ -282,3 +284,78 @@ class CueCutRead(Schema):
     state: CueState
     cut_reason: str
     cut_at: datetime
+
+
+class FitPoint(Schema):
+    """An approved cue that a sound is compared with; several variations count as the one in their middle."""
+
+    cue: CueBrief
+    is_palette: bool
+    value: float
+
+
+class MeasureFit(Schema):
+    """Where a sound lies among others by one measure."""
+
+    measure: Measure
+    unit: str = Field(description="Of loudness LUFS; of spectrum and timbre the dB from the middle of the others.")
+    value: float
+    middle: float = Field(description="Of the others.")
+    lowest: float
+    highest: float
+    stands: Stands
+    others: list[FitPoint]
+
+
+class TakeFitRead(Schema):
+    """How a take lies among the approved sounds of its category, or of the palette where those are too few."""
+
+    take_id: UUID
+    cue: CueBrief | None
+    basis: FitBasis | None = Field(description="What it is compared with; null where it is not.")
+    category: str
+    says: str = Field(examples=["Stands apart: louder than all of them, by 4.2 LU."])
+    is_apart: bool
+    measures: list[MeasureFit]
+    first_delivery_id: UUID | None = Field(
+        description="Its delivery, where that is the first of a designer who takes over."
+    )
+
+    @classmethod
+    def nothing(
+        cls, take_id: UUID, says: str, *, cue: CueBrief | None = None, first_delivery_id: UUID | None = None
+    ) -> Self:
+        """Return that nothing can be compared, and why."""
+        return cls(
+            take_id=take_id,
+            cue=cue,
+            basis=None,
+            category="",
+            says=says,
+            is_apart=False,
+            measures=[],
+            first_delivery_id=first_delivery_id,
+        )
+
+
+class DeliveryShift(Schema):
+    """How far a delivery lies off the work before by one measure."""
+
+    measure: Measure
+    unit: str
+    compared: int
+    apart: int = Field(description="How many of these stand apart.")
+    shift: float = Field(description="By how much the middle one lies over what it is compared with.")
+
+
+class DeliveryFitRead(Schema):
+    """How a delivery lies among what other designers made before and was approved."""
+
+    delivery_id: UUID
+    project_id: UUID
+    number: int
+    designer: PersonBrief
+    is_first: bool = Field(description="The designer delivered nothing to this project before.")
+    made_before_by: list[str]
+    takes: list[TakeFitRead]
+    shifts: list[DeliveryShift]

@@ -2773,6 +2773,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/fit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Take Fit
+         * @description Show how a take lies among the approved sounds of its category, or of the palette.
+         */
+        get: operations["see_take_fit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/deliveries/{delivery_id}/fit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Delivery Fit
+         * @description Show how a delivery lies among what other designers made before and was approved.
+         */
+        get: operations["see_delivery_fit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/pack": {
         parameters: {
             query?: never;
@@ -5031,6 +5071,36 @@ export interface components {
             archives: components["schemas"]["ArchiveRead"][];
         };
         /**
+         * DeliveryFitRead
+         * @description How a delivery lies among what other designers made before and was approved.
+         */
+        DeliveryFitRead: {
+            /**
+             * Delivery Id
+             * Format: uuid
+             */
+            delivery_id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Number */
+            number: number;
+            designer: components["schemas"]["PersonBrief"];
+            /**
+             * Is First
+             * @description The designer delivered nothing to this project before.
+             */
+            is_first: boolean;
+            /** Made Before By */
+            made_before_by: string[];
+            /** Takes */
+            takes: components["schemas"]["TakeFitRead"][];
+            /** Shifts */
+            shifts: components["schemas"]["DeliveryShift"][];
+        };
+        /**
          * DeliveryRead
          * @description One upload of takes by a designer, with notes.
          */
@@ -5059,6 +5129,27 @@ export interface components {
             designer: components["schemas"]["PersonBrief"];
             /** Takes Count */
             takes_count: number;
+        };
+        /**
+         * DeliveryShift
+         * @description How far a delivery lies off the work before by one measure.
+         */
+        DeliveryShift: {
+            measure: components["schemas"]["Measure"];
+            /** Unit */
+            unit: string;
+            /** Compared */
+            compared: number;
+            /**
+             * Apart
+             * @description How many of these stand apart.
+             */
+            apart: number;
+            /**
+             * Shift
+             * @description By how much the middle one lies over what it is compared with.
+             */
+            shift: number;
         };
         /**
          * DemoPart
@@ -5393,6 +5484,23 @@ export interface components {
              * @description Why no mend can, and who can put it right.
              */
             no_mend?: string | null;
+        };
+        /**
+         * FitBasis
+         * @description Which approved sounds a take is compared with.
+         * @enum {string}
+         */
+        FitBasis: "category" | "palette";
+        /**
+         * FitPoint
+         * @description An approved cue that a sound is compared with; several variations count as the one in their middle.
+         */
+        FitPoint: {
+            cue: components["schemas"]["CueBrief"];
+            /** Is Palette */
+            is_palette: boolean;
+            /** Value */
+            value: number;
         };
         /**
          * ForecastRead
@@ -6364,6 +6472,38 @@ export interface components {
             studios: components["schemas"]["MyStudio"][];
             /** Projects */
             projects: components["schemas"]["MyProject"][];
+        };
+        /**
+         * Measure
+         * @description What sounds are compared in.
+         * @enum {string}
+         */
+        Measure: "loudness" | "spectrum" | "dryness" | "timbre";
+        /**
+         * MeasureFit
+         * @description Where a sound lies among others by one measure.
+         */
+        MeasureFit: {
+            measure: components["schemas"]["Measure"];
+            /**
+             * Unit
+             * @description Of loudness LUFS; of spectrum and timbre the dB from the middle of the others.
+             */
+            unit: string;
+            /** Value */
+            value: number;
+            /**
+             * Middle
+             * @description Of the others.
+             */
+            middle: number;
+            /** Lowest */
+            lowest: number;
+            /** Highest */
+            highest: number;
+            stands: components["schemas"]["Stands"];
+            /** Others */
+            others: components["schemas"]["FitPoint"][];
         };
         /**
          * MemberRead
@@ -8600,6 +8740,12 @@ export interface components {
             not_to_spec: boolean;
         };
         /**
+         * Stands
+         * @description Where a figure lies among others.
+         * @enum {string}
+         */
+        Stands: "within" | "above" | "below";
+        /**
          * Step
          * @description One cell of the project's steps.
          */
@@ -8758,6 +8904,36 @@ export interface components {
         TakeBackAdd: {
             /** Reason */
             reason: string;
+        };
+        /**
+         * TakeFitRead
+         * @description How a take lies among the approved sounds of its category, or of the palette where those are too few.
+         */
+        TakeFitRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            cue: components["schemas"]["CueBrief"] | null;
+            /** @description What it is compared with; null where it is not. */
+            basis: components["schemas"]["FitBasis"] | null;
+            /** Category */
+            category: string;
+            /**
+             * Says
+             * @example Stands apart: louder than all of them, by 4.2 LU.
+             */
+            says: string;
+            /** Is Apart */
+            is_apart: boolean;
+            /** Measures */
+            measures: components["schemas"]["MeasureFit"][];
+            /**
+             * First Delivery Id
+             * @description Its delivery, where that is the first of a designer who takes over.
+             */
+            first_delivery_id: string | null;
         };
         /**
          * TakeMatch
@@ -17833,6 +18009,104 @@ export interface operations {
             };
             /** @description `cue-is-cut` */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    see_take_fit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeFitRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    see_delivery_fit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                delivery_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeliveryFitRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `delivery-not-found` */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -19,6 +19,7 @@ import { State } from '@/ui/State'
 import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
 import { FindingsCard } from './FindingsCard'
 import { MasterCard } from './MasterCard'
+import { FitCard } from './FitCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
 import { ReverbCard } from './ReverbCard'
@@ -169,6 +170,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           )}
           <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
           <ReverbCard check={check} />
+          {project?.part === 'team' && <FitCard take={take} />}
         </div>
         <aside className="stack" aria-label="Figures of this version">
           <FiguresCard check={check} findings={findings} />

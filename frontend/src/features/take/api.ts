@@ -46,6 +46,20 @@ export const historyQuery = (takeId: string) =>
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', ofTake(takeId))),
   })
 
+/** How a version lies among the approved sounds; for the team. */
+export const fitQuery = (take: Take) =>
+  queryOptions({
+    queryKey: ['take', take.id, 'fit', take.state_since],
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/fit', ofTake(take.id))),
+  })
+
+export const deliveryFitQuery = (deliveryId: string) =>
+  queryOptions({
+    queryKey: ['delivery-fit', deliveryId],
+    queryFn: () =>
+      answered(api.GET('/v1/deliveries/{delivery_id}/fit', { params: { path: { delivery_id: deliveryId } } })),
+  })
+
 /** How the energy of a sound is spread over frequency, beside its shape; null where an earlier version drew it. */
 export const bandsQuery = (peaksUrl: string | null) =>
   queryOptions({

@@ -3,7 +3,7 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 import { keepLastProject } from '@/app/lastProject'
 import { shellRoute } from '@/app/roots'
 
-import { takeQuery } from './api'
+import { deliveryFitQuery, takeQuery } from './api'
 
 export const takeRoutes = [
   createRoute({
@@ -15,5 +15,14 @@ export const takeRoutes = [
       if (take) keepLastProject(take.project_id)
     },
     component: lazyRouteComponent(() => import('./TakePage'), 'TakePage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/deliveries/$deliveryId/fit',
+    loader: async ({ context, params }) => {
+      const fit = await context.queryClient.ensureQueryData(deliveryFitQuery(params.deliveryId)).catch(() => null)
+      if (fit) keepLastProject(fit.project_id)
+    },
+    component: lazyRouteComponent(() => import('./DeliveryFitPage'), 'DeliveryFitPage'),
   }),
 ] as const

@@ -1,0 +1,165 @@
+"""How far a sound stands from others, stated without a database.
+
+A figure lies within where it is among the others' or at most a slack beyond. What has many numbers (spectrum,
+timbre) is compared by its distance from the middle of the others; each of them has its own, from the middle of the
+rest.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from statistics import median
+from typing import NamedTuple
+
+Numbers = Sequence[float]
+FEWEST = 3  # cues to be compared with: fewer have no middle
+
+
+class Measure(StrEnum):
+    """What sounds are compared in."""
+
+    LOUDNESS = "loudness"
+    SPECTRUM = "spectrum"
+    DRYNESS = "dryness"
+    TIMBRE = "timbre"
+
+
+class FitBasis(StrEnum):
+    """Which approved sounds a take is compared with."""
+
+    CATEGORY = "category"
+    PALETTE = "palette"
+
+
+class Stands(StrEnum):
+    """Where a figure lies among others."""
+
+    WITHIN = "within"
+    ABOVE = "above"
+    BELOW = "below"
+
+
+SLACK = {Measure.LOUDNESS: 2.0, Measure.SPECTRUM: 2.0, Measure.DRYNESS: 0.15, Measure.TIMBRE: 1.0}
+UNITS = {Measure.LOUDNESS: "LUFS", Measure.SPECTRUM: "dB", Measure.DRYNESS: "of 1", Measure.TIMBRE: "dB"}
+WORDS = {
+    Measure.LOUDNESS: {Stands.ABOVE: "louder", Stands.BELOW: "quieter"},
+    Measure.SPECTRUM: {Stands.ABOVE: "spread otherwise over frequency"},
+    Measure.DRYNESS: {Stands.ABOVE: "more reverberant", Stands.BELOW: "drier"},
+    Measure.TIMBRE: {Stands.ABOVE: "of another timbre"},
+}
+
+
+@dataclass(frozen=True)
+class Likeness:
+    """What of a sound is compared; None where it was not measured, or there is nothing to hear."""
+
+    loudness_lufs: float | None = None
+    reverb_score: float | None = None  # 0 is surely dry, 1 surely reverberant
+    bands_db: Numbers | None = None
+    timbre: Numbers | None = None
+
+
+class Fit(NamedTuple):
+    """Where a sound lies among others by one measure."""
+
+    value: float
+    others: list[float | None]  # in the order that they were given
+    middle: float
+    lowest: float
+    highest: float
+    stands: Stands
+
+
+def distance_db(one: Numbers, other: Numbers) -> float:
+    """Return the RMS difference of two spectra in dB, over the bands that both have."""
+    pairs = list(zip(one, other, strict=False))
+    return math.sqrt(sum((a - b) ** 2 for a, b in pairs) / len(pairs))
+
+
+def timbre_distance_db(one: Numbers, other: Numbers) -> float:
+    """Return the distance of two timbres in dB; each number bears its weight already."""
+    return math.dist(one, other)
+
+
+def middle_of(sounds: Sequence[Likeness]) -> Likeness:
+    """Return what lies in the middle of some sounds, number for number: how the variations of one cue count as one."""
+    loudness = [one.loudness_lufs for one in sounds if one.loudness_lufs is not None]
+    reverb = [one.reverb_score for one in sounds if one.reverb_score is not None]
+    bands = [one.bands_db for one in sounds if one.bands_db]
+    timbre = [one.timbre for one in sounds if one.timbre]
+    return Likeness(
+        loudness_lufs=median(loudness) if loudness else None,
+        reverb_score=median(reverb) if reverb else None,
+        bands_db=_middle(bands) if bands else None,
+        timbre=_middle(timbre) if timbre else None,
+    )
+
+
+def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
+    """Return where a sound lies among others, by every measure that it and three of them have."""
+    plain: dict[Measure, Callable[[Likeness], float | None]] = {
+        Measure.LOUDNESS: lambda one: one.loudness_lufs,
+        Measure.DRYNESS: lambda one: one.reverb_score,
+    }
+    found = {measure: _placed(measure, of(sound), [of(one) for one in others]) for measure, of in plain.items()}
+    bands = _apart(sound.bands_db, [one.bands_db for one in others], distance_db)
+    timbre = _apart(sound.timbre, [one.timbre for one in others], timbre_distance_db)
+    found |= {Measure.SPECTRUM: _placed(Measure.SPECTRUM, *bands), Measure.TIMBRE: _placed(Measure.TIMBRE, *timbre)}
+    return {measure: fit for measure in Measure if (fit := found[measure]) is not None}
+
+
+def _placed(measure: Measure, value: float | None, others: list[float | None]) -> Fit | None:
+    known = [one for one in others if one is not None]
+    if value is None or len(known) < FEWEST:
+        return None
+    lowest, highest, slack = min(known), max(known), SLACK[measure]
+    stands = Stands.ABOVE if value > highest + slack else Stands.BELOW if value < lowest - slack else Stands.WITHIN
+    if stands is Stands.BELOW and measure in (Measure.SPECTRUM, Measure.TIMBRE):
+        stands = Stands.WITHIN  # nearer to the middle than any other
+    return Fit(value, others, median(known), lowest, highest, stands)
+
+
+def _apart(
+    own: Numbers | None, others: Sequence[Numbers | None], distance: Callable[[Numbers, Numbers], float]
+) -> tuple[float | None, list[float | None]]:
+    """Return the distance from the middle of the others, and of each of them from the middle of the rest."""
+    known = [one for one in others if one]
+    if not own or len(known) < FEWEST:
+        return None, []
+    theirs = [
+        distance(one, _middle([rest for at, rest in enumerate(others) if rest and at != place])) if one else None
+        for place, one in enumerate(others)
+    ]
+    return distance(own, _middle(known)), theirs
+
+
+def _middle(lists: Sequence[Numbers]) -> list[float]:
+    """Return the median of each number, of as many as all have."""
+    return [median(values) for values in zip(*lists, strict=False)]
+
+
+def in_words(fits: dict[Measure, Fit]) -> str:
+    """Say where a sound stands apart, or that it fits."""
+    apart = [
+        f"{WORDS[measure][fit.stands]}{_by_how_much(measure, fit)}"
+        for measure, fit in fits.items()
+        if fit.stands is not Stands.WITHIN
+    ]
+    return f"Stands apart: {', '.join(apart)}." if apart else "Lies among them in everything that was measured."
+
+
+def _by_how_much(measure: Measure, fit: Fit) -> str:
+    if measure is Measure.LOUDNESS:
+        edge = fit.highest if fit.stands is Stands.ABOVE else fit.lowest
+        return f" than all of them, by {abs(fit.value - edge):.1f} LU"
+    return " than all of them" if measure is Measure.DRYNESS else ""
+
+
+def shift(placed: Sequence[tuple[float, float, Stands]]) -> tuple[int, float]:
+    """Return how many of some sounds stand apart, and by how much the middle one lies off what it is compared with.
+
+    Each is its value, the middle of the others, and where it stands.
+    """
+    apart = sum(stands is not Stands.WITHIN for _, _, stands in placed)
+    return apart, median(value - middle for value, middle, _ in placed)

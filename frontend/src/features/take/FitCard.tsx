@@ -1,0 +1,36 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { Card, CardHead } from '@/ui/Card'
+
+import { fitQuery, type Take } from './api'
+import classes from './Fit.module.css'
+import { FitPicture } from './FitPicture'
+
+/** How a version lies among the approved sounds of its category, or of the palette; for the team. */
+export function FitCard({ take }: { take: Take }) {
+  const { data: fit } = useQuery(fitQuery(take))
+  if (!fit) return null
+  const beside =
+    fit.basis === 'category' ? `beside the approved sounds of ${fit.category || 'no category'}` : 'beside the palette'
+  return (
+    <Card aria-labelledby="fit">
+      <CardHead id="fit" title="Fit with the palette" end={fit.basis ? beside : undefined} />
+      <div className={classes.inside}>
+        <p>
+          {fit.says}
+          {fit.is_apart && ' That may be what it is for: the figures ask, your ears decide.'}
+        </p>
+        {fit.basis !== null && <FitPicture fit={fit} />}
+        {fit.first_delivery_id !== null && (
+          <p>
+            This is the first delivery of {take.designer.name}, after others.{' '}
+            <Link className="link" to="/deliveries/$deliveryId/fit" params={{ deliveryId: fit.first_delivery_id }}>
+              Compare all of it with the work before
+            </Link>
+          </p>
+        )}
+      </div>
+    </Card>
+  )
+}

@@ -1,0 +1,117 @@
+import { axisOf, type MeasureFit, said, stands, type TakeFit, WHAT } from './fit'
+import classes from './Fit.module.css'
+
+const HEIGHT = 34
+const MIDDLE = HEIGHT / 2
+/** Room for a mark at either end, in percent of the width. */
+const EDGE = 2
+
+/** Where a sound lies among others, one axis a measure, and the same as a table. */
+export function FitPicture({ fit }: { fit: TakeFit }) {
+  return (
+    <>
+      <div className={classes.strips}>
+        {fit.measures.map((measure) => (
+          <Strip key={measure.measure} fit={measure} />
+        ))}
+      </div>
+      <p className={`small mid ${classes.legend}`} aria-hidden="true">
+        <span data-mark="own">this one</span>
+        <span data-mark="palette">of the palette</span>
+        <span data-mark="other">other approved sounds</span>
+        <span data-mark="reach">where they lie</span>
+      </p>
+      <FitTable fit={fit} />
+    </>
+  )
+}
+
+function Strip({ fit }: { fit: MeasureFit }) {
+  const [from, to] = axisOf(fit)
+  const x = (value: number) => `${EDGE + ((100 - 2 * EDGE) * (value - from)) / (to - from)}%`
+  const reach = `${((100 - 2 * EDGE) * (fit.highest - fit.lowest)) / (to - from)}%`
+  return (
+    <figure className={classes.strip}>
+      <figcaption className="row between small">
+        <span className="strong">{WHAT[fit.measure]}</span>
+        <span className={fit.stands === 'within' ? 'dim' : 'tone-warn toned'}>
+          {said(fit.measure, fit.value)}, {stands(fit)}
+        </span>
+      </figcaption>
+      <svg
+        width="100%"
+        height={HEIGHT}
+        role="img"
+        aria-label={`${WHAT[fit.measure]}: ${said(fit.measure, fit.value)}; ${fit.others.length} others from ${said(fit.measure, fit.lowest)} to ${said(fit.measure, fit.highest)}`}
+      >
+        <line data-axis x1="0" x2="100%" y1={MIDDLE} y2={MIDDLE} />
+        <rect data-reach x={x(fit.lowest)} width={reach} y={MIDDLE - 9} height={18} rx={3} />
+        <line data-middle x1={x(fit.middle)} x2={x(fit.middle)} y1={MIDDLE - 9} y2={MIDDLE + 9} />
+        {fit.others.map(({ cue, is_palette, value }) => (
+          <circle key={cue.id} data-palette={is_palette || undefined} cx={x(value)} cy={MIDDLE} r={4}>
+            <title>{`${cue.name}, ${said(fit.measure, value)}`}</title>
+          </circle>
+        ))}
+        <svg x={x(fit.value)} y={MIDDLE} overflow="visible">
+          <path data-own data-apart={fit.stands === 'within' ? undefined : true} d="M0 -9 L7 0 L0 9 L-7 0 Z" />
+        </svg>
+      </svg>
+      <p className={`row between dim ${classes.ends}`} aria-hidden="true">
+        <span>{said(fit.measure, from)}</span>
+        <span>{said(fit.measure, to)}</span>
+      </p>
+    </figure>
+  )
+}
+
+/** Every figure of the picture: this sound, then each that it is compared with. */
+function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
+  const others = new Map(measures.flatMap((one) => one.others.map((each) => [each.cue.id, each])))
+  return (
+    <details>
+      <summary className={`small ${classes.more}`}>Every figure, sound by sound</summary>
+      <div className={classes.scroll}>
+        <table className={`small ${classes.table}`} aria-label="This sound and those that it is compared with">
+          <thead>
+            <tr>
+              <th scope="col">Sound</th>
+              {measures.map(({ measure }) => (
+                <th key={measure} scope="col">
+                  {WHAT[measure]}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            <tr>
+              <th scope="row" className="strong">
+                {cue?.name}, this one
+              </th>
+              {measures.map(({ measure, value }) => (
+                <td key={measure}>{said(measure, value)}</td>
+              ))}
+            </tr>
+            <tr>
+              <th scope="row">middle of the others</th>
+              {measures.map(({ measure, middle }) => (
+                <td key={measure}>{said(measure, middle)}</td>
+              ))}
+            </tr>
+            {[...others.values()].map(({ cue: other, is_palette }) => (
+              <tr key={other.id}>
+                <th scope="row">
+                  {other.name}
+                  {is_palette && ', palette'}
+                </th>
+                {measures.map((one) => {
+                  const found = one.others.find((each) => each.cue.id === other.id)
+                  return <td key={one.measure}>{found ? said(one.measure, found.value) : 'not measured'}</td>
+                })}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </details>
+  )
+}
