@@ -23,6 +23,8 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.tell_question': 'Tell a question',
   'renders.draw_mend': 'Draw a mended copy',
   'renders.draw_take': 'Draw a sound',
+  'renders.hear_palette': 'Ask for what compares sounds',
+  'renders.hear_take': 'Measure the timbre of a sound',
   'renders.export_master': 'Write provenance into a copy of a master',
   'renders.make_next_of_batch': 'Make the next game files of a batch',
   'renders.make_reel': 'Put versions in a row',
