@@ -32,6 +32,7 @@ from app.builds.schemas import (
     CiLines,
     PackAdd,
     PackRead,
+    PlaceholderCountdown,
     PlaceholderRegister,
     PlaceholdersAdd,
     SealedPackRead,
@@ -196,6 +197,21 @@ def get_placeholders(
 ) -> PlaceholderRegister:
     """Return what the game has no accepted sound for yet, and which of it has a stand-in."""
     return placeholders.register(session, actor, project_id, target)
+
+
+@router.get(
+    "/projects/{project_id}/placeholders/countdown",
+    response_model=PlaceholderCountdown,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+)
+def get_placeholders_countdown(
+    project_id: UUID,
+    session: DbSession,
+    target: Target = None,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> PlaceholderCountdown:
+    """Return how much is still a placeholder, by category, and what to record next."""
+    return placeholders.countdown(session, actor, project_id, target)
 
 
 @router.post(

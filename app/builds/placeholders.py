@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Literal
@@ -13,7 +14,7 @@ from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.models import StandIn
 from app.builds.packs import Pack, PackedStandIn, pack_in_sight, pack_of
-from app.builds.schemas import PlaceholderRead, PlaceholderRegister
+from app.builds.schemas import CategoryCountdown, PlaceholderCountdown, PlaceholderRead, PlaceholderRegister
 from app.kit.events import publish
 from app.kit.queue import BULK
 from app.kit.storage import StoredBlob
@@ -26,6 +27,8 @@ from app.sound_lists.queries import cues_of
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_facts
 from audio_checks import TOOL_VERSION, CueFacts, DeliverySpec
+
+SETTLED_FIRST = {CueState.LOCKED: 0, CueState.PROTOTYPE: 1, CueState.CONCEPT: 2}
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,38 @@ def register(session: Session, actor: Actor, project_id: UUID, target: str | Non
         made=sum(item.state == "made" for item in items),
         items=items,
     )
+
+
+def countdown(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderCountdown:
+    """Return how much is still a placeholder for a target, by category, and what to record next."""
+    pack = pack_in_sight(session, actor, project_id, target)
+    left = list(open_slots(session, pack))
+    there = [sound for sound in pack.sounds if sound.made]
+    files = Counter(sound.cue.category for sound in there) + Counter(slot.cue.category for slot in left)
+    lacking = Counter(slot.cue.category for slot in left)
+    cues_left = {slot.cue.id for slot in left}
+    return PlaceholderCountdown(
+        target=pack.target,
+        cues=len(cues_left | {sound.cue.id for sound in there}),
+        cues_left=len(cues_left),
+        files=files.total(),
+        left=len(left),
+        categories=[
+            CategoryCountdown(category=category, files=count, left=lacking[category])
+            for category, count in sorted(files.items())
+        ],
+        next=_next_to_record(session, pack, left),
+    )
+
+
+def _next_to_record(session: Session, pack: Pack, left: list[Slot]) -> PlaceholderRead | None:
+    under_way = queries.slots_under_way(session, pack.project.id)
+    to_record = [slot for slot in left if (slot.cue.id, slot.variation) not in under_way]
+    if not to_record:
+        return None
+    first = min(to_record, key=lambda slot: SETTLED_FIRST[slot.cue.state])
+    made = queries.stand_in(session, first.cue.id, first.variation, pack.target)
+    return _item(pack.project.cue_prefix, first, made)
 
 
 def _item(prefix: str, slot: Slot, made: StandIn | None) -> PlaceholderRead:

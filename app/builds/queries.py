@@ -9,11 +9,14 @@ from sqlalchemy.orm import Session, defer, joinedload, undefer
 
 from app.builds.models import Build, PackedFile, SealedPack, StandIn
 from app.builds.rules import FileKind, PackState
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
 
 IDS_AT_ONCE = 500
+UNDER_WAY = (TakeState.RECEIVED, TakeState.CONFORMING, TakeState.UNJUDGED, TakeState.APPROVED)
 
 
 def builds_of(session: Session, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Build]:
@@ -119,6 +122,14 @@ def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
         .order_by(PackedFile.place)
     )
     return {row[0]: row[1] for row in rows}
+
+
+def slots_under_way(session: Session, project_id: UUID) -> set[tuple[UUID, int]]:
+    """Return cue and variation of each file of which a take is checked now, waits for its verdict, or is approved."""
+    rows = session.execute(
+        select(Take.cue_id, Take.variation).where(Take.project_id == project_id, Take.state.in_(UNDER_WAY)).distinct()
+    )
+    return {(cue_id, variation) for cue_id, variation in rows if cue_id is not None}
 
 
 def stand_ins_of(session: Session, project_id: UUID, target: str) -> dict[tuple[UUID, int], StandIn]:

@@ -216,6 +216,28 @@ class PlaceholderRegister(Schema):
     items: list[PlaceholderRead]
 
 
+class CategoryCountdown(Schema):
+    """How many files of one category are still a placeholder."""
+
+    category: str
+    files: int
+    left: int
+
+
+class PlaceholderCountdown(Schema):
+    """How much is still a placeholder, without naming all of it."""
+
+    target: str
+    cues: int = Field(description="Cues of the list that are not cut.")
+    cues_left: int = Field(description="Those of which a file has no accepted sound.")
+    files: int
+    left: int
+    categories: list[CategoryCountdown] = Field(description="By name; one without a category first.")
+    next: PlaceholderRead | None = Field(
+        description="The next to record: the most settled, in list order, of which no version is under way."
+    )
+
+
 class PlaceholdersAdd(Schema):
     """For which target stand-ins are to be made."""
 

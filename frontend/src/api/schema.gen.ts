@@ -2957,6 +2957,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/placeholders/countdown": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Placeholders Countdown
+         * @description Return how much is still a placeholder, by category, and what to record next.
+         */
+        get: operations["get_placeholders_countdown"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/packs": {
         parameters: {
             query?: never;
@@ -4010,6 +4030,18 @@ export interface components {
             round: number | null;
             /** Limit Dbfs */
             limit_dbfs: number | null;
+        };
+        /**
+         * CategoryCountdown
+         * @description How many files of one category are still a placeholder.
+         */
+        CategoryCountdown: {
+            /** Category */
+            category: string;
+            /** Files */
+            files: number;
+            /** Left */
+            left: number;
         };
         /**
          * ChangeAsk
@@ -7358,6 +7390,35 @@ export interface components {
             name: string;
             /** Email */
             email: string;
+        };
+        /**
+         * PlaceholderCountdown
+         * @description How much is still a placeholder, without naming all of it.
+         */
+        PlaceholderCountdown: {
+            /** Target */
+            target: string;
+            /**
+             * Cues
+             * @description Cues of the list that are not cut.
+             */
+            cues: number;
+            /**
+             * Cues Left
+             * @description Those of which a file has no accepted sound.
+             */
+            cues_left: number;
+            /** Files */
+            files: number;
+            /** Left */
+            left: number;
+            /**
+             * Categories
+             * @description By name; one without a category first.
+             */
+            categories: components["schemas"]["CategoryCountdown"][];
+            /** @description The next to record: the most settled, in list order, of which no version is under way. */
+            next: components["schemas"]["PlaceholderRead"] | null;
         };
         /**
          * PlaceholderRead
@@ -18530,6 +18591,58 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_placeholders_countdown: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaceholderCountdown"];
+                };
             };
             /** @description `team-needed` */
             403: {

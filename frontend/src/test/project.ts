@@ -205,6 +205,15 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1/overview': anOverview(),
   'GET /v1/projects/p1/spec': aSpec(),
   'GET /v1/projects/p1/sound-list': { revision: 1, cues: [aCue('shield_hit', 'impact'), aCue('theme', 'music')] },
+  'GET /v1/projects/p1/placeholders/countdown': {
+    target: 'game',
+    cues: 0,
+    cues_left: 0,
+    files: 0,
+    left: 0,
+    categories: [],
+    next: null,
+  },
   'GET /v1/projects/p1/pack': {
     target: 'game',
     targets: ['game'],

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import audio_checks
-from tests.app.builds.approved import accepted_list, approve
+from tests.app.builds.approved import accepted_list, approve, sound
 from tests.app.builds.test_builds import token
 from tests.app.builds.test_sealed_packs import fetch, seal
 from tests.support.deliver import add_cues, deliver
@@ -55,6 +55,41 @@ def test_the_register_counts_down_as_sounds_are_accepted(world: World) -> None:
     changed = world.producer.patch(f"/v1/cues/{after['items'][0]['cue_id']}", json={"duration_s": 0.7, "edition": 1})
     assert changed.status_code == 200, changed.text
     assert register(world)["items"][0]["state"] == "outdated"
+
+
+def countdown(world: World) -> dict[str, Any]:
+    answer = world.reviewer.get(f"/v1/projects/{world.project_id}/placeholders/countdown", params=GAME)
+    assert answer.status_code == 200, answer.text
+    found: dict[str, Any] = answer.json()
+    return found
+
+
+def test_the_countdown_says_how_much_is_left_and_what_comes_next(world: World) -> None:
+    assert countdown(world) == {
+        "target": "game",
+        **dict.fromkeys(("cues", "cues_left", "files", "left"), 0),
+        "categories": [],
+        "next": None,
+    }
+    (_, laser, _, door) = add_cues(
+        world,
+        {"name": "Hum", "category": "ambience", "state": "concept"},
+        {"name": "Laser fire", "category": "weapon", "variations": 2},
+        {"name": "Siren", "category": "weapon"},
+        {"name": "Door", "category": "foley"},
+    )
+    assert world.producer.post(f"/v1/cues/{door['id']}/cut", json={"reason": "no doors any more"}).is_success
+    first = countdown(world)
+    assert [first[name] for name in ("cues", "cues_left", "files", "left")] == [3, 3, 4, 4]
+    assert first["next"]["path"] == "laser_fire_01.wav"  # the hum stands before it, and is a concept
+    deliver(world, "laser_fire_01.wav", sound(1))
+    world.server.wait_for_jobs()
+    assert countdown(world)["next"]["path"] == "laser_fire_02.wav"  # one waits for its verdict
+    approve(world, [laser])
+    after = countdown(world)
+    assert [after[name] for name in ("cues_left", "files", "left")] == [2, 4, 2]
+    assert {"category": "weapon", "files": 3, "left": 1} in after["categories"]
+    assert after["next"]["path"] == "siren.wav"
 
 
 def test_stand_ins_are_in_a_pack_only_when_asked_for_and_say_what_they_are(world: World, tmp_path: Path) -> None:

@@ -55,12 +55,9 @@ export function PackCard({ projectId }: { projectId: string }) {
           ))}
         </ul>
       )}
-      <p className={`row wrap small ${classes.ways}`}>
+      <p className={`small ${classes.ways}`}>
         <Link className="link" to="/projects/$projectId/game-files" params={{ projectId }}>
           Targets, memory and batches
-        </Link>
-        <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
-          Placeholders
         </Link>
       </p>
       {first && !nothing && (

@@ -13,6 +13,7 @@ import { LatelyCard } from './LatelyCard'
 import { PackCard } from './PackCard'
 import { PaletteCard } from './PaletteCard'
 import classes from './Project.module.css'
+import { PlaceholdersCard } from './PlaceholdersCard'
 import { ProjectHead } from './ProjectHead'
 import { Refusal } from './Refusal'
 import { SpecCard } from './spec/SpecCard'
@@ -95,6 +96,7 @@ export function ProjectPage() {
           <aside className="stack" aria-label="Builds, pack and what happened">
             {isTeam && <BuildsCard project={project} builds={overview.builds} />}
             {isTeam && <PackCard projectId={projectId} />}
+            {isTeam && <PlaceholdersCard projectId={projectId} />}
             <LatelyCard happened={overview.lately} />
           </aside>
         </div>

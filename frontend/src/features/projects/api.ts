@@ -20,6 +20,7 @@ export type Happening = Schemas['Happening']
 export type Build = Schemas['BuildSummary']
 export type BuildBrief = Schemas['BuildBrief']
 export type Pack = Schemas['PackRead']
+export type Countdown = Schemas['PlaceholderCountdown']
 export type Token = Schemas['TokenRead']
 export type TokenMade = Schemas['TokenMade']
 export type Scope = Schemas['Scope']
@@ -256,6 +257,13 @@ export function useRevokeToken(projectId: string) {
     onSettled: () => client.invalidateQueries({ queryKey: keys.tokens(projectId) }),
   })
 }
+
+/** How much is still a placeholder for the spec's first target. */
+export const countdownQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['placeholders', projectId, 'countdown'],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/placeholders/countdown', inProject(projectId))),
+  })
 
 /** The approved pack of every target, in the order of the spec. */
 export const packsQuery = (projectId: string) =>

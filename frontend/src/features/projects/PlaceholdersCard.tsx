@@ -1,0 +1,77 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { Card, CardHead } from '@/ui/Card'
+import { countOf, plural } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+
+import { type Countdown, countdownQuery } from './api'
+import classes from './Project.module.css'
+import { Refusal } from './Refusal'
+
+/** What the game still plays a stand-in for: how much is left, where, and what to record next. */
+export function PlaceholdersCard({ projectId }: { projectId: string }) {
+  const { data: countdown, error } = useQuery(countdownQuery(projectId))
+  if (error instanceof ApiProblem && error.code === 'target-unknown') return null // the pack says so
+  return (
+    <Card aria-labelledby="placeholders">
+      <CardHead
+        id="placeholders"
+        title="Placeholders"
+        note={countdown && headOf(countdown)}
+        end={
+          <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
+            The register<span className="visually-hidden"> of placeholders</span>
+          </Link>
+        }
+      />
+      <Refusal error={error} />
+      {countdown && countdown.files > 0 && <Counted projectId={projectId} countdown={countdown} />}
+    </Card>
+  )
+}
+
+function headOf({ cues, cues_left }: Countdown): string {
+  if (cues === 0) return 'the list asks for nothing yet'
+  if (cues_left === 0) return `none of ${plural(cues, 'cue')}`
+  return `${cues_left} of ${plural(cues, 'cue')} still one`
+}
+
+function Counted({ projectId, countdown }: { projectId: string; countdown: Countdown }) {
+  const { files, left, categories, next } = countdown
+  return (
+    <div className={classes.counted}>
+      <Meter
+        label={`${countOf(files - left, files)} files have an accepted sound`}
+        whole={files}
+        parts={[{ value: files - left, tone: 'ok' }]}
+      />
+      <ul aria-label="Placeholders by category">
+        {categories
+          .filter(({ left: open }) => open > 0)
+          .map(({ category, files: all, left: open }) => (
+            <li key={category} className="row small">
+              <span className="grow">{category || 'without a category'}</span>
+              <span className="mid">{`${countOf(open, all)} ${all === 1 ? 'file' : 'files'}`}</span>
+            </li>
+          ))}
+      </ul>
+      {next ? (
+        <p>
+          <span className="mid">Next to record: </span>
+          <Link
+            className="link strong"
+            to="/projects/$projectId/sound-list/cues/$cueId"
+            params={{ projectId, cueId: next.cue_id }}
+          >
+            {next.name}
+          </Link>{' '}
+          <span className="mono small dim">{next.cue}</span> <span className="mono small mid">{next.path}</span>
+        </p>
+      ) : (
+        left > 0 && <p className="mid">Of all that is left a version is under way.</p>
+      )}
+    </div>
+  )
+}
