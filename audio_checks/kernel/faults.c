@@ -7,6 +7,16 @@ enum { LEAST_CELL = 4 };
 
 static inline double larger_of(double one, double other) { return one > other ? one : other; }
 
+static inline int lowest_bit(uint64_t bits) {
+#if defined(__GNUC__)
+    return __builtin_ctzll(bits);
+#else
+    int at = 0;
+    while (!(bits >> at & 1)) at++;
+    return at;
+#endif
+}
+
 static inline double sixth_difference(const double *at) {
     return (at[0] + at[-6] - 6 * (at[-1] + at[-5])) + (15 * (at[-2] + at[-4]) - 20 * at[-3]);
 }
@@ -60,9 +70,8 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 /* Segments are steady where the sharpest cell says little more than the mean, the few sharpest left out of both. */
 enum { MOST_WITHOUT = 16 };
 
-/* The highest value, the highest of those that are left without the `without` highest, and their mean. */
-static void rank_segment(const double *values, Py_ssize_t size, Py_ssize_t without, double *highest, double *next,
-                         double *mean) {
+/* The mean of the values that are left without the `without` highest. */
+static double mean_without(const double *values, Py_ssize_t size, Py_ssize_t without) {
     double top[MOST_WITHOUT + 1] = {0};
     Py_ssize_t known = 0, below = 0;
     for (Py_ssize_t at = 0; at < size; at++) {
@@ -77,28 +86,28 @@ static void rank_segment(const double *values, Py_ssize_t size, Py_ssize_t witho
         sum += values[at];
         below++;
     }
-    *highest = top[0], *next = top[without];
     const double rest = (double)(size - without - below); /* as high as the next, and among those left out or not */
-    *mean = (sum + rest * top[without]) / (double)(size - without);
+    return (sum + rest * top[without]) / (double)(size - without);
+}
+
+static Py_ssize_t sharper_than(const double *sharpness, Py_ssize_t size, double square) {
+    Py_ssize_t sharper = 0;
+    for (Py_ssize_t at = 0; at < size; at++) sharper += sharpness[at] * sharpness[at] >= square;
+    return sharper;
 }
 
 static int is_steady(const double *sharpness, const double *powers, Py_ssize_t size, Py_ssize_t without, double least,
                      double most) {
-    double highest, next, mean, lanes[4] = {0};
-    Py_ssize_t at = 0, sharper = 0;
+    double lanes[4] = {0};
+    Py_ssize_t at = 0;
     for (; at + 4 <= size; at += 4) {
         for (int lane = 0; lane < 4; lane++) lanes[lane] += powers[at + lane];
     }
     for (; at < size; at++) lanes[0] += powers[at];
     /* The mean of the rest is no higher than if the few left out were zero: most segments show so that they are not. */
     const double bound = 1.000001 * most * ((lanes[0] + lanes[2]) + (lanes[1] + lanes[3])) / (double)(size - without);
-    for (at = 0; at < size; at++) sharper += sharpness[at] * sharpness[at] >= bound;
-    if (sharper > without) return 0;
-    rank_segment(sharpness, size, without, &highest, &next, &mean);
-    if (!(highest > least)) return 0;
-    const double sharp = next;
-    rank_segment(powers, size, without, &highest, &next, &mean);
-    return sharp * sharp < most * mean;
+    if (sharper_than(sharpness, size, bound) > without || !(in_lanes()->highest(sharpness, size) > least)) return 0;
+    return sharper_than(sharpness, size, most * mean_without(powers, size, without)) <= without;
 }
 
 /* sharpness of cells, power of their sixth differences, cells of a segment, how many to leave out, least sharpness,
@@ -177,22 +186,33 @@ static void fit(const double *products, Py_ssize_t order, double *coefficients) 
     }
 }
 
+/* Which of the next cells may stand out, as bits; see `towering` in lanes.h. All may where too few stand beside them. */
+static uint64_t screened(const double *heights, Py_ssize_t count, Py_ssize_t at, Py_ssize_t reach, Py_ssize_t core,
+                         double times) {
+    const Py_ssize_t nearest = core + 1, farthest = core + TOWERED;
+    if (reach < farthest || at < farthest || at + SCREENED + farthest > count) return ~UINT64_C(0);
+    return in_lanes()->towering(heights + at, nearest, times);
+}
+
 /* Where, of the cells `from` until `until`, a height is `times` what lies around it, `reach` cells before and after, and
  * more than `least`. Of the `core` cells on either side the one may belong to it too: only the lower of two neighbours
  * counts. Beyond the heights given lies nothing. */
 static Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t from, Py_ssize_t until,
                                    Py_ssize_t reach, Py_ssize_t core, double times, double least, int64_t *places) {
     Py_ssize_t found = 0;
-    for (Py_ssize_t at = from; at < until; at++) {
-        const double here = heights[at];
-        if (!(here > least)) continue;
-        int highest = 1;
-        for (Py_ssize_t off = 1; off <= reach && highest; off++) {
-            const int beats_before = at < off || here > heights[at - off] * times;
-            const int beats_after = at + off >= count || here > heights[at + off] * times;
-            highest = off > core ? beats_before && beats_after : beats_before || beats_after;
+    for (Py_ssize_t group = from; group < until; group += SCREENED) {
+        for (uint64_t may = screened(heights, count, group, reach, core, times); may; may &= may - 1) {
+            const Py_ssize_t at = group + lowest_bit(may);
+            if (at >= until) break;
+            const double here = heights[at];
+            int highest = here > least;
+            for (Py_ssize_t off = 1; off <= reach && highest; off++) {
+                const int beats_before = at < off || here > heights[at - off] * times;
+                const int beats_after = at + off >= count || here > heights[at + off] * times;
+                highest = off > core ? beats_before && beats_after : beats_before || beats_after;
+            }
+            if (highest) places[found++] = at;
         }
-        if (highest) places[found++] = at;
     }
     return found;
 }
@@ -435,7 +455,7 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 
 /* Stretches that come twice are looked for by words of six samples. Which words are looked up depends on what they
  * hold, so that a second coming chooses the same. */
-enum { WORD = 6, CHOSEN_FROM = 512, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
+enum { WORD = 6, SLOT_BITS = 12, SLOTS = 1 << SLOT_BITS };
 
 /* Of how many words one is chosen, as a power of two: the shortest stretch holds four of these, or nearly. */
 static int chosen_bits(Py_ssize_t shortest) {
@@ -450,7 +470,8 @@ static inline uint64_t bits_of(double sample) {
     return bits;
 }
 
-static inline uint64_t scattered(double sample) { return bits_of(sample) * UINT64_C(0x9E3779B97F4A7C15); }
+#define SCATTER UINT64_C(0x9E3779B97F4A7C15)
+static inline uint64_t scattered(double sample) { return bits_of(sample) * SCATTER; }
 
 static inline uint64_t key_of(const double *word) {
     static const uint64_t odd[WORD] = {
@@ -463,13 +484,50 @@ static inline uint64_t key_of(const double *word) {
 }
 
 static inline int spread_out(const double *word, double spread) {
-    double low = word[0], high = word[0];
-    for (int place = 1; place < WORD; place++) {
-        low = word[place] < low ? word[place] : low;
-        high = larger_of(word[place], high);
+    together high = neighbours(word), deep = -high;
+    for (int place = TOGETHER; place < WORD; place += TOGETHER) {
+        high = larger(neighbours(word + place), high);
+        deep = larger(-neighbours(word + place), deep);
     }
-    return high - low >= spread;
+    return largest(high) + largest(deep) >= spread;
 }
+
+/* Which of the next words are looked up, as bits. */
+enum { CHOSEN_FROM = 64 };
+
+static uint64_t chosen_one_by_one(const double *samples, int count, int unchosen) {
+    uint64_t chosen = 0;
+    for (int at = 0; at < count; at++) chosen |= (uint64_t)!(scattered(samples[at]) >> unchosen) << at;
+    return chosen;
+}
+
+#if WIDER_REGISTERS
+#include <immintrin.h>
+#define WIDE __attribute__((target("avx2")))
+
+/* The same of all 64, by fours; the product of 64 bits is put together of those of 32. */
+WIDE static uint64_t chosen_by_fours(const double *samples, int unchosen) {
+    const __m256i low = _mm256_set1_epi64x((int64_t)(SCATTER & 0xffffffffu)), high = _mm256_set1_epi64x((int64_t)(SCATTER >> 32));
+    uint64_t chosen = 0;
+    for (int at = 0; at < CHOSEN_FROM; at += 4) {
+        const __m256i bits = _mm256_loadu_si256((const __m256i *)(samples + at));
+        const __m256i crossed = _mm256_add_epi64(_mm256_mul_epu32(_mm256_srli_epi64(bits, 32), low), _mm256_mul_epu32(bits, high));
+        const __m256i product = _mm256_add_epi64(_mm256_mul_epu32(bits, low), _mm256_slli_epi64(crossed, 32));
+        const __m256i none = _mm256_cmpeq_epi64(_mm256_srli_epi64(product, unchosen), _mm256_setzero_si256());
+        chosen |= (uint64_t)_mm256_movemask_pd(_mm256_castsi256_pd(none)) << at;
+    }
+    return chosen;
+}
+
+static uint64_t chosen_of(const double *samples, int count, int unchosen) {
+    if (count < CHOSEN_FROM || !__builtin_cpu_supports("avx2")) return chosen_one_by_one(samples, count, unchosen);
+    return chosen_by_fours(samples, unchosen);
+}
+#else
+static uint64_t chosen_of(const double *samples, int count, int unchosen) {
+    return chosen_one_by_one(samples, count, unchosen);
+}
+#endif
 
 typedef struct {
     uint64_t key;
@@ -499,20 +557,19 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
     const Py_ssize_t most = held.views[1].len / (Py_ssize_t)sizeof(int64_t) / 3;
     Py_ssize_t found = 0, known_until = 0;
     Py_BEGIN_ALLOW_THREADS
-    Py_ssize_t chosen[CHOSEN_FROM], choices = 0, next = 0, searched = 0;
+    Py_ssize_t searched = 0, group = 0;
+    uint64_t chosen = 0; /* of the words from `group` on */
     const Py_ssize_t words = frames - WORD + 1;
     const int unchosen = 64 - chosen_bits(shortest);
     while (found < most) {
-        while (next == choices && searched < words) {
-            const Py_ssize_t until = words - searched < CHOSEN_FROM ? words : searched + CHOSEN_FROM;
-            next = choices = 0;
-            for (; searched < until; searched++) { /* without a branch, which no processor could foresee */
-                chosen[choices] = searched;
-                choices += !(scattered(samples[searched]) >> unchosen);
-            }
+        while (!chosen && searched < words) {
+            group = searched;
+            searched = words - searched < CHOSEN_FROM ? words : searched + CHOSEN_FROM;
+            chosen = chosen_of(samples + group, (int)(searched - group), unchosen);
         }
-        if (next == choices) break;
-        const Py_ssize_t at = chosen[next++];
+        if (!chosen) break;
+        const Py_ssize_t at = group + lowest_bit(chosen);
+        chosen &= chosen - 1;
         if (!spread_out(samples + at, spread)) continue;
         const uint64_t key = key_of(samples + at);
         slot *here = slots + (key >> (64 - SLOT_BITS));

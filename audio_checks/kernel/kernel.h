@@ -52,11 +52,12 @@ static inline together neighbours(const double *samples) {
     return loaded;
 }
 
-/* The larger of each two, magnitudes, the largest of all; of these the compiler makes no single instruction by itself. */
+/* The larger of each two, magnitudes, which are above others (as bits), the largest of all; of these the compiler makes no single instruction by itself. */
 #if defined(__GNUC__) && defined(__SSE2__)
 #include <emmintrin.h>
 static inline together larger(together one, together other) { return (together)_mm_max_pd((__m128d)one, (__m128d)other); }
 static inline together sizes(together samples) { return (together)_mm_andnot_pd(_mm_set1_pd(-0.0), (__m128d)samples); }
+static inline int above(together one, together other) { return _mm_movemask_pd(_mm_cmpgt_pd((__m128d)one, (__m128d)other)); }
 static inline double largest(together each) {
     return _mm_cvtsd_f64(_mm_max_sd(_mm_unpackhi_pd((__m128d)each, (__m128d)each), (__m128d)each));
 }
@@ -67,10 +68,12 @@ static inline together larger(together one, together other) {
     return (together)((first & (masks)one) | (~first & (masks)other));
 }
 static inline together sizes(together samples) { return (together)((masks)samples & INT64_MAX); }
+static inline int above(together one, together other) { return (one[0] > other[0]) | (one[1] > other[1]) << 1; }
 static inline double largest(together each) { return each[0] > each[1] ? each[0] : each[1]; }
 #else
 static inline together larger(together one, together other) { return one > other ? one : other; }
 static inline together sizes(together samples) { return fabs(samples); }
+static inline int above(together one, together other) { return one > other; }
 static inline double largest(together each) { return each; }
 #endif
 
@@ -102,6 +105,8 @@ int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 enum { ROW = 32 };                            /* samples of which the highest magnitude is kept */
 enum { K_SEEN = 6, K_LANES = 4, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
 
+enum { SCREENED = 64, TOWERED = 4 }; /* cells asked at once, and how many on either side each is compared with */
+
 /* lanes.c: what looks at every sample, by the widest registers at hand. */
 typedef struct {
     double (*highest)(const double *samples, Py_ssize_t count);
@@ -110,6 +115,7 @@ typedef struct {
     double (*product)(const double *one, const double *other, Py_ssize_t count);
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+    uint64_t (*towering)(const double *heights, Py_ssize_t nearest, double times);
     void (*lagged)(const double *samples, Py_ssize_t count, Py_ssize_t order, double *products);
     void (*foretell)(const double *samples, const double *coefficients, Py_ssize_t order, Py_ssize_t count, double *rests);
     void (*weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t until, const double *coefficients,

@@ -15,6 +15,7 @@
 #define LARGER(one, other) larger(one, other)
 #define SIZES(samples) sizes(samples)
 #define LARGEST(each) largest(each)
+#define ABOVE(one, other) above(one, other)
 #define KEPT(these, over, which) kept_by_two(these, (over) - (which) * TOGETHER)
 #if defined(__GNUC__)
 #define ALL(number) BOTH(number, number)
@@ -46,6 +47,7 @@ ALWAYS together kept_by_two(together these, Py_ssize_t over) {
 #undef LARGER
 #undef SIZES
 #undef LARGEST
+#undef ABOVE
 #undef KEPT
 
 typedef double quartet __attribute__((vector_size(32)));
@@ -62,6 +64,7 @@ typedef double quartet __attribute__((vector_size(32)));
 #define LARGER(one, other) ((quartet)_mm256_max_pd((__m256d)(one), (__m256d)(other)))
 #define SIZES(samples) ((quartet)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)(samples)))
 #define LARGEST(each) largest_of_four(each)
+#define ABOVE(one, other) _mm256_movemask_pd(_mm256_cmp_pd((__m256d)(one), (__m256d)(other), _CMP_GT_OQ))
 #define KEPT(these, over, which) kept_of_four(these, over)
 
 WIDE ALWAYS double largest_of_four(quartet each) {

@@ -1,7 +1,7 @@
 /* Loops over samples in lanes, written once for registers of any width.
  *
  * Whoever includes it has said how many numbers a register takes (WIDTH), what a loop is called by that width (NAMED),
- * and what is done to a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, KEPT. How many lanes a sum has is
+ * and what is done to a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, ABOVE, KEPT. How many lanes a sum has is
  * written here and no matter of the width, so every width gives the same bits.
  */
 enum { NAMED(EIGHT) = 8 / WIDTH, NAMED(FOUR) = 4 / WIDTH }; /* registers of as many lanes */
@@ -133,6 +133,20 @@ LOOP void NAMED(cells)(const double *RESTRICT samples, Py_ssize_t size, Py_ssize
     }
 }
 
+/* Which of SCREENED heights are `times` as high as the TOWERED ones on either side, the nearest so far away; as bits. */
+LOOP uint64_t NAMED(towering)(const double *heights, Py_ssize_t nearest, double times) {
+    uint64_t bits = 0;
+    for (int cell = 0; cell < SCREENED; cell += WIDTH) {
+        const double *here = heights + cell;
+        VECTOR beside = ALL(0);
+        for (Py_ssize_t off = nearest; off < nearest + TOWERED; off++) {
+            beside = LARGER(LARGER(AT(here - off), AT(here + off)), beside);
+        }
+        bits |= (uint64_t)ABOVE(AT(here), beside * ALL(times)) << cell;
+    }
+    return bits;
+}
+
 /* Products of samples with those up to `order` later, four distances at a time. */
 LOOP void NAMED(lagged)(const double *RESTRICT samples, Py_ssize_t count, Py_ssize_t order, double *RESTRICT products) {
     enum { AT_ONCE = 4 };
@@ -209,5 +223,5 @@ LOOP void NAMED(weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t
 
 static const loops NAMED(loops) = {
     NAMED(highest), NAMED(maxima), NAMED(sums),     NAMED(product), NAMED(stereo),
-    NAMED(cells),   NAMED(lagged), NAMED(foretell), NAMED(weigh),
+    NAMED(cells),   NAMED(towering), NAMED(lagged), NAMED(foretell), NAMED(weigh),
 };

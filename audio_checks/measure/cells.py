@@ -41,19 +41,48 @@ def cell_frames(sample_rate_hz: int) -> int:
     return max(1, round(sample_rate_hz / CELLS_PER_S))
 
 
-def cells_of(samples: NDArray[np.float64], first: int, frames: int) -> Cells:
-    """Return the whole cells of `samples` from one frame on.
+class CellStream:
+    """The newest cells of a stream, after as many before them as somebody looks back at; zeros before the first.
 
     Parameters
     ----------
-    samples : ndarray, shape (channels, n)
-        Full scale is ±1.0.
-    first : int
-        Where the first cell starts, HISTORY or later.
+    channels : int
     frames : int
         Of each cell.
+    kept : int
+        How many cells stand before the new ones.
+    most : int
+        New ones at a time.
     """
-    channels, length = samples.shape
-    figures = np.empty((len(Cells._fields) * channels, (length - first) // frames))
-    kernel.cells(samples, first, frames, figures)
-    return Cells(*figures.reshape(len(Cells._fields), channels, -1))
+
+    def __init__(self, channels: int, frames: int, kept: int, most: int) -> None:
+        self._frames = frames
+        self._kept = kept
+        self._figures = np.zeros((len(Cells._fields) * channels, kept + most))
+
+    def room(self, count: int) -> NDArray[np.float64]:
+        """Return where the figures of so many new cells go, shape (5 * channels, count)."""
+        return self._figures[:, self._kept : self._kept + count]
+
+    def measure(self, samples: NDArray[np.float64], first: int) -> int:
+        """Measure the whole cells of `samples` from one frame on, and return how many there are.
+
+        Parameters
+        ----------
+        samples : ndarray, shape (channels, n)
+            Full scale is ±1.0.
+        first : int
+            Where the first cell starts, HISTORY or later.
+        """
+        count: int = (samples.shape[1] - first) // self._frames
+        kernel.cells(samples, first, self._frames, self.room(count))
+        return count
+
+    def newest(self, count: int) -> Cells:
+        """Return so many new cells, after those that are kept."""
+        figures = self._figures[:, : self._kept + count]
+        return Cells(*figures.reshape(len(Cells._fields), -1, figures.shape[1]))
+
+    def keep(self, count: int) -> None:
+        """Make the last ones of what came with so many new cells those that stand before the next."""
+        self._figures[:, : self._kept] = self._figures[:, count : count + self._kept].copy()

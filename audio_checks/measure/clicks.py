@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import decibels
+from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way
@@ -24,7 +25,7 @@ SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
 STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide small clicks in them
-SEGMENT = 64  # cells of steady sound that are looked at together
+SEGMENT = 2 * ROW_FRAMES  # cells of steady sound that are looked at together
 CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: the click itself must not
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
@@ -44,7 +45,6 @@ class Clicks:
 
     Parameters
     ----------
-    channels : int
     cell_frames : int
         Frames of each cell.
     cells_per_s : float
@@ -54,13 +54,13 @@ class Clicks:
 
     FIGURES = ("clicks", "click_places")
     LATE = SEGMENT + REACH  # cells of silence that must follow the sound, so that all of it is looked at
+    BACK = SEGMENT + 3 * REACH  # cells before the new ones that are looked at again
 
-    def __init__(self, channels: int, cell_frames: int, cells_per_s: float, step: float) -> None:
+    def __init__(self, cell_frames: int, cells_per_s: float, step: float) -> None:
         self._cell = cell_frames
         self._per_s = cells_per_s
         self._least = max(GRAIN * step, 1e-6)
-        self._recent = Cells(*np.zeros((len(Cells._fields), channels, REACH)))
-        self._first = -REACH  # the cell that the first of these is
+        self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
         self._doubtful: set[tuple[int, int]] = set()  # segment, channel
         self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
@@ -68,33 +68,32 @@ class Clicks:
         self._places = np.empty(0, np.int64)  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
-    def add(self, cells: Cells, samples: NDArray[np.float64], first: int, peak: float) -> None:
-        """Take the next cells; they start at frame `first` of `samples`, shape (channels, n).
+    def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
+        """Take the next cells, the last `new` of these; they start at frame `first` of `samples`, shape (channels, n).
 
+        At least BACK others come before them, zeros before the first.
         `peak` is the largest sample so far: what is too small or too quiet beside it is so beside the file's.
         """
         self._lowest, self._quietest = self._limits(peak)
-        recent = Cells(*(np.concatenate(pair, axis=1) for pair in zip(self._recent, cells, strict=True)))
-        begun = self._first + recent.sums.shape[1] - cells.sums.shape[1]  # the first of the new cells
-        total = self._first + recent.sums.shape[1]
-        start = max(self._first + REACH, begun - REACH)
+        begun, total = self._seen, self._seen + new
+        before = total - cells.sums.shape[1]  # the cell that the first of all is
+        start = max(0, begun - REACH)
         if total - start > REACH:
             for channel in range(len(samples)):
-                near = slice(start - REACH - self._first, None)
-                sharpness = recent.sharpness[channel, near]
+                near = slice(start - REACH - before, None)
+                sharpness = cells.sharpness[channel, near]
                 self._doubtful |= {
                     ((start + cell - REACH) // SEGMENT, channel)
                     for cell in self._outstanding(sharpness, DOUBTFUL, IMPULSE)
                 }
-                self._keep(recent, channel, start, sharpness, STANDS_OUT, IMPULSE)
-                self._keep(recent, channel, start, recent.steps[channel, near], STEPS_OUT)
+                self._keep(cells, channel, start - before, start, sharpness, STANDS_OUT, IMPULSE)
+                self._keep(cells, channel, start - before, start, cells.steps[channel, near], STEPS_OUT)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
-            self._look_closer(recent, count, samples, first + (self._segment - begun) * self._cell)
+            at = first + (self._segment - begun) * self._cell
+            self._look_closer(cells, self._segment - before, count, samples, at)
             self._segment += count * SEGMENT
-        kept = min(recent.sums.shape[1], SEGMENT + 3 * REACH)
-        self._recent = Cells(*(figures[:, -kept:] for figures in recent))
-        self._first = total - kept
+        self._seen = total
 
     def result(self, peak: float) -> dict[str, Any]:
         """Return `clicks`, how many there are, and `click_places`; `peak` is the file's largest sample."""
@@ -115,24 +114,29 @@ class Clicks:
 
     def _keep(
         self,
-        recent: Cells,
+        cells: Cells,
         channel: int,
+        index: int,
         start: int,
         sizes: NDArray[np.float64],
         times: float,
         scale: float = 1.0,
     ) -> None:
-        """Keep what stands out, of all cells but the first and the last REACH; the first of the others is `start`.
+        """Keep what stands out, of all sizes but the first and the last REACH.
 
-        A size is so many times the height of the click that it stands for.
+        The first of the others is that of the cell `start`, which stands at an index of `cells`. A size is so many
+        times the height of the click that it stands for.
         """
         for cell in self._outstanding(sizes, times, scale):
-            place = start - self._first + cell - REACH
-            quieter, louder = sorted(kernel.means_beside(recent.squares[channel], place, LEVEL_CELLS, CORE))
-            lower, higher = sorted(kernel.means_beside(recent.edges[channel], place, LEVEL_CELLS, CORE))
-            goes_on = louder <= quieter * GOES_ON or higher <= lower * GOES_ON
-            if goes_on and quieter >= self._quietest and len(self._found) < MAX_KEPT:
-                self._found.add((start + cell - REACH, channel, float(sizes[cell]) / scale, quieter))
+            place = index + cell - REACH
+            quieter, louder = sorted(kernel.means_beside(cells.squares[channel], place, LEVEL_CELLS, CORE))
+            if quieter < self._quietest or len(self._found) >= MAX_KEPT:
+                continue
+            if louder > quieter * GOES_ON:
+                lower, higher = sorted(kernel.means_beside(cells.edges[channel], place, LEVEL_CELLS, CORE))
+                if higher > lower * GOES_ON:
+                    continue
+            self._found.add((start + cell - REACH, channel, float(sizes[cell]) / scale, quieter))
 
     def _outstanding(self, sizes: NDArray[np.float64], times: float, scale: float) -> list[int]:
         """Return the places of what is so many times as large as all that lies around it."""
@@ -143,15 +147,16 @@ class Clicks:
         outstanding: list[int] = places[:found].tolist()
         return outstanding
 
-    def _look_closer(self, recent: Cells, count: int, samples: NDArray[np.float64], at: int) -> None:
-        """Look at the next segments where they are steady, or may hide a click; the first starts at frame `at`."""
-        place = self._segment - self._first
-        shape = (len(samples), count, SEGMENT)
-        inner = slice(place, place + count * SEGMENT)
+    def _look_closer(self, cells: Cells, index: int, count: int, samples: NDArray[np.float64], at: int) -> None:
+        """Look at the next segments where they are steady, or may hide a click.
+
+        The first starts with the cell at an index, and at frame `at`.
+        """
+        inner = slice(index, index + count * SEGMENT)
         steady = np.empty((len(samples), count), np.bool_)
         most = STEADY**2 / self._cell
         for channel, flags in enumerate(steady):
-            sharpness, edges = recent.sharpness[channel, inner], recent.edges[channel, inner]
+            sharpness, edges = cells.sharpness[channel, inner], cells.edges[channel, inner]
             kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, flags)
         wanted, begun = steady.copy(), self._segment // SEGMENT
         for segment, channel in [one for one in self._doubtful if one[0] < begun + count]:
@@ -159,7 +164,7 @@ class Clicks:
             wanted[channel, segment - begun] = True
         if not wanted.any():
             return
-        wanted &= _loudest_nearby(recent.squares[:, inner].reshape(shape)) >= self._quietest
+        wanted &= _loudest_nearby(cells.squares[:, inner]) >= self._quietest
         starts = at + (np.arange(count) * SEGMENT - REACH) * self._cell
         wanted &= starts >= ORDER  # of many channels less is kept
         for channel in np.flatnonzero(wanted.any(axis=1)).tolist():
@@ -179,16 +184,19 @@ class Clicks:
                 heights,
                 kept,
             )
-            for place, row in zip(kept[:found].tolist(), heights, strict=False):
-                if row[REACH:-REACH].max() >= ABOVE_MEAN * row.mean():
-                    number = int(numbers[place])
-                    times = STANDS_OUT if steady[channel, number] else FORETOLD_OUT
-                    self._keep(recent, channel, self._segment + number * SEGMENT, row, times)
+            rows = heights[:found]
+            high = rows[:, REACH:-REACH].max(axis=1) >= ABOVE_MEAN * rows.mean(axis=1)
+            for place, row in zip(kept[:found][high].tolist(), rows[high], strict=True):
+                number = int(numbers[place])
+                times = STANDS_OUT if steady[channel, number] else FORETOLD_OUT
+                segment = number * SEGMENT
+                self._keep(cells, channel, index + segment, self._segment + segment, row, times)
 
 
 def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the largest of each segment and of those beside it, (channels, segments); inf where one is not known."""
-    loudest = np.full((squares.shape[0], squares.shape[1] + 2), np.inf)
-    loudest[:, 1:-1] = squares.max(axis=2)
+    rows = maxima_of(squares)  # two of them are a segment
+    loudest = np.full((len(rows), rows.shape[1] // 2 + 2), np.inf)
+    np.maximum(rows[:, ::2], rows[:, 1::2], out=loudest[:, 1:-1])
     nearby: NDArray[np.float64] = np.maximum(np.maximum(loudest[:, :-2], loudest[:, 2:]), loudest[:, 1:-1])
     return nearby

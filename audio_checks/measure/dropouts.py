@@ -53,28 +53,23 @@ class Dropouts:
     """
 
     FIGURES = ("dropouts", "dropout_places")
+    BACK = LONGEST + 2 * REACH + 4  # cells before the new ones that are looked at again
 
     def __init__(self, channels: int, cells_per_s: float, step: float) -> None:
         self._per_s = cells_per_s
         self._still = STILL if step < COARSE_STEP else 0.0
-        self._steps = np.empty((channels, 0))
-        self._squares = np.empty((channels, 0))
-        self._first = 0  # the cell that the first of those kept is
+        self._channels = channels
+        self._seen = 0  # cells
         self._searched = 0  # holes that end up to here are known
         self._found: list[_Hole] = []
 
-    def add(self, cells: Cells) -> None:
-        """Take the next cells."""
-        self._steps = np.concatenate((self._steps, cells.steps), axis=1)
-        self._squares = np.concatenate((self._squares, cells.squares), axis=1)
-        until = self._first + self._steps.shape[1] - REACH
-        for channel in range(len(self._steps)):
-            self._search(channel, until)
+    def add(self, cells: Cells, new: int) -> None:
+        """Take the next cells, the last `new` of these; BACK others or more come before, zeros before the first."""
+        self._seen += new
+        until = self._seen - REACH
+        for channel in range(self._channels):
+            self._search(channel, cells, until)
         self._searched = max(self._searched, until)
-        spare = self._steps.shape[1] - (LONGEST + 2 * REACH + 4)
-        if spare > 0:
-            self._steps, self._squares = self._steps[:, spare:], self._squares[:, spare:]
-            self._first += spare
 
     def result(self, peak: float, cell_frames: int) -> dict[str, Any]:
         """Return `dropouts`, how many there are, and `dropout_places`; `peak` is the file's largest sample."""
@@ -85,16 +80,16 @@ class Dropouts:
         places = [Dropout(hole.start / self._per_s, hole.end / self._per_s, hole.channel + 1) for hole in holes]
         return {"dropouts": len(places), "dropout_places": tuple(places)}
 
-    def _search(self, channel: int, until: int) -> None:
-        steps, squares = self._steps[channel], self._squares[channel]
-        still = (steps <= self._still).astype(np.int8)
-        if not still.any():
-            return
-        edges = np.flatnonzero(np.diff(still, prepend=np.int8(0), append=np.int8(0)))
+    def _search(self, channel: int, cells: Cells, until: int) -> None:
+        steps, squares = cells.steps[channel], cells.squares[channel]
+        first = self._seen - len(steps)  # the cell that the first of these is
+        still = np.zeros(len(steps) + 2, np.bool_)
+        np.less_equal(steps, self._still, out=still[1:-1])
+        edges = np.flatnonzero(still[1:] != still[:-1])
         starts, ends = edges[::2], edges[1::2]
         lengths = ends - starts
-        wanted = (lengths >= SHORTEST) & (lengths <= LONGEST) & (starts > REACH)
-        wanted &= (ends + self._first > self._searched) & (ends + self._first <= until) & (ends + REACH < len(steps))
+        wanted = (lengths >= SHORTEST) & (lengths <= LONGEST) & (starts + first > REACH)
+        wanted &= (ends + first > self._searched) & (ends + first <= until) & (ends + REACH < len(steps))
         for start, end in zip(starts[wanted].tolist(), ends[wanted].tolist(), strict=True):
             before, after = slice(start - REACH, start - 1), slice(end + 1, end + REACH)
             least = LOUDER * max(float(steps[start:end].max()), 1e-6)
@@ -105,7 +100,7 @@ class Dropouts:
             quieter, louder = sorted((float(squares[before].mean()), float(squares[after].mean())))
             if louder <= quieter * ALIKE and len(self._found) < MAX_KEPT:
                 held = float(squares[start])
-                self._found.append(_Hole(self._first + start, self._first + end, channel, quieter, held))
+                self._found.append(_Hole(first + start, first + end, channel, quieter, held))
 
 
 def _goes_on(steps: NDArray[np.float64], squares: NDArray[np.float64], least: float) -> bool:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.measure.cells import HISTORY, Cells, cell_frames, cells_of
+from audio_checks.measure.cells import HISTORY, CellStream, cell_frames
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
 from audio_checks.measure.flat_tops import FlatTops
@@ -33,6 +33,7 @@ DETECTORS: dict[str, tuple[str, ...]] = {
 }
 """What can be looked for, and the figures that each detector gives."""
 
+CELLS_KEPT = max(Clicks.BACK, Dropouts.BACK, NoiseFloor.BACK)
 CELLS_SUFFICE = frozenset({"dropouts", "hum", "noise_floor"})  # the others look back at samples
 
 
@@ -76,11 +77,12 @@ class Faults:
         self._maxima = np.zeros((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
         self._survey = survey or Survey()
         self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
-        self._known: tuple[NDArray[np.float64], Cells] | None = None  # a stretch that was measured while it was decoded
+        self._cells = CellStream(channels, self._cell, CELLS_KEPT, self._stretch // self._cell)
+        self._known: tuple[NDArray[np.float64], int] | None = None  # what was measured while it was decoded, its cells
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
         self._peak = 0.0
-        self._clicks = Clicks(channels, self._cell, cells_per_s, step) if "clicks" in wanted else None
+        self._clicks = Clicks(self._cell, cells_per_s, step) if "clicks" in wanted else None
         self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in wanted else None
         self._repeats = Repeats(sample_rate_hz, step) if "repeats" in wanted else None
         self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in wanted else None
@@ -102,11 +104,11 @@ class Faults:
         frames = len(raw) // (channels * container_bits // 8)
         self._samples[:, first + frames : first + frames + self._cell] = 0.0
         count = frames // self._cell + (frames < self._stretch)  # a sound that ends is followed by silence
-        figures = np.empty((len(Cells._fields) * channels, count)) if first == self._history else None
+        figures = self._cells.room(count) if first == self._history else None
         block, used, broken = self._survey.decode(
             raw, container_bits, floats, self._samples, first, figures, self._cell
         )
-        self._known = None if figures is None else (block, Cells(*figures.reshape(len(Cells._fields), channels, count)))
+        self._known = None if figures is None else (block, count)
         self._decoded = block
         return block, used, broken
 
@@ -140,7 +142,8 @@ class Faults:
         if self._clicks:
             self._samples[:, self._history : self._history + self._silence] = 0.0
             silent = self._samples[:, : self._history + self._silence]
-            self._clicks.add(cells_of(silent, self._history, self._cell), silent, self._history, self._peak)
+            count = self._cells.measure(silent, self._history)
+            self._clicks.add(self._cells.newest(count), count, silent, self._history, self._peak)
             figures |= self._clicks.result(self._peak)
         if self._dropouts:
             figures |= self._dropouts.result(self._peak, self._cell)
@@ -149,8 +152,8 @@ class Faults:
                 figures |= detector.result()
         return figures
 
-    def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], Cells | None]:
-        """Return the maxima of all samples and, where a detector wants them, the cells of those that are new."""
+    def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], int]:
+        """Return the maxima of all samples and, where a detector wants cells, how many are new."""
         before, rows = self._history // ROW_FRAMES, -(-self._end // ROW_FRAMES)
         if self._known is None:
             self._maxima[:, before:rows] = maxima_of(samples[:, self._history :])
@@ -158,24 +161,26 @@ class Faults:
             found = self._survey.maxima(self._known[0])
             self._maxima[:, before : before + found.shape[1]] = found
             self._maxima[:, before + found.shape[1] : rows] = 0.0
-        cells = self._known[1] if self._known else None
+        count = self._known[1] if self._known else 0
+        if not self._known and (self._clicks or self._dropouts or self._hum or self._noise):
+            count = self._cells.measure(samples, self._history)
         self._known = None
-        if cells is None and (self._clicks or self._dropouts or self._hum or self._noise):
-            cells = cells_of(samples, self._history, self._cell)
-        return self._maxima[:, :rows], cells
+        return self._maxima[:, :rows], count
 
     def _look(self) -> None:
         """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
         samples = self._samples[:, : self._end]
         new = self._end - self._history
-        maxima, cells = self._measure(samples)
+        maxima, count = self._measure(samples)
         self._peak = max(self._peak, float(maxima.max()))
-        if cells:
+        if count:
+            cells = self._cells.newest(count)
             if self._clicks:
-                self._clicks.add(cells, samples, self._history, self._peak)
+                self._clicks.add(cells, count, samples, self._history, self._peak)
             for by_cells in (self._dropouts, self._hum, self._noise):
                 if by_cells:
-                    by_cells.add(cells)
+                    by_cells.add(cells, count)
+            self._cells.keep(count)
         if self._repeats:
             self._repeats.add(samples, int(maxima.max(axis=1).argmax()), self._history, self._frame)
         if self._flat_tops:

@@ -67,11 +67,12 @@ class FlatTops:
         `maxima` are those of all samples, and `first` starts one of their rows; `frame` is where in the whole
         signal the first of all samples lies.
         """
-        for channel, row in enumerate(samples):
+        for channel, (row, peak) in enumerate(zip(samples, maxima.max(axis=1).tolist(), strict=True)):
             extremes = self._extremes[channel]
-            kernel.extremes(row, maxima[channel], first // ROW_FRAMES, extremes)
+            if peak > extremes.min():
+                kernel.extremes(row, maxima[channel], first // ROW_FRAMES, extremes)
             for sign, extreme in zip((1.0, -1.0), extremes.tolist(), strict=True):
-                if extreme > 0:
+                if extreme > 0 and peak >= extreme * (1 - SOFT_CEILING):  # else no crest here is high
                     self._look(row, maxima[channel], first, frame, channel, sign, extreme)
 
     def result(self) -> dict[str, Any]:

@@ -56,14 +56,14 @@ class Hum:
         if cells >= SHORTEST_S * cells_per_s:
             # Whole sixteens: transforms of 2,005 would take five times as long as those of 2,000.
             lengths = (min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S)
-            self._windows = [_Windows(channels, cells_per_s, length, cell_frames) for length in lengths]
+            self._windows = [_Windows(channels, cells_per_s, length, cell_frames, cells) for length in lengths]
 
-    def add(self, cells: Cells) -> None:
-        """Take the next cells."""
+    def add(self, cells: Cells, new: int) -> None:
+        """Take the next cells, the last `new` of these."""
         if not self._windows:
             return
-        self._pending.append(cells.sums)
-        self._waiting += cells.sums.shape[1]
+        self._pending.append(cells.sums[:, cells.sums.shape[1] - new :].copy())
+        self._waiting += new
         if self._waiting >= AT_ONCE:
             self._look()
 
@@ -91,7 +91,7 @@ class Hum:
 class _Windows:
     """The spectra of Hann windows of one length that overlap by half, and the lines in them."""
 
-    def __init__(self, channels: int, cells_per_s: float, length: int, cell_frames: int) -> None:
+    def __init__(self, channels: int, cells_per_s: float, length: int, cell_frames: int, cells: int) -> None:
         self._length = length
         self._hop = max(1, length // 2)
         self._window_powers = hann_powers(length)
@@ -103,6 +103,8 @@ class _Windows:
         self._kept = np.empty((channels, 0))
         self._spectra: list[NDArray[np.float64]] = []
         self._every, self._number = 1, 0
+        while -(-((cells - length) // self._hop + 1) // self._every) > self._most:  # would be left out in the end
+            self._every *= 2
 
     def add(self, sums: NDArray[np.float64]) -> None:
         """Take the sums of the next cells."""

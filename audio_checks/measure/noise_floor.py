@@ -32,19 +32,21 @@ class NoiseFloor:
     """
 
     FIGURES = ("noise_floor_dbfs",)
+    BACK = CELLS - 1  # cells before the new ones that are looked at again
 
     def __init__(self, channels: int, cell_frames: int) -> None:
         self._frames = CELLS * cell_frames
-        self._kept = np.empty((channels, 0))
+        self._channels = channels
+        self._waiting = 0  # cells that fill no step yet
         self._steps: list[NDArray[np.float32]] = []
 
-    def add(self, cells: Cells) -> None:
-        """Take the next cells."""
-        kept = np.concatenate((self._kept, cells.squares), axis=1)
-        count = kept.shape[1] // CELLS
-        steps = kept[:, : count * CELLS].reshape(len(kept), count, CELLS).sum(axis=2) / self._frames
+    def add(self, cells: Cells, new: int) -> None:
+        """Take the next cells, the last `new` of these; at least BACK others come before them."""
+        fresh = cells.squares[:, cells.squares.shape[1] - new - self._waiting :]
+        count = fresh.shape[1] // CELLS
+        steps = fresh[:, : count * CELLS].reshape(self._channels, count, CELLS).sum(axis=2) / self._frames
         self._steps.append(steps.astype(np.float32))
-        self._kept = kept[:, count * CELLS :]
+        self._waiting = fresh.shape[1] - count * CELLS
 
     def result(self) -> dict[str, Any]:
         """Return `noise_floor_dbfs`, the RMS of the quietest pause in the noisiest channel; None without a pause.

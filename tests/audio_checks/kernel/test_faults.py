@@ -165,19 +165,39 @@ def test_what_cannot_be_foretold(frames: int, order: int):
         np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
 
-def stands_out(heights: list[float], at: int) -> bool:
+def stands_out(heights: list[float], at: int, reach: int = REACH) -> bool:
     """Whether one is so many times those around it, of the nearest two the lower."""
     beside = [heights[near] if 0 <= near < len(heights) else 0.0 for near in (at - 1, at + 1)]
-    far = [*heights[max(at - REACH, 0) : max(at - CORE, 0)], *heights[at + CORE + 1 : at + REACH + 1]]
+    far = [*heights[max(at - reach, 0) : max(at - CORE, 0)], *heights[at + CORE + 1 : at + reach + 1]]
     return heights[at] > TIMES * max([min(beside), *far])
 
 
-@given(st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=2 * REACH + 1, max_size=40))
-def test_what_stands_out(heights: list[float]):
-    row, places = np.array(heights), np.empty(len(heights), np.int64)
-    count = kernel.outstanding(row, REACH, CORE, TIMES, 0.15, places)
-    wanted = [at for at in range(REACH, len(row) - REACH) if heights[at] > 0.15 and stands_out(heights, at)]
-    assert places[:count].tolist() == wanted
+@given(
+    st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=2 * REACH + 1, max_size=40),
+    st.sampled_from([3, 7]),
+)
+def test_what_stands_out(heights: list[float], reach: int):
+    assert outstanding(heights, reach) == all_that_stand_out(heights, reach)
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([4, 7, 40]))
+def test_what_stands_out_of_many(seed: int, reach: int):
+    # Sixty-four at a time are compared with their nearest before one is compared with all.
+    rng = np.random.default_rng(seed)
+    heights = rng.uniform(0.5, 1.0, 400)
+    heights[rng.integers(0, 400, 30)] = rng.choice([3.49, 3.5, 3.51, 9.0], 30)
+    assert outstanding(heights.tolist(), reach) == all_that_stand_out(heights.tolist(), reach)
+
+
+def outstanding(heights: list[float], reach: int) -> list[int]:
+    places = np.empty(len(heights), np.int64)
+    found: list[int] = places[: kernel.outstanding(np.array(heights), reach, CORE, TIMES, 0.15, places)].tolist()
+    return found
+
+
+def all_that_stand_out(heights: list[float], reach: int) -> list[int]:
+    inner = range(reach, len(heights) - reach)
+    return [at for at in inner if heights[at] > 0.15 and stands_out(heights, at, reach)]
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 0.5, 3.0]))
