@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor, Role
 from app.contracts import money_queries
 from app.contracts import money_schemas as schemas
-from app.contracts.book import CLAUSES, Entry
+from app.contracts.book import CLAUSES, Book, Entry
 from app.contracts.errors import (
     BeyondCap,
     ContractNotFound,
@@ -22,8 +22,8 @@ from app.contracts.ledger import book_of, terms_of, write
 from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, Milestone, WorkedDay
 from app.contracts.queries import lock_contract
-from app.contracts.rules import ContractState, LineKind
-from app.contracts.terms import PriceMode
+from app.contracts.rules import ContractState, LineKind, ensure_not_ahead
+from app.contracts.terms import MoneyTerms, PriceMode
 from app.kit import clock
 from app.kit.money import money
 from app.projects.errors import ProducerNeeded
@@ -44,6 +44,7 @@ def log_day(
     if contract.designer_id != actor.person:
         raise OtherPartyNeeded("only the designer logs days")
     _ensure_by_day(session, contract)
+    ensure_not_ahead(worked_on, clock.now().date(), "a day is logged once it was worked")
     lock_contract(session, contract.id)
     known = {day.worked_on: day for day in money_queries.worked_days_of(session, contract.id)}
     day = known.get(worked_on)
@@ -64,15 +65,22 @@ def log_day(
     return day
 
 
+def drop_day(session: Session, actor: Actor, worked_day_id: UUID) -> None:
+    """Take a logged day back as its designer, until the studio agrees to it."""
+    day, contract = _day_in_sight(session, actor, worked_day_id)
+    if contract.designer_id != actor.person:
+        raise OtherPartyNeeded("only the designer takes a logged day back; what you do not agree to is not due")
+    lock_contract(session, contract.id)
+    session.refresh(day, ["agreed_at"])
+    if day.agreed_at is not None:
+        raise DayAgreed(f"{day.worked_on} was agreed to already; nothing was changed")
+    session.delete(day)
+    session.flush()
+
+
 def agree_day(session: Session, actor: Actor, worked_day_id: UUID) -> WorkedDay:
     """Agree to a logged day as the studio; it is due, up to what the cap leaves."""
-    day = money_queries.worked_day_by_id(session, worked_day_id)
-    if day is None:
-        raise WorkedDayNotFound(f"no logged day {worked_day_id}")
-    try:
-        contract = contract_in_sight(session, actor, day.contract_id)
-    except ContractNotFound:
-        raise WorkedDayNotFound(f"no logged day {worked_day_id}") from None
+    day, contract = _day_in_sight(session, actor, worked_day_id)
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio agrees to days")
     lock_contract(session, contract.id)
@@ -80,9 +88,7 @@ def agree_day(session: Session, actor: Actor, worked_day_id: UUID) -> WorkedDay:
     if day.agreed_at is not None:
         raise DayAgreed(f"{day.worked_on} was agreed to already; nothing was changed")
     terms = terms_of(session, contract)
-    left_minor = terms.days_cap_minor - sum(
-        line.amount_minor for line in book_of(session, contract).owed if line.kind is LineKind.WORKED_DAY
-    )
+    left_minor = terms.days_cap_minor - _agreed_minor(book_of(session, contract))
     if left_minor <= 0:
         raise BeyondCap(
             f"the {terms.days_cap} days agreed to are used up, {money(terms.days_cap_minor, contract.currency)}",
@@ -98,6 +104,22 @@ def agree_day(session: Session, actor: Actor, worked_day_id: UUID) -> WorkedDay:
     )
     write(session, contract, [entry], person_id=actor.person)
     return day
+
+
+def day_rate_read(terms: MoneyTerms, book: Book) -> schemas.DayRateRead | None:
+    """Return by which rate days are paid and how much of the cap is used; None where a contract pays otherwise."""
+    if terms.price_mode is not PriceMode.DAY_RATE:
+        return None
+    return schemas.DayRateRead(
+        day_rate_minor=terms.day_rate_minor,
+        days_cap=terms.days_cap,
+        agreed_minor=_agreed_minor(book),
+        cap_minor=terms.days_cap_minor,
+    )
+
+
+def _agreed_minor(book: Book) -> int:
+    return sum(line.amount_minor for line in book.owed if line.kind is LineKind.WORKED_DAY)
 
 
 def worked_days(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.WorkedDayRead]:
@@ -117,6 +139,16 @@ def worked_day(session: Session, day: WorkedDay) -> schemas.WorkedDayRead:
         amount_minor=price_of(day.quarters, terms_of(session, contract).day_rate_minor),
         agreed_at=day.agreed_at,
     )
+
+
+def _day_in_sight(session: Session, actor: Actor, worked_day_id: UUID) -> tuple[WorkedDay, Contract]:
+    day = money_queries.worked_day_by_id(session, worked_day_id)
+    if day is None:
+        raise WorkedDayNotFound(f"no logged day {worked_day_id}")
+    try:
+        return day, contract_in_sight(session, actor, day.contract_id)
+    except ContractNotFound:
+        raise WorkedDayNotFound(f"no logged day {worked_day_id}") from None
 
 
 def _ensure_by_day(session: Session, contract: Contract) -> None:

@@ -75,6 +75,14 @@ class DayAgreed(Conflict):
     """The studio agreed to this day already."""
 
 
+class DayAhead(Invalid):
+    """A day of work or of a payment that has not come yet."""
+
+
+class MilestoneNotFound(NotFound):
+    """No milestone of that id within the caller's sight."""
+
+
 class BeyondCap(Conflict):
     """The days that were agreed on are used up."""
 

@@ -14,6 +14,7 @@ from app.contracts.estimating import ErrorRate, Habit, error_percent, error_rate
 from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, ContractCue, Milestone, WorkLog
 from app.contracts.rules import ContractState
+from app.kit import clock
 from app.projects.errors import ProducerNeeded
 
 WILD = (
@@ -55,6 +56,11 @@ def estimates(session: Session, actor: Actor, contract_id: UUID) -> schemas.Esti
     contract = contract_in_sight(session, actor, contract_id)
     if contract.designer_id != actor.person and Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("a designer's estimates are seen by that designer and the studio's producers only")
+    return estimates_of(session, contract)
+
+
+def estimates_of(session: Session, contract: Contract) -> schemas.EstimatesRead:
+    """Return what was estimated in a contract that the caller is a party to, and what came of it."""
     milestones = money_queries.milestones_of(session, contract.id)
     cues = money_queries.cues_of(session, contract.id)
     worked = money_queries.worked_minutes(session, [contract.id])
@@ -78,7 +84,7 @@ def estimates(session: Session, actor: Actor, contract_id: UUID) -> schemas.Esti
 
 def _of_cue(cue: ContractCue, worked_min: int | None) -> schemas.EstimateRead:
     is_done = cue.accepted_at is not None and worked_min is not None
-    return _estimate(cue.cue.name, float(cue.estimate_min or 0), float(worked_min or 0) if is_done else None)
+    return _estimate(cue.cue_id, cue.cue.name, float(cue.estimate_min or 0), float(worked_min or 0), is_done=is_done)
 
 
 def _of_milestone(contract: Contract, milestone: Milestone, cues: list[ContractCue]) -> schemas.EstimateRead | None:
@@ -91,13 +97,20 @@ def _of_milestone(contract: Contract, milestone: Milestone, cues: list[ContractC
     moments = [cue.accepted_at or cue.cut_at for cue in cues]
     done = [moment for moment in moments if moment is not None]
     is_done = bool(cues) and len(done) == len(cues) and any(cue.accepted_at for cue in cues)
-    actual_days = float((max(done).date() - began_on).days) if is_done else None
-    return _estimate(milestone.name, float(estimate_days), actual_days)
+    until = max(done) if is_done else clock.now()
+    so_far_days = float((until.date() - began_on).days)
+    return _estimate(milestone.id, milestone.name, float(estimate_days), so_far_days, is_done=is_done)
 
 
-def _estimate(name: str, estimate: float, actual: float | None) -> schemas.EstimateRead:
-    error = None if actual is None else error_percent(estimate, actual)
-    return schemas.EstimateRead(name=name, estimate=estimate, actual=actual, error_percent=error)
+def _estimate(about_id: UUID, name: str, estimate: float, so_far: float, *, is_done: bool) -> schemas.EstimateRead:
+    return schemas.EstimateRead(
+        about_id=about_id,
+        name=name,
+        estimate=estimate,
+        so_far=so_far,
+        actual=so_far if is_done else None,
+        error_percent=error_percent(estimate, so_far) if is_done else None,
+    )
 
 
 def _rate(pairs: list[schemas.EstimateRead]) -> ErrorRate:
@@ -119,10 +132,8 @@ def _forecasts(
         return []
     began_on = contract.agreed_at.date()
     unfinished = {cue.milestone_id for cue in cues if cue.accepted_at is None and cue.cut_at is None}
-    dated = [(one.name, one.due_on) for one in milestones if one.id in unfinished and one.due_on]
-    forecasts = [(name, due_on, forecast(began_on, due_on, rate)) for name, due_on in dated]
     return [
-        schemas.ForecastRead(milestone=name, due_on=due_on, forecast_on=forecast_on)
-        for name, due_on, forecast_on in forecasts
-        if forecast_on is not None
+        schemas.ForecastRead(milestone_id=one.id, milestone=one.name, due_on=one.due_on, forecast_on=forecast_on)
+        for one in milestones
+        if one.id in unfinished and one.due_on and (forecast_on := forecast(began_on, one.due_on, rate))
     ]

@@ -16,7 +16,7 @@ from app.contracts.book import CLAUSES, Entry
 from app.contracts.errors import BadPlan, ContractNotFound, PlanLocked, UnderContract
 from app.contracts.ledger import terms_of, write
 from app.contracts.models import Contract, ContractCue, Milestone
-from app.contracts.plan_check import HOLDBACK_BP, Advice, PlannedPayment, check_plan
+from app.contracts.plan_check import Advice, PlannedPayment, check_plan
 from app.contracts.queries import contract_for, lock_contract
 from app.contracts.rules import ContractKind, ContractState, LineKind
 from app.contracts.terms import PriceMode
@@ -57,11 +57,31 @@ class PlannedMilestone:
         return sum(cue.price_minor or 0 for cue in self.cues)
 
 
-def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:
-    """Put a plan in the place of a draft's plan; raise BadPlan with every problem that it has."""
+def look_at_plan(
+    session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]
+) -> tuple[list[FieldProblem], list[Advice]]:
+    """Return what is wrong with a plan and what is unwise about it, while it is written; nothing is saved."""
+    contract = _contract_to_plan(session, actor, contract_id)
+    payments = [
+        PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
+    ]
+    cue_ids = [cue.cue_id for one in plan for cue in one.cues]
+    return _faults(session, contract, plan), [
+        *check_plan(payments, contract.currency),
+        *_covered_elsewhere(session, contract, cue_ids),
+    ]
+
+
+def _contract_to_plan(session: Session, actor: Actor, contract_id: UUID) -> Contract:
     contract = contract_in_sight(session, actor, contract_id)
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio plans its payments")
+    return contract
+
+
+def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:
+    """Put a plan in the place of a draft's plan; raise BadPlan with every problem that it has."""
+    contract = _contract_to_plan(session, actor, contract_id)
     lock_contract(session, contract.id)
     if contract.state is not ContractState.DRAFT:
         raise PlanLocked(
@@ -147,7 +167,8 @@ def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Cont
 
 def advice_on(session: Session, contract: Contract) -> list[Advice]:
     """Return what is unwise about a contract's plan, and why."""
-    cues = Counter(cue.milestone_id for cue in money_queries.cues_of(session, contract.id))
+    covered = money_queries.cues_of(session, contract.id)
+    cues = Counter(cue.milestone_id for cue in covered)
     payments = [
         PlannedPayment(
             name=milestone.name,
@@ -158,7 +179,21 @@ def advice_on(session: Session, contract: Contract) -> list[Advice]:
         )
         for milestone in money_queries.milestones_of(session, contract.id)
     ]
-    return check_plan(payments, contract.currency, HOLDBACK_BP)
+    advice = check_plan(payments, contract.currency)
+    if contract.state in (ContractState.DRAFT, ContractState.SENT):
+        advice += _covered_elsewhere(session, contract, [cue.cue_id for cue in covered])
+    return advice
+
+
+def _covered_elsewhere(session: Session, contract: Contract, cue_ids: Sequence[UUID]) -> list[Advice]:
+    return [
+        Advice(
+            "covered-elsewhere",
+            f"{cue} stands in {title}, which is agreed.",
+            "Two contracts would owe it twice; agreeing is refused until one of them gives it up.",
+        )
+        for cue, title in money_queries.covered_elsewhere(session, contract.id, cue_ids)
+    ]
 
 
 def fix_plan(session: Session, contract: Contract, *, person_id: UUID) -> None:

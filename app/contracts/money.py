@@ -120,35 +120,42 @@ def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerR
     """Return a contract's ledger, line by line, and what it comes to."""
     contract = contract_in_sight(session, actor, contract_id)
     book = book_of(session, contract)
-    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
-    milestones = {one.id: one.name for one in money_queries.milestones_of(session, contract.id)}
-    numbers = {invoice.id: invoice.number for invoice in money_queries.invoices_of(session, contract.id)}
-    references = {payment.id: payment.reference for payment in money_queries.payments_of(session, contract.id)}
     return schemas.LedgerRead(
         contract_id=contract.id,
         currency=contract.currency,
         figures=schemas.FiguresRead(**asdict(figures(session, contract, book))),
         tax_minor=tax_minor(book),
         open_tax_minor=open_tax_minor(book),
-        lines=[
-            schemas.LedgerLineRead(
-                id=line.id,
-                at=line.created_at,
-                kind=line.kind,
-                amount_minor=line.amount_minor,
-                clause=line.clause,
-                cue=brief(line.cue, cue_prefix) if line.cue else None,
-                milestone=milestones[line.milestone_id] if line.milestone_id else None,
-                round_number=line.round_number,
-                tax_bp=line.tax_bp,
-                by=line.person.name,
-                about_id=line.about_id,
-                invoice_number=numbers[invoice_id] if invoice_id else None,
-                reference=references[line.payment_id] if line.payment_id else None,
-            )
-            for line, invoice_id in money_queries.ledger_of(session, contract.id)
-        ],
+        lines=ledger_lines(session, contract),
     )
+
+
+def ledger_lines(session: Session, contract: Contract) -> list[schemas.LedgerLineRead]:
+    """Return every line of a contract's ledger in words, in the order of their writing."""
+    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
+    milestones = {one.id: one.name for one in money_queries.milestones_of(session, contract.id)}
+    numbers = {invoice.id: invoice.number for invoice in money_queries.invoices_of(session, contract.id)}
+    references = {payment.id: payment.reference for payment in money_queries.payments_of(session, contract.id)}
+    return [
+        schemas.LedgerLineRead(
+            id=line.id,
+            at=line.created_at,
+            kind=line.kind,
+            amount_minor=line.amount_minor,
+            clause=line.clause,
+            cue=brief(line.cue, cue_prefix) if line.cue else None,
+            milestone_id=line.milestone_id,
+            milestone=milestones[line.milestone_id] if line.milestone_id else None,
+            round_number=line.round_number,
+            tax_bp=line.tax_bp,
+            by=line.person.name,
+            about_id=line.about_id,
+            invoice_id=invoice_id,
+            invoice_number=numbers[invoice_id] if invoice_id else None,
+            reference=references[line.payment_id] if line.payment_id else None,
+        )
+        for line, invoice_id in money_queries.ledger_of(session, contract.id)
+    ]
 
 
 def extra_rounds(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.ExtraRoundRead]:

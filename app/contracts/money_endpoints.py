@@ -1,5 +1,6 @@
 """The endpoints of plans, ledgers, invoices and payments."""
 
+from dataclasses import asdict
 from typing import Any
 from uuid import UUID
 
@@ -27,6 +28,7 @@ from app.contracts.errors import (
     ContractNotFound,
     CueNotInContract,
     DayAgreed,
+    DayAhead,
     ExtraRoundNotFound,
     InvoiceNotFound,
     NotAgreed,
@@ -64,7 +66,11 @@ def save_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
 ) -> schemas.PlanRead:
     """Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it."""
-    plan = [
+    return money.plan_of(session, milestones.save_plan(session, actor, contract_id, _planned(body)))
+
+
+def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
+    return [
         PlannedMilestone(
             name=one.name,
             amount_minor=one.amount_minor,
@@ -75,7 +81,18 @@ def save_plan(
         )
         for one in body.milestones
     ]
-    return money.plan_of(session, milestones.save_plan(session, actor, contract_id, plan))
+
+
+@router.post("/contracts/{contract_id}/plan-check", responses=problems(ContractNotFound, ProducerNeeded))
+def check_plan(
+    contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+) -> schemas.PlanChecked:
+    """Return what is wrong with a plan, and what is unwise about it and why; nothing is saved."""
+    faults, advice = milestones.look_at_plan(session, actor, contract_id, _planned(body))
+    return schemas.PlanChecked(
+        faults=[schemas.PlanFault(**fault) for fault in faults],
+        advice=[schemas.AdviceRead(**asdict(one)) for one in advice],
+    )
 
 
 @router.get("/contracts/{contract_id}/ledger", responses=problems(ContractNotFound))
@@ -174,7 +191,7 @@ def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows
 @router.post(
     "/invoices/{invoice_id}/payments",
     status_code=201,
-    responses=problems(InvoiceNotFound, ProducerNeeded, PaysTooMuch),
+    responses=problems(InvoiceNotFound, ProducerNeeded, PaysTooMuch, DayAhead),
 )
 def record_payment(
     invoice_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -194,7 +211,7 @@ def record_payment(
 @router.post(
     "/payments/{payment_id}/refunds",
     status_code=201,
-    responses=problems(PaymentNotFound, ProducerNeeded, RefundsTooMuch),
+    responses=problems(PaymentNotFound, ProducerNeeded, RefundsTooMuch, DayAhead),
 )
 def refund_payment(
     payment_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -250,7 +267,7 @@ def list_worked_days(
 @router.post(
     "/contracts/{contract_id}/worked-days",
     status_code=201,
-    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NotByTheDay, DayAgreed),
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NotByTheDay, DayAgreed, DayAhead),
 )
 def log_day(
     contract_id: UUID, body: schemas.WorkedDayAdd, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
@@ -258,6 +275,16 @@ def log_day(
     """Log a day, or quarters of one; logged again, it is corrected."""
     day = days.log_day(session, actor, contract_id, worked_on=body.worked_on, quarters=body.quarters, note=body.note)
     return days.worked_day(session, day)
+
+
+@router.delete(
+    "/worked-days/{worked_day_id}",
+    status_code=204,
+    responses=problems(WorkedDayNotFound, OtherPartyNeeded, DayAgreed),
+)
+def drop_day(worked_day_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> None:
+    """Take a logged day back, until the studio agrees to it."""
+    days.drop_day(session, actor, worked_day_id)
 
 
 @router.post(

@@ -89,6 +89,20 @@ class AdviceRead(Schema):
     why: str
 
 
+class PlanFault(Schema):
+    """What is wrong with a plan: `milestones.0` is its first one, `milestones` all of it."""
+
+    where: str
+    message: str
+
+
+class PlanChecked(Schema):
+    """What is wrong with a plan that is not saved, and what is unwise about it."""
+
+    faults: Sequence[PlanFault]
+    advice: Sequence[AdviceRead]
+
+
 class PlanRead(Schema):
     """The milestones of a contract, and what is unwise about them."""
 
@@ -119,11 +133,13 @@ class LedgerLineRead(Schema):
     amount_minor: int
     clause: str
     cue: ContractedCue | None
+    milestone_id: UUID | None
     milestone: str | None
     round_number: int | None
     tax_bp: int | None
     by: str
     about_id: UUID | None
+    invoice_id: UUID | None
     invoice_number: int | None
     reference: str | None
 
@@ -247,10 +263,12 @@ class WorkLogAdd(Schema):
 
 
 class EstimateRead(Schema):
-    """An estimate and what came of it; the actual is None until the cue or milestone is done."""
+    """An estimate of a cue in minutes, or of a milestone in days; the actual is None until it is done."""
 
+    about_id: UUID
     name: str
     estimate: float
+    so_far: float
     actual: float | None
     error_percent: float | None
 
@@ -267,6 +285,7 @@ class HabitRead(Schema):
 class ForecastRead(Schema):
     """The day that a steady habit makes of a milestone's date."""
 
+    milestone_id: UUID
     milestone: str
     due_on: date
     forecast_on: date
@@ -289,6 +308,15 @@ class WorkedDayAdd(Schema):
     worked_on: date
     quarters: Annotated[int, Field(ge=1, le=4)] = 4
     note: Words = ""
+
+
+class DayRateRead(Schema):
+    """What a contract by the day pays for one, and up to how many of them."""
+
+    day_rate_minor: int
+    days_cap: int
+    agreed_minor: int
+    cap_minor: int
 
 
 class WorkedDayRead(Schema):

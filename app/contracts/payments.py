@@ -13,6 +13,8 @@ from app.contracts.invoices import invoice_in_sight
 from app.contracts.ledger import book_of, write
 from app.contracts.models import Contract, Invoice, Payment
 from app.contracts.queries import lock_contract
+from app.contracts.rules import ensure_not_ahead
+from app.kit import clock
 from app.projects.errors import ProducerNeeded
 
 
@@ -22,6 +24,7 @@ def record_payment(
     """Record what was paid on an invoice, in part or whole; raise PaysTooMuch beyond what is open."""
     invoice, contract = invoice_in_sight(session, actor, invoice_id)
     _ensure_pays(actor, contract)
+    ensure_not_ahead(paid_on, clock.now().date(), "a payment is written down once it was made")
     lock_contract(session, contract.id)
     entries = lay_out(book_of(session, contract), invoice.id, amount_minor)
     return _keep(session, actor, contract, invoice, entries, reference=reference, paid_on=paid_on)
@@ -39,6 +42,7 @@ def refund_payment(
     except InvoiceNotFound:
         raise PaymentNotFound(f"no payment {payment_id}") from None
     _ensure_pays(actor, contract)
+    ensure_not_ahead(paid_on, clock.now().date(), "a refund is written down once it was made")
     lock_contract(session, contract.id)
     entries = refund(book_of(session, contract), payment.id, amount_minor)
     return _keep(

@@ -1,9 +1,10 @@
 """What a contract may be and become, stated without a database."""
 
 from collections.abc import Collection
+from datetime import date, timedelta
 from enum import StrEnum
 
-from app.contracts.errors import FrameworkNeeded, NoContractNeeded, TextMovedOn, WrongState
+from app.contracts.errors import DayAhead, FrameworkNeeded, NoContractNeeded, TextMovedOn, WrongState
 
 
 class ContractKind(StrEnum):
@@ -80,6 +81,12 @@ def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str
     """Raise WrongState unless a contract is in one of the states in which this can be done."""
     if now not in wanted:
         raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
+
+
+def ensure_not_ahead(day: date, today: date, why: str) -> None:
+    """Raise DayAhead for a day that has come nowhere on earth yet: somewhere it is tomorrow already."""
+    if day > today + timedelta(days=1):
+        raise DayAhead(f"{day} lies ahead; {why}", fix="give the day on which it happened")
 
 
 def ensure_same_text(seen_sha256: str, sent_sha256: str) -> None:

@@ -7,6 +7,7 @@ from fastapi import APIRouter, Query
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
+from app.contracts.errors import MilestoneNotFound
 from app.dashboards import money, schemas, service, standing
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
@@ -73,6 +74,14 @@ def read_project_money(
 ) -> schemas.ProjectMoney:
     """Return the money of a project; a designer sees that of their own contracts."""
     return money.project_money(session, actor, project_id)
+
+
+@router.get("/milestones/{milestone_id}", responses=problems(MilestoneNotFound))
+def read_milestone(
+    milestone_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+) -> schemas.MilestoneSheet:
+    """Return a milestone with its cues, how late it is, its estimates and its money."""
+    return money.milestone_sheet(session, actor, milestone_id)
 
 
 @router.get("/projects/{project_id}/find", responses=problems(ProjectNotFound))

@@ -12,14 +12,18 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.contracts import money_queries
 from app.contracts.agreeing import party_of
+from app.contracts.days import day_rate_read
+from app.contracts.errors import MilestoneNotFound
+from app.contracts.estimates import estimates_of
 from app.contracts.invoices import invoice_read
 from app.contracts.ledger import book_of, terms_of
 from app.contracts.models import Contract
-from app.contracts.money import extra_round_read, figures, milestones_read, priced_by_cue
+from app.contracts.money import extra_round_read, figures, ledger_lines, milestones_read, priced_by_cue
 from app.contracts.money_schemas import FiguresRead, InvoiceRead, MilestoneRead
-from app.contracts.queries import agreed_in
+from app.contracts.queries import agreed_in, contract_for
 from app.contracts.slip import Holder, Turn, growth_days, slip_of
 from app.dashboards import queries, schemas
+from app.dashboards.standing import Statuses
 from app.kit import clock
 from app.projects.service import standing_in
 
@@ -55,7 +59,6 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
     rounds, cues = money_queries.extra_rounds_of(session, contract.id), priced_by_cue(session, contract)
     invoices = [invoice_read(session, contract, book, one) for one in money_queries.invoices_of(session, contract.id)]
     slips = _slips(session, contract.project_id, milestones) if with_slips else {}
-    late_days = [slips[one.id].days for one in milestones if one.id in slips]
     return schemas.ContractMoney(
         contract_id=contract.id,
         title=contract.title,
@@ -63,10 +66,11 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
         currency=contract.currency,
         release=contract.release_clause,
         kill_fee_in_work_bp=terms.kill_fee_in_work_bp,
+        by_day=day_rate_read(terms, book),
         figures=FiguresRead(**asdict(figures(session, contract, book))),
         milestones=milestones,
         slips=list(slips.values()),
-        slip_growth_days=growth_days(late_days),
+        slip_growth_days=growth_days([slip.days for slip in slips.values()]),
         proposed_rounds=[
             extra_round_read(session, contract, one, terms, cues[one.cue_id])
             for one in rounds
@@ -76,6 +80,45 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
         next_invoice=_next_number(session, contract),
         open_invoices=[one for one in invoices if one.state != "paid"],
         last_days_to_pay=_last_days_to_pay(invoices),
+    )
+
+
+def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schemas.MilestoneSheet:
+    """Return a milestone with its cues, its lateness, its estimates and its money; raise MilestoneNotFound unseen."""
+    found = money_queries.milestone_by_id(session, milestone_id)
+    contract = contract_for(session, actor, found.contract_id) if found else None
+    if contract is None:
+        raise MilestoneNotFound(f"no milestone {milestone_id}")
+    standing = standing_in(session, actor, contract.project_id)
+    book = book_of(session, contract)
+    milestones = milestones_read(session, contract, book)
+    milestone = next(one for one in milestones if one.id == milestone_id)
+    listed = [one.cue for one in money_queries.cues_of(session, contract.id) if one.milestone_id == milestone_id]
+    status = Statuses(session, standing, listed).status
+    is_party = party_of(actor, contract) is not None
+    slips = _slips(session, contract.project_id, milestones) if is_party and contract.agreed_at else {}
+    lines = [line for line in ledger_lines(session, contract) if line.milestone_id == milestone_id]
+    invoiced = {line.invoice_id for line in lines}
+    return schemas.MilestoneSheet(
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        contract_title=contract.title,
+        contract_state=contract.state,
+        designer=PersonBrief(id=contract.designer_id, name=contract.designer.name),
+        currency=contract.currency,
+        release=contract.release_clause,
+        milestone=milestone,
+        cues=[schemas.MilestoneCue(**dict(one), status=status[one.cue.id]) for one in milestone.cues],
+        slip=slips.get(milestone_id),
+        slips=list(slips.values()),
+        slip_growth_days=growth_days([slip.days for slip in slips.values()]),
+        estimates=estimates_of(session, contract) if is_party else None,
+        lines=lines,
+        invoices=[
+            invoice_read(session, contract, book, one)
+            for one in money_queries.invoices_of(session, contract.id)
+            if one.id in invoiced
+        ],
     )
 
 

@@ -8,8 +8,17 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
-from app.contracts.money_schemas import ExtraRoundRead, FiguresRead, InvoiceRead, MilestoneRead
-from app.contracts.rules import ReleaseClause
+from app.contracts.money_schemas import (
+    DayRateRead,
+    EstimatesRead,
+    ExtraRoundRead,
+    FiguresRead,
+    InvoiceRead,
+    LedgerLineRead,
+    MilestoneCueRead,
+    MilestoneRead,
+)
+from app.contracts.rules import ContractState, ReleaseClause
 from app.dashboards.rules import CueStatus
 from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
@@ -281,6 +290,7 @@ class ContractMoney(Schema):
     currency: str
     release: ReleaseClause
     kill_fee_in_work_bp: int
+    by_day: DayRateRead | None
     figures: FiguresRead
     milestones: list[MilestoneRead]
     slips: list[MilestoneSlip]
@@ -290,6 +300,32 @@ class ContractMoney(Schema):
     next_invoice: int
     open_invoices: list[InvoiceRead]
     last_days_to_pay: int | None
+
+
+class MilestoneCue(MilestoneCueRead):
+    """A cue of a milestone, and where it stands."""
+
+    status: CueStatus
+
+
+class MilestoneSheet(Schema):
+    """A milestone with all that is known of it; slip and estimates are None but for the two parties."""
+
+    project_id: UUID
+    contract_id: UUID
+    contract_title: str
+    contract_state: ContractState
+    designer: PersonBrief
+    currency: str
+    release: ReleaseClause
+    milestone: MilestoneRead
+    cues: list[MilestoneCue]
+    slip: MilestoneSlip | None
+    slips: list[MilestoneSlip]
+    slip_growth_days: float | None
+    estimates: EstimatesRead | None
+    lines: list[LedgerLineRead]
+    invoices: list[InvoiceRead]
 
 
 class CurrencyFigures(Schema):

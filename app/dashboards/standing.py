@@ -83,7 +83,7 @@ def judged_lately(session: Session, actor: Actor, project_id: UUID) -> list[sche
     standing = standing_in(session, actor, project_id)
     standing.ensure_team()
     decided = queries.decided_cues(session, project_id, since=clock.now() - LATELY)
-    status = _Statuses(session, standing, [cue for cue, _ in decided]).status
+    status = Statuses(session, standing, [cue for cue, _ in decided]).status
     return [
         schemas.Judged(
             cue=CueBrief(id=cue.id, label=label(standing.project.cue_prefix, cue.number), name=cue.name),
@@ -95,7 +95,7 @@ def judged_lately(session: Session, actor: Actor, project_id: UUID) -> list[sche
     ][:JUDGED]
 
 
-class _Statuses:
+class Statuses:
     """The one word for each of a few cues, as the caller sees their takes."""
 
     def __init__(self, session: Session, standing: Standing, cues: Sequence[Cue]) -> None:
@@ -119,7 +119,7 @@ class _Statuses:
         return cue_status(cue.state, self._variations(cue), is_asked=is_asked, placeholder=cue.placeholder)
 
 
-class _Page(_Statuses):
+class _Page(Statuses):
     """Everything that a row of the list shows of its cue's takes; each kind of fact is read once for the page."""
 
     def __init__(self, session: Session, standing: Standing, cues: Sequence[Cue]) -> None:

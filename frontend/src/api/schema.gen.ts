@@ -1005,6 +1005,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/plan-check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check Plan
+         * @description Return what is wrong with a plan, and what is unwise about it and why; nothing is saved.
+         */
+        post: operations["check_plan"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/ledger": {
         parameters: {
             query?: never;
@@ -1288,6 +1308,26 @@ export interface paths {
          */
         post: operations["log_day"];
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/worked-days/{worked_day_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Drop Day
+         * @description Take a logged day back, until the studio agrees to it.
+         */
+        delete: operations["drop_day"];
         options?: never;
         head?: never;
         patch?: never;
@@ -3267,6 +3307,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/milestones/{milestone_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Milestone
+         * @description Return a milestone with its cues, how late it is, its estimates and its money.
+         */
+        get: operations["read_milestone"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/find": {
         parameters: {
             query?: never;
@@ -4420,6 +4480,7 @@ export interface components {
             release: components["schemas"]["ReleaseClause"];
             /** Kill Fee In Work Bp */
             kill_fee_in_work_bp: number;
+            by_day: components["schemas"]["DayRateRead"] | null;
             figures: components["schemas"]["FiguresRead"];
             /** Milestones */
             milestones: components["schemas"]["MilestoneRead"][];
@@ -5022,6 +5083,20 @@ export interface components {
             figures: components["schemas"]["FiguresRead"];
         };
         /**
+         * DayRateRead
+         * @description What a contract by the day pays for one, and up to how many of them.
+         */
+        DayRateRead: {
+            /** Day Rate Minor */
+            day_rate_minor: number;
+            /** Days Cap */
+            days_cap: number;
+            /** Agreed Minor */
+            agreed_minor: number;
+            /** Cap Minor */
+            cap_minor: number;
+        };
+        /**
          * DeciderAdd
          * @description Who has the last word from now on, and why.
          */
@@ -5365,13 +5440,20 @@ export interface components {
         };
         /**
          * EstimateRead
-         * @description An estimate and what came of it; the actual is None until the cue or milestone is done.
+         * @description An estimate of a cue in minutes, or of a milestone in days; the actual is None until it is done.
          */
         EstimateRead: {
+            /**
+             * About Id
+             * Format: uuid
+             */
+            about_id: string;
             /** Name */
             name: string;
             /** Estimate */
             estimate: number;
+            /** So Far */
+            so_far: number;
             /** Actual */
             actual: number | null;
             /** Error Percent */
@@ -5539,6 +5621,11 @@ export interface components {
          * @description The day that a steady habit makes of a milestone's date.
          */
         ForecastRead: {
+            /**
+             * Milestone Id
+             * Format: uuid
+             */
+            milestone_id: string;
             /** Milestone */
             milestone: string;
             /**
@@ -6150,6 +6237,8 @@ export interface components {
             /** Clause */
             clause: string;
             cue: components["schemas"]["ContractedCue"] | null;
+            /** Milestone Id */
+            milestone_id: string | null;
             /** Milestone */
             milestone: string | null;
             /** Round Number */
@@ -6160,6 +6249,8 @@ export interface components {
             by: string;
             /** About Id */
             about_id: string | null;
+            /** Invoice Id */
+            invoice_id: string | null;
             /** Invoice Number */
             invoice_number: number | null;
             /** Reference */
@@ -6710,6 +6801,27 @@ export interface components {
             used_at: string;
         };
         /**
+         * MilestoneCue
+         * @description A cue of a milestone, and where it stands.
+         */
+        MilestoneCue: {
+            cue: components["schemas"]["ContractedCue"];
+            /** Price Minor */
+            price_minor: number | null;
+            /** Amount Minor */
+            amount_minor: number | null;
+            /** Estimate Min */
+            estimate_min: number | null;
+            /** Accepted At */
+            accepted_at: string | null;
+            cut_in: components["schemas"]["WorkState"] | null;
+            /** Owed Minor */
+            owed_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+            status: components["schemas"]["CueStatus"];
+        };
+        /**
          * MilestoneCueRead
          * @description A cue under contract: what was agreed for it and what became of it.
          */
@@ -6784,6 +6896,42 @@ export interface components {
             tax_bp?: number | null;
             /** Cues */
             cues?: components["schemas"]["PlannedCueSet"][];
+        };
+        /**
+         * MilestoneSheet
+         * @description A milestone with all that is known of it; slip and estimates are None but for the two parties.
+         */
+        MilestoneSheet: {
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Contract Title */
+            contract_title: string;
+            contract_state: components["schemas"]["ContractState"];
+            designer: components["schemas"]["PersonBrief"];
+            /** Currency */
+            currency: string;
+            release: components["schemas"]["ReleaseClause"];
+            milestone: components["schemas"]["MilestoneRead"];
+            /** Cues */
+            cues: components["schemas"]["MilestoneCue"][];
+            slip: components["schemas"]["MilestoneSlip"] | null;
+            /** Slips */
+            slips: components["schemas"]["MilestoneSlip"][];
+            /** Slip Growth Days */
+            slip_growth_days: number | null;
+            estimates: components["schemas"]["EstimatesRead"] | null;
+            /** Lines */
+            lines: components["schemas"]["LedgerLineRead"][];
+            /** Invoices */
+            invoices: components["schemas"]["InvoiceRead"][];
         };
         /**
          * MilestoneSlip
@@ -7495,6 +7643,26 @@ export interface components {
         PlaceholdersAdd: {
             /** Target */
             target: string;
+        };
+        /**
+         * PlanChecked
+         * @description What is wrong with a plan that is not saved, and what is unwise about it.
+         */
+        PlanChecked: {
+            /** Faults */
+            faults: components["schemas"]["PlanFault"][];
+            /** Advice */
+            advice: components["schemas"]["AdviceRead"][];
+        };
+        /**
+         * PlanFault
+         * @description What is wrong with a plan: `milestones.0` is its first one, `milestones` all of it.
+         */
+        PlanFault: {
+            /** Where */
+            where: string;
+            /** Message */
+            message: string;
         };
         /**
          * PlanRead
@@ -12650,6 +12818,59 @@ export interface operations {
             };
         };
     };
+    check_plan: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlanSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlanChecked"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     read_ledger: {
         parameters: {
             query?: never;
@@ -13128,7 +13349,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `pays-too-much` */
+            /** @description `pays-too-much`, `day-ahead` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -13181,7 +13402,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `refunds-too-much` */
+            /** @description `refunds-too-much`, `day-ahead` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -13424,6 +13645,62 @@ export interface operations {
                 };
             };
             /** @description `not-agreed`, `not-by-the-day`, `day-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-ahead` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    drop_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-agreed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -19450,6 +19727,46 @@ export interface operations {
                 };
             };
             /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_milestone: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                milestone_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MilestoneSheet"];
+                };
+            };
+            /** @description `milestone-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
