@@ -294,6 +294,7 @@ class House(World):
             "extra_round_id": extra.id,
             "invoice_id": invoice.id,
             "payment_id": payment.id,
+            "milestone_id": milestone.id,
             "worked_day_id": worked.id,
         }
 
