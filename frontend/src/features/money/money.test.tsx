@@ -59,6 +59,7 @@ function aContract(id: string, title: string): ContractMoney {
     currency: 'USD',
     release: 'per_cue',
     kill_fee_in_work_bp: 5_000,
+    by_day: null,
     figures: figures(),
     milestones: [
       {
