@@ -179,11 +179,11 @@ def asked_cues(session: Session, project_id: UUID) -> set[UUID]:
     )
 
 
-def first_open_questions(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
+def first_open_questions(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the question that waits longest for an answer, by cue."""
     rows = session.execute(
         select(Question.cue_id, Question.text)
-        .where(Question.cue_id.in_(cue_ids), Question.answered_at.is_(None))
+        .where(Question.project_id == project_id, Question.cue_id.in_(cue_ids), Question.answered_at.is_(None))
         .order_by(Question.asked_at.desc())
     )
     return dict(rows.all())

@@ -104,7 +104,7 @@ class Statuses:
         self._facts: dict[UUID, dict[int, queries.VariationRow]] = defaultdict(dict)
         for row in queries.variation_rows(session, self._ids, self._designer_id):
             self._facts[row.cue_id][row.variation] = row
-        self._questions = queries.first_open_questions(session, self._ids)
+        self._questions = queries.first_open_questions(session, standing.project.id, self._ids)
         self.status = {cue.id: self._status_of(cue) for cue in cues}
 
     def _variations(self, cue: Cue) -> list[CueStatus]:
