@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Row, Select, String, Subquery, and_, case, cast, exists, func, or_, select
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload, load_only
 from sqlalchemy.sql.functions import aggregate_strings
 from typing_extensions import TypeVarTuple
 
@@ -347,8 +347,11 @@ def placeholders(session: Session, project_id: UUID) -> int:
 
 
 def pictures(session: Session, studio_id: UUID, sounds: Collection[str]) -> dict[str, Picture]:
-    """Return the pictures of stored sounds by their SHA-256."""
-    rows = session.scalars(select(Picture).where(Picture.studio_id == studio_id, Picture.sound_sha256.in_(sounds)))
+    """Return the pictures of stored sounds by their SHA-256, with what a line shows of them."""
+    shown = load_only(Picture.sound_sha256, Picture.duration_s, Picture.thumb, raiseload=True)
+    rows = session.scalars(
+        select(Picture).where(Picture.studio_id == studio_id, Picture.sound_sha256.in_(sounds)).options(shown)
+    )
     return {picture.sound_sha256: picture for picture in rows}
 
 

@@ -1,6 +1,7 @@
 """Serves the web application, and lets a proxy turn away before a process that is told to stop closes its door."""
 
 import contextlib
+import gc
 import threading
 from collections.abc import Callable
 from types import FrameType
@@ -16,6 +17,9 @@ STARTUP_FAILED = 3
 
 def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) -> None:
     """Serve until SIGTERM or SIGINT; then go on for `drain_s` as not ready, and give open answers `finish_s` more."""
+    # What the imports made lives for ever; looking through it again would hold up every few answers.
+    gc.collect()
+    gc.freeze()
     stopping = threading.Event()
     config = uvicorn.Config(
         _Leaving(app, stopping.is_set), host=host, port=port, log_config=None, access_log=False, proxy_headers=False,

@@ -26,7 +26,7 @@ class Reverb(StrEnum):
     SEPARATE_TAIL = "separate-tail"
 
 
-PAGE = 100  # cues answered at once, unless somebody asks for more
+PAGE = 50  # cues answered at once, unless somebody asks for more: what a tall screen shows
 LONGEST_PAGE = 500
 MAX_VARIATIONS = 99
 LONGEST_S = 86_400.0

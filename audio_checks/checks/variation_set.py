@@ -10,11 +10,10 @@ within 25 % of the middle of the others. Alike are sounds whose octave bands fol
 The server shows it to both sides, and returns no take for it.
 """
 
+import statistics
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from audio_checks.findings import Finding
 from audio_checks.measure.likeness import unlikeness_db
@@ -109,7 +108,7 @@ def _off(
         others = [other for variation, other in chosen.items() if variation != files[place].variation]
         told = [figures[other] for other in others if other in figures]
         if place in figures and told:
-            far[place] = figures[place] - float(np.median(told))
+            far[place] = figures[place] - statistics.median(told)
     return far
 
 
