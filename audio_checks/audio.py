@@ -59,11 +59,11 @@ def _step(layout: wav.WavLayout) -> float:
     return 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
 
 
-def _loudness(layout: wav.WavLayout, survey: Survey) -> Accumulator:  # noqa: ARG001 - all are made alike
+def _loudness(layout: wav.WavLayout) -> Accumulator:
     return Loudness(*_size(layout), weights=channel_weights(layout.channels, layout.channel_mask))
 
 
-def _seam(layout: wav.WavLayout, survey: Survey) -> Accumulator:  # noqa: ARG001
+def _seam(layout: wav.WavLayout) -> Accumulator:
     return Seam(*_size(layout), loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None)
 
 
@@ -86,7 +86,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
 MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "levels": lambda layout, survey: Levels(*_size(layout), survey=survey),
     "true_peak": lambda layout, survey: TruePeak(*_size(layout), survey=survey),
-    "loudness": _loudness,
+    "loudness": lambda layout, _: _loudness(layout),
     "edges": lambda layout, survey: Edges(*_size(layout), survey=survey),
     "cuts": lambda layout, survey: Cuts(*_size(layout), step=_step(layout), survey=survey),
     "phase": lambda layout, _: Phase(*_size(layout)),
@@ -94,7 +94,7 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "likeness": lambda layout, _: Likeness(*_size(layout)),
     "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
     "decay": lambda layout, _: Decay(*_size(layout)),
-    "seam": _seam,
+    "seam": lambda layout, _: _seam(layout),
 }
 """How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
 

@@ -185,8 +185,10 @@ def _fitting(text: str, width: int) -> bytes:
 def _ixml(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
     document = old.strip(b"\0").strip()
     if document:
-        read_ixml(document)  # refuses document types, and what is too large or too deep
-        root = ET.fromstring(document, ET.XMLParser(target=ET.TreeBuilder(insert_comments=True)))  # noqa: S314
+        read_ixml(
+            document
+        )  # refuses document types, so nothing is left that could expand, and what is too large or deep
+        root = ET.fromstring(document, ET.XMLParser(target=ET.TreeBuilder(insert_comments=True)))  # noqa: S314 - see above
     else:
         root = ET.Element(ROOT)
         _say(root, "IXML_VERSION", "3.01")

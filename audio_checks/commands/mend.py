@@ -8,6 +8,7 @@ from audio_checks.arguments import FOUND, OK, WRONG, UsageError, add_paths, add_
 from audio_checks.check_names import Severity
 from audio_checks.discovery import SpecFinder
 from audio_checks.outputs import FORMAT_HELP, Outputs
+from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
 
 FORMATS = ("text", "json")
@@ -25,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         help=FORMAT_HELP.format("text (by default) or json"),
     )
+    parser.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
     parser.add_argument(
         "--fail-level", choices=("error", "warning"), default="error", help="what, once left, makes the exit code 1"
     )
@@ -41,10 +43,12 @@ def run(options: argparse.Namespace) -> int:
     found = found_files(options)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
     mending = MendRun(Path(options.out), options.target, options.category, sound_list)
-    for one in found:
-        spec = spec_for(one.path, finder, options)
-        if spec is not None:
-            mending.mend(one, spec)
+    with Progress(len(found), shown=not options.no_progress) as progress:
+        for one in found:
+            spec = spec_for(one.path, finder, options)
+            if spec is not None:
+                mending.mend(one, spec)
+            progress.step(one.relative)
     outputs.write(
         lambda name, colour: (
             mending.to_text(colour=colour) if name == "text" else f"{json.dumps(mending.to_json(), indent=2)}\n"

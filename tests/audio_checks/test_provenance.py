@@ -96,7 +96,21 @@ def test_the_same_knowledge_gives_the_same_bytes(tmp_path):
     assert exported(tmp_path)[0].sha256 == first.sha256
 
 
-@pytest.mark.parametrize("ixml", [b"<BWFXML><PROJECT>", b'<!DOCTYPE a [<!ENTITY b "c">]><BWFXML>&b;</BWFXML>'])
+# What would grow to a billion laughs, or read another file, once its entities were expanded.
+LAUGHS = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 10))
+ELSEWHERE = '<!ENTITY a9 SYSTEM "file:///etc/passwd">'
+
+
+@pytest.mark.parametrize("entities", [f'<!ENTITY a0 "ha">{LAUGHS}', ELSEWHERE, '<!ENTITY a9 "c">'])
+def test_entities_are_refused_before_anything_expands_them(tmp_path, monkeypatch, entities):
+    ixml = f"<!DOCTYPE BWFXML [{entities}]><BWFXML><NOTE>&a9;</NOTE></BWFXML>".encode()
+    monkeypatch.setattr("audio_checks.provenance.ET.fromstring", lambda *_: pytest.fail("entities reached the parser"))
+    made, _, _ = exported(tmp_path, after=[chunk(b"iXML", ixml)])
+    assert made.left == ('the "iXML" chunk declares a document type, which iXML never does; it is left as it is',)
+    assert ixml in made.path.read_bytes()
+
+
+@pytest.mark.parametrize("ixml", [b"<BWFXML><PROJECT>", b"<BWFXML>&b;</BWFXML>"])
 def test_an_ixml_that_cannot_be_read_is_left_and_said(tmp_path, ixml):
     made, _, _ = exported(tmp_path, after=[chunk(b"iXML", ixml)])
     assert len(made.left) == 1

@@ -1,5 +1,6 @@
 """`audio-checks mend`: copies below a folder, what was done and what is left, and the exit code."""
 
+import io
 import json
 import os
 
@@ -37,6 +38,20 @@ def mend(capsys):
 
 def made(folder):
     return sorted(str(path.relative_to(folder / "out")) for path in (folder / "out").rglob("*") if path.is_file())
+
+
+@pytest.mark.parametrize(("extra", "shown"), [([], True), (["--no-progress"], False)])
+def test_the_progress_line_can_be_left_out(folder, mend, monkeypatch, extra, shown):
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    for name in ("a.wav", "b.wav"):
+        write_wav(folder / "in" / name, FINE)
+    terminal = Terminal()
+    monkeypatch.setattr("sys.stderr", terminal)
+    assert mend(*extra, "in")[0] == 0
+    assert ("1/2" in terminal.getvalue()) is shown
 
 
 def test_copies_go_to_the_same_places_and_masters_stay(folder, mend):

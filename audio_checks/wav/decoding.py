@@ -1,0 +1,92 @@
+"""From the bytes of the data chunk to samples, in blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import BinaryIO, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import kernel
+from audio_checks.errors import Unreadable
+from audio_checks.wav.files import read_frames
+from audio_checks.wav.layout import WavLayout
+
+BLOCK_FRAMES = 65_536
+MAX_BLOCK_BYTES = 4 << 20  # of float64, so that a header of many channels cannot ask for much memory
+
+
+def frames_at_once(layout: WavLayout, most: int = BLOCK_FRAMES) -> int:
+    """Return how many frames are read together, so that memory stays bounded whatever the channels."""
+    return max(1, min(most, MAX_BLOCK_BYTES // (8 * layout.channels)))
+
+
+def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[bytes]:
+    """Yield the bytes of the data chunk in whole frames, in order.
+
+    Raises
+    ------
+    Unreadable
+        R1, when the file became shorter meanwhile.
+    """
+    file.seek(layout.data_offset)
+    left, most = layout.frames, frames_at_once(layout, block_frames)
+    while left:
+        frames = min(left, most)
+        yield read_frames(file, layout, frames)
+        left -= frames
+
+
+class Decoder(Protocol):
+    """Something that decodes to a place of its own; `measure.faults.Faults` is one."""
+
+    def decode(
+        self, raw: bytes | memoryview, container_bits: int, *, floats: bool
+    ) -> tuple[NDArray[np.float64], int, int]:
+        """Return the block, all PCM samples or-ed together, and the first channel that is not finite or 0."""
+
+
+def decode(
+    raw: bytes | memoryview, layout: WavLayout, decoder: Decoder | None = None
+) -> tuple[NDArray[np.float64], int]:
+    """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
+
+    The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are
+    signed integers of the container's width; of 24 bits, the upper three bytes of 32. A `decoder` may put
+    the samples where it wants them.
+
+    Raises
+    ------
+    Unreadable
+        R7, for a float sample that is not a finite number.
+    """
+    used = broken = 0
+    if decoder is not None:
+        block, used, broken = decoder.decode(raw, layout.container_bits, floats=layout.encoding == "float")
+    else:
+        block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T
+        if layout.encoding == "pcm":
+            used = kernel.decode_pcm(raw, layout.container_bits, block.T)
+        else:
+            broken = kernel.decode_float(raw, layout.container_bits, block.T)
+    if broken:
+        raise Unreadable(
+            f"channel {broken} holds samples that are not numbers (infinity or NaN)",
+            "R7",
+            "structure:not-finite",
+            "look for a broken plug-in in the session, then export again",
+        )
+    return block, used
+
+
+def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:
+    """Yield the samples in blocks of shape (n, channels), full scale ±1.0.
+
+    Raises
+    ------
+    Unreadable
+        R7, for a float sample that is not a finite number; R1, when the file became shorter meanwhile.
+    """
+    for raw in raw_blocks(file, layout, block_frames):
+        yield decode(raw, layout)[0]
