@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.placeholders.speech import spoken
     from audio_checks.provenance import Exported, Provenance, export_master
+    from audio_checks.rehearsal import rehearse_check, write_rehearsal_sound
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, preview, spectrogram, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, render_master
@@ -110,6 +111,7 @@ __all__ = [
     "parse_spec",
     "preview",
     "read_sound_list",
+    "rehearse_check",
     "render_key",
     "render_master",
     "repair_spots",
@@ -121,6 +123,7 @@ __all__ = [
     "spoken",
     "stems_of",
     "wave_shapes",
+    "write_rehearsal_sound",
     "write_sound_list",
 ]
 
@@ -147,6 +150,7 @@ _HOMES = {
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
     "audio_checks.placeholders.speech": ("spoken",),
     "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
+    "audio_checks.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "preview", "spectrogram", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),

@@ -20,6 +20,7 @@ from app.migrate import migrate
 from app.settings import Settings
 
 ALIVE_WITHIN_S = 180.0
+TICKS_A_SECOND = os.sysconf("SC_CLK_TCK")
 SECRET_KEY = secrets.token_hex(16)
 
 
@@ -103,6 +104,28 @@ def wait_until_alive(address: str, process: subprocess.Popen[bytes]) -> None:
         except httpx.TransportError:
             time.sleep(0.1)
     raise SystemExit("the server did not answer in time")
+
+
+def own_cpu_seconds(pid: int) -> float:
+    """Return what a process has used by itself."""
+    return sum(map(int, _stat(pid)[11:13])) / TICKS_A_SECOND
+
+
+def cpu_seconds(pid: int) -> float:
+    """Return what a process and all below it have used, those that ended included."""
+    below = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    return sum(map(int, _stat(pid)[11:15])) / TICKS_A_SECOND + sum(_cpu_seconds_if_there(int(child)) for child in below)
+
+
+def _cpu_seconds_if_there(pid: int) -> float:
+    try:
+        return cpu_seconds(pid)
+    except (FileNotFoundError, ProcessLookupError):
+        return 0.0  # it ended meanwhile, and is its parent's from now on
+
+
+def _stat(pid: int) -> list[str]:
+    return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
 
 
 def headers_for(secret: str) -> dict[str, str]:

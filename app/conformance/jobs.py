@@ -123,4 +123,4 @@ def _time_for(master_bytes: int) -> float:
 
 @cache
 def _sandbox(timeout_s: float) -> audio_checks.Sandbox:
-    return audio_checks.Sandbox(timeout_s=timeout_s, memory_bytes=MEMORY_BYTES)
+    return audio_checks.Sandbox(timeout_s=timeout_s, memory_bytes=MEMORY_BYTES, rehearsal=audio_checks.rehearse_check)

@@ -4,6 +4,7 @@ Answers are plain values, the only ones that may come out of a sandbox.
 """
 
 import json
+import tempfile
 import wave
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,16 @@ from typing import Any
 import numpy as np
 
 from app.renders.spectrum import spectrum_png
-from audio_checks import AudioFile, Target, average_spectrum, preview, render_master, spectrogram, wave_shapes
+from audio_checks import (
+    AudioFile,
+    Target,
+    average_spectrum,
+    preview,
+    render_master,
+    spectrogram,
+    wave_shapes,
+    write_rehearsal_sound,
+)
 
 THUMB_POINTS = 160
 PEAKS_POINTS = 4096
@@ -99,3 +109,21 @@ def render(
         tolerance_db=tolerance_db,
     )
     return {"rendered": rendered.to_dict(), "drawing": draw(str(out), folder, loop=loop)}
+
+
+def rehearse() -> None:
+    """Draw and render a sound of our own once, for all the children to come."""
+    target = Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16)
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+        sound = str(Path(folder, "sound.wav"))
+        write_rehearsal_sound(sound)
+        draw(sound, folder, loop=False)
+        render(
+            sound,
+            folder,
+            target,
+            loop=False,
+            sample_peak_limit_dbfs=None,
+            true_peak_limit_dbtp=None,
+            tolerance_db=0.05,
+        )

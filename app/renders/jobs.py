@@ -37,7 +37,7 @@ NO_REEL = "the reel could not be made; that is our fault, and the takes are whol
 
 @cache
 def _sandbox() -> Sandbox:
-    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, preload=("numpy", "audio_checks", drawing.__name__))
+    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, rehearsal=drawing.rehearse)
 
 
 @job("renders.draw_take")
