@@ -186,7 +186,7 @@ def run(
 
 
 def _project(runtime: Runtime) -> Made:
-    with filling(runtime.database, analysed=False) as bulk:
+    with filling(runtime.database) as bulk:
         return ProjectMaker(bulk, make_team(bulk, "Throughput"), takes=0, seed=1).make()
 
 
