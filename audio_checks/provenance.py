@@ -16,7 +16,7 @@ from pathlib import Path
 from audio_checks import wav
 from audio_checks.errors import RenderRefused
 from audio_checks.metadata import MOST_BYTES
-from audio_checks.metadata.bext import FIXED_BYTES
+from audio_checks.metadata.bext import FIXED_BYTES, coding_history_line
 from audio_checks.metadata.carrying import BEXT_LOUDNESS, BEXT_VERSION, UNSET
 from audio_checks.metadata.ixml import ASWG_FIELDS, ROOT, read_ixml
 from audio_checks.metadata.text import text_of
@@ -172,8 +172,8 @@ def _bext(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
         if _plain(text):
             content[at : at + width] = _fitting(_plain(text), width).ljust(width, b"\0")
     if not text_of(bytes(content[FIXED_BYTES:])):
-        mode = {1: ",M=mono", 2: ",M=stereo"}.get(layout.channels, "")
-        content[FIXED_BYTES:] = f"A=PCM,F={layout.sample_rate_hz},W={layout.bit_depth}{mode}\r\n".encode()
+        line = coding_history_line(layout.sample_rate_hz, layout.bit_depth, layout.channels)
+        content[FIXED_BYTES:] = f"{line}\r\n".encode()
     return bytes(content)
 
 
@@ -185,9 +185,7 @@ def _fitting(text: str, width: int) -> bytes:
 def _ixml(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
     document = old.strip(b"\0").strip()
     if document:
-        read_ixml(
-            document
-        )  # refuses document types, so nothing is left that could expand, and what is too large or deep
+        read_ixml(document)  # refuses document types, so that nothing can expand, and what is too large or too deep
         root = ET.fromstring(document, ET.XMLParser(target=ET.TreeBuilder(insert_comments=True)))  # noqa: S314 - see above
     else:
         root = ET.Element(ROOT)

@@ -6,7 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from audio_checks.errors import RenderRefused, Unreadable
-from audio_checks.render.render import MONO_LOSS_LIMIT_DB, render_master
+from audio_checks.render.recipe import MONO_LOSS_LIMIT_DB
+from audio_checks.render.render import render_master
 from audio_checks.render.rendered import Rendered
 from audio_checks.runner import Task, is_placeholder
 from audio_checks.sound_list import parse_file_name

@@ -1,11 +1,12 @@
 """The `bext` chunk of a broadcast wave: who made the sound, when, and how loud they say it is.
 
-Source: EBU Tech 3285, version 2.
+Sources: EBU Tech 3285, version 2; EBU R 98 (coding history).
 """
 
 from __future__ import annotations
 
 import struct
+from collections.abc import Mapping
 
 from audio_checks.metadata.text import text_of
 
@@ -30,6 +31,53 @@ _TEXTS = tuple(zip(FIELDS[:5], (256, 32, 32, 10, 8), strict=True))
 _LEVELS = FIELDS[8:13]
 _UNSET_LEVEL = 0x7FFF
 _LEVELS_SINCE, _UMID_SINCE = 2, 1  # versions
+_VERSION_AT, LEVELS_AT = 346, 412
+_LEVEL_FIELDS = struct.Struct("<5h")  # hundredths
+_MEASURED_AS = (
+    *("integrated_lufs", "loudness_range_lu", "true_peak_dbtp"),
+    *("max_momentary_lufs", "max_short_term_lufs"),
+)
+_MOST_HUNDREDTHS = 9_999
+
+
+def levels_anew(payload: bytes, figures: Mapping[str, float | None]) -> bytes | None:
+    """Return the loudness fields of a copy whose samples are others: measured ones, where the chunk told any.
+
+    Parameters
+    ----------
+    payload : bytes
+        Of the chunk, as the master has it.
+    figures : mapping of str to float or None
+        Measured of the copy, by their names in the report; None and -inf for silence.
+
+    Returns
+    -------
+    bytes or None
+        Five fields of 16 bits, in hundredths of LUFS, LU and dBTP, for `LEVELS_AT`. A field that told
+        nothing still does, and so does one that cannot hold its figure (99.99 at most). None where the
+        chunk has no such fields, or none of them told anything.
+    """
+    if len(payload) < FIXED_BYTES or struct.unpack_from("<H", payload, _VERSION_AT)[0] < _LEVELS_SINCE:
+        return None
+    told = _LEVEL_FIELDS.unpack_from(payload, LEVELS_AT)
+    if all(level == _UNSET_LEVEL for level in told):
+        return None
+    measured = (_hundredths(figures[name]) for name in _MEASURED_AS)
+    return _LEVEL_FIELDS.pack(
+        *(_UNSET_LEVEL if old == _UNSET_LEVEL else new for old, new in zip(told, measured, strict=True))
+    )
+
+
+def _hundredths(level: float | None) -> int:
+    if level is None or not abs(level) * 100 <= _MOST_HUNDREDTHS:
+        return _UNSET_LEVEL
+    return round(level * 100)
+
+
+def coding_history_line(sample_rate_hz: int, bit_depth: int, channels: int) -> str:
+    """Return what EBU R 98 asks of each step of a sound's way, without the end of the line."""
+    mode = {1: ",M=mono", 2: ",M=stereo"}.get(channels, "")
+    return f"A=PCM,F={sample_rate_hz},W={bit_depth}{mode}"
 
 
 def read_bext(payload: bytes) -> dict[str, str]:

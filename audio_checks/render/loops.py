@@ -114,13 +114,19 @@ def with_turns(
             end = loop.last + 1
     at = 0
     for block in once:
-        for first, last, turn_frames in turns:
-            start, stop = max(first, at), min(last, at + len(block))
-            if start < stop:
-                block = block.copy()  # noqa: PLW2901 - the same frames, in part made anew
-                block[start - at : stop - at] = turn_frames.take(stop - start)
-        yield block
+        yield _turned(block, at, turns)
         at += len(block)
+
+
+def _turned(block: Block, at: int, turns: Iterable[tuple[int, int, "_Frames"]]) -> Block:
+    """Return a block that begins at some frame, with the frames of loops in it made anew."""
+    made = block
+    for first, last, frames in turns:
+        start, stop = max(first, at), min(last, at + len(block))
+        if start < stop:
+            made = block.copy() if made is block else made
+            made[start - at : stop - at] = frames.take(stop - start)
+    return made
 
 
 class _Frames:

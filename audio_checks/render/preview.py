@@ -12,7 +12,8 @@ from audio_checks import wav
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.spectrogram import Spectrogram
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
-from audio_checks.render.render import Recipe, render
+from audio_checks.render.recipe import Recipe
+from audio_checks.render.render import render
 from audio_checks.render.rendered import Rendered
 from audio_checks.sound_files import open_sound
 

@@ -5,68 +5,38 @@ import math
 import os
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, BinaryIO, Literal
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.errors import RenderRefused
-from audio_checks.measure.average_spectrum import AverageSpectrum
 from audio_checks.measure.decibels import decibels
-from audio_checks.measure.levels import Levels
-from audio_checks.measure.loudness import Loudness, channel_weights
-from audio_checks.measure.seam import Seam
-from audio_checks.measure.true_peak import TruePeak
-from audio_checks.metadata import CHUNKS, MOST_CHUNKS, read_metadata
-from audio_checks.metadata import MOST_BYTES as MOST_READ_BYTES
-from audio_checks.metadata.carrying import MOST_BYTES, Move, bytes_beside, carried, sampler
-from audio_checks.metadata.mark import comment_chunk, cue_marked
+from audio_checks.measure.loudness import channel_weights
+from audio_checks.metadata.bext import coding_history_line
+from audio_checks.metadata.carrying import Move
+from audio_checks.render.along import chunks_along, tell_loudness_anew
+from audio_checks.render.attempt import Attempt
 from audio_checks.render.channels import mixed, mixing_gains
-from audio_checks.render.dither import DITHERED_TO_BITS, Dither, Requantisation, ensure_shapeable, quantised
+from audio_checks.render.dither import DITHERED_TO_BITS, Dither, ensure_shapeable, quantised
 from audio_checks.render.fades import faded
 from audio_checks.render.loops import FittedLoop, fitted_loop, part, with_turns
-from audio_checks.render.rendered import Loss, Rendered, SeamFigures
+from audio_checks.render.recipe import MONO_LOSS_LIMIT_DB, TOLERANCE_DB, Recipe
+from audio_checks.render.rendered import Loss, Rendered, SeamFigures, Spectra
 from audio_checks.render.resample import ensure_downwards, frames_after, loop_fit_frames, resample_blocks
 from audio_checks.render.shelf import compensating_gain
-from audio_checks.render.survey import Survey
+from audio_checks.render.survey import Survey, seam_of
 from audio_checks.render.turns import gain_of
 from audio_checks.sound_files import OpenSound, open_sound
 from audio_checks.spec import Target
 
-RENDERER_VERSION = "3"  # changes when the same master and target give other bytes
-TOLERANCE_DB = 0.05  # as for checks: what they would let pass is not touched
-MONO_LOSS_LIMIT_DB = 6.0
+RENDERER_VERSION = "4"  # changes when the same master and target give other bytes
 ATTEMPTS = 12  # the second settles it but for a step of rounding; at 8 bit that step may take a few more
 MILLIONTHS = 1_000_000  # of a dB: attenuation is a whole number of them, so that no machine's logarithm shows in bytes
 READ_BYTES = 1 << 20
-TELL_OF_THE_SOUND = frozenset({"cue ", "smpl", "inst", "acid", "plst"})  # and LIST/adtl, the labels of cue points
-
-
-@dataclass(frozen=True)
-class Recipe:
-    """What to do with a master, once its header is known."""
-
-    sample_rate_hz: int
-    bit_depth: int
-    encoding: Literal["pcm", "float"]
-    gains: NDArray[np.float64] | None  # from the master's channels to the file's; None leaves them
-    dither: Dither
-    refuse_over_peak: bool = False
-    sample_peak_limit_dbfs: float | None = None
-    true_peak_limit_dbtp: float | None = None
-    tolerance_db: float = TOLERANCE_DB
-    mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB
-    loop: bool = False
-    loop_points: tuple[tuple[int, int], ...] | None = None  # None keeps the master's
-    chunks: Literal["sound", "all"] = "sound"
-    shelf_db: float | Literal["auto"] = 0.0
-    trim_below_dbfs: float | None = None
-    fade_in_ms: float = 0.0
-    fade_out_ms: float = 0.0
-    tells_loss: bool = True
 
 
 def render_master(
@@ -211,11 +181,11 @@ class _Work:
     def _loops(self) -> bool:
         return self._circular or bool(self._points)
 
-    def write(self, path: Path, lowered_db: float) -> "_Attempt":
+    def write(self, path: Path, lowered_db: float) -> Attempt:
         """Write the whole file once, lowered by so many dB, and measure it on its way."""
         recipe = self._recipe
         bit_depth, dither = self._depth(lowered_db)
-        attempt = _Attempt(
+        attempt = Attempt(
             recipe.sample_rate_hz,
             bit_depth,
             dither,
@@ -238,7 +208,13 @@ class _Work:
                 noise=attempt.noise,
             )
             blocks = attempt.watched_steps(whole)
-        before, after = self._chunks(bit_depth, dither, lowered_db)
+        move = self._move(bit_depth, dither, lowered_db)
+        before, after = chunks_along(
+            self._sound,
+            move,
+            all_chunks=recipe.chunks == "all",
+            new_loops=None if recipe.loop_points is None else self._new_points,
+        )
         wav.write_wav(
             path,
             blocks,
@@ -251,9 +227,11 @@ class _Work:
             chunks=before,
             chunks_after=after,
         )
+        if move.changed and recipe.chunks == "all":
+            tell_loudness_anew(self._sound, path, attempt.figures())
         return attempt
 
-    def describe(self, scratch: Path, out_path: Path, attempt: "_Attempt", lowered_db: float) -> Rendered:
+    def describe(self, scratch: Path, out_path: Path, attempt: Attempt, lowered_db: float) -> Rendered:
         sha256, pcm_sha256 = _digests(scratch)
         rendered = Rendered(
             path=out_path,
@@ -269,7 +247,7 @@ class _Work:
             loop=self._circular,
             loop_points=self._new_points,
             loop_fit_frames=self._fit_frames(),
-            seam_before=self._seam(self._file, self._layout, self._points) if self._loops else None,
+            seam_before=seam_of(self._file, self._layout, self._points) if self._loops else None,
             seam_after=self._seam_of(scratch) if self._loops else None,
             master_sha256=self._seed.hex(),
             sha256=sha256,
@@ -277,10 +255,10 @@ class _Work:
             renderer_version=RENDERER_VERSION,
             warnings=self._survey.mono_warnings(self._recipe.mono_loss_limit_db),
         )
-        return replace(rendered, loss=self._loss(rendered, attempt)) if self._recipe.tells_loss else rendered
+        spectra = self._survey.spectra(attempt.spectrum)
+        return rendered if spectra is None else replace(rendered, loss=self._loss(rendered, attempt, spectra))
 
-    def _loss(self, rendered: Rendered, attempt: "_Attempt") -> Loss:
-        assert attempt.spectrum is not None  # noqa: S101 - there where the loss is told
+    def _loss(self, rendered: Rendered, attempt: Attempt, spectra: Spectra) -> Loss:
         rate = self._layout.sample_rate_hz
         return Loss(
             before=self._survey.figures,
@@ -294,7 +272,7 @@ class _Work:
             seam_before=rendered.seam_before,
             seam_after=rendered.seam_after,
             mono_loss_db=self._survey.mono_loss_db(),
-            spectra=self._survey.spectra(attempt.spectrum),
+            spectra=spectra,
         )
 
     def _fit_frames(self) -> float:
@@ -365,20 +343,12 @@ class _Work:
         kinds = (loop.kind for loop in self._layout.loops)
         return [one for one, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
 
-    def _chunks(
-        self, bit_depth: int, dither: Dither, lowered_db: float
-    ) -> tuple[list[tuple[str, bytes]], list[tuple[str, bytes]]]:
+    def _move(self, bit_depth: int, dither: Dither, lowered_db: float) -> Move:
+        """Return what becomes of the sound, for what points into it."""
         recipe, layout = self._recipe, self._layout
-        beside = bytes_beside(layout)
-        if beside > MOST_BYTES:
-            raise RenderRefused(
-                f"the master carries {beside >> 20} MiB beside its sound, and a render {MOST_BYTES >> 20} MiB at most",
-                code="render:large-chunks",
-                fix="leave out what the file need not carry, such as pictures, and deliver it again",
-            )
-        same_encoding = recipe.encoding == layout.encoding
-        exact = same_encoding and bit_depth >= layout.bit_depth and dither == "none"
-        move = Move(
+        exact = recipe.encoding == layout.encoding and bit_depth >= layout.bit_depth and dither == "none"
+        fitted = self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)
+        return Move(
             cut=self._cut[0],
             frames=self._frames,
             changed=self._recalculated(lowered_db) or not exact,
@@ -387,135 +357,13 @@ class _Work:
             to_hz=recipe.sample_rate_hz,
             new_channels=recipe.gains is not None,
             loops={(one.start, one.end): (one.first, one.last) for one in self._fitted},
-            stretch=self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)
-            if self._circular
-            else 1.0,
-            history=self._history(bit_depth),
+            stretch=fitted if self._circular else 1.0,
+            history=coding_history_line(recipe.sample_rate_hz, bit_depth, self._channels),
         )
-        before, after = carried(self._file, layout, move, keep=self._keeps)
-        if recipe.loop_points is not None:
-            samplers = [payload for name, payload in (*before, *after) if name == "smpl"]
-            new = sampler(recipe.sample_rate_hz, [(0, *one) for one in self._new_points], *samplers[:1])
-            before = [chunk for chunk in before if chunk[0] != "smpl"] + [("smpl", new)]
-            after = [chunk for chunk in after if chunk[0] != "smpl"]
-        number = self._stand_in_for()
-        if number is not None and recipe.chunks != "all":
-            after.append(comment_chunk(number))
-        return before, after
-
-    def _stretch(self) -> float:
-        if not self._circular:
-            return 1.0
-        return self._frames * self._layout.sample_rate_hz / (self._layout.frames * self._recipe.sample_rate_hz)
-
-    def _keeps(self, name: str, payload: bytes) -> bool:
-        if self._recipe.chunks == "all":
-            return True
-        return name in TELL_OF_THE_SOUND or (name == "LIST" and payload[:4] == b"adtl")
-
-    def _stand_in_for(self) -> str | None:
-        """Return the cue that the master is a stand-in for; None for a real sound."""
-        chunks = [chunk for chunk in self._layout.chunks if chunk.id in CHUNKS][:MOST_CHUNKS]
-        told = read_metadata(
-            (chunk.id, wav.chunk_payload(self._file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES))))
-            for chunk in chunks
-        )
-        comments = self._sound.flac.comment_fields if self._sound.flac is not None else {}
-        return cue_marked(told.fields | comments)
-
-    def _history(self, bit_depth: int) -> str:
-        """Return what EBU R 98 asks of each step of a sound's way."""
-        mode = {1: ",M=mono", 2: ",M=stereo"}.get(self._channels, "")
-        return f"A=PCM,F={self._recipe.sample_rate_hz},W={bit_depth}{mode}"
 
     def _seam_of(self, path: Path) -> SeamFigures:
         with wav.open_regular(path) as file:
-            return self._seam(file, wav.read_layout(file), self._new_points)
-
-    @staticmethod
-    def _seam(file: BinaryIO, layout: wav.WavLayout, points: tuple[tuple[int, int], ...]) -> SeamFigures:
-        seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loop=points[0] if points else None)
-        for block in wav.blocks(file, layout):
-            seam.add(block)
-        figures = seam.result()
-        return SeamFigures(figures["seam_step_db"], figures["seam_slope_db"])
-
-
-class _Attempt:
-    """What one writing of the file came to."""
-
-    def __init__(
-        self,
-        rate: int,
-        bit_depth: int,
-        dither: Dither,
-        channels: int,
-        frames: int,
-        weights: NDArray[np.float64],
-        *,
-        bands_of_hz: int | None,
-    ) -> None:
-        self.bit_depth = bit_depth
-        self.dither = dither
-        self.noise = Requantisation()
-        self.spectrum = (
-            None if bands_of_hz is None else AverageSpectrum(rate, channels, frames, bands_of_hz=bands_of_hz)
-        )
-        self._lowest = self._highest = 0
-        self._accumulators = (
-            Levels(rate, channels, frames),
-            TruePeak(rate, channels, frames),
-            Loudness(rate, channels, frames, weights=weights),
-        )
-        self._figures: dict[str, Any] | None = None
-
-    def watched_steps(self, blocks: Iterator[NDArray[np.int64]]) -> Iterator[NDArray[np.int64]]:
-        """Pass whole numbers through, measured before they are held to the range that can be written."""
-        full = 1 << (self.bit_depth - 1)
-        for block in blocks:
-            self._lowest = min(self._lowest, int(block.min(initial=0)))
-            self._highest = max(self._highest, int(block.max(initial=0)))
-            self._measure(block / full)
-            yield np.clip(block, -full, full - 1)
-
-    def watched_floats(
-        self, blocks: Iterator[NDArray[np.float64]], dtype: type[np.float32] | type[np.float64]
-    ) -> Iterator[NDArray[np.floating]]:
-        for block in blocks:
-            written: NDArray[np.floating] = block.astype(dtype)
-            kept = written.astype(np.float64)
-            self.noise.add(kept - block)
-            self._measure(kept)
-            yield written
-
-    def figures(self) -> dict[str, Any]:
-        if self._figures is None:
-            self._figures = {}
-            for accumulator in self._accumulators:
-                self._figures |= accumulator.result()
-        return self._figures
-
-    def over_db(self, recipe: Recipe) -> float:
-        """Return by how much the loudest peak must come down; 0 when none is beyond its limit."""
-        figures = self.figures()
-        over = [0.0]
-        for level, limit in (
-            (figures["sample_peak_dbfs"], recipe.sample_peak_limit_dbfs),
-            (figures["true_peak_dbtp"], recipe.true_peak_limit_dbtp),
-        ):
-            if limit is not None and level > limit + recipe.tolerance_db:
-                over.append(level - limit)
-        full = 1 << (self.bit_depth - 1)
-        clips = max(self._highest / (full - 1), -self._lowest / full)
-        if clips > 1:
-            over.append(20 * math.log10(clips))
-        return max(over)
-
-    def _measure(self, block: NDArray[np.float64]) -> None:
-        for accumulator in self._accumulators:
-            accumulator.add(block)
-        if self.spectrum is not None:
-            self.spectrum.add(block)
+            return seam_of(file, wav.read_layout(file), self._new_points)
 
 
 def _over_peak(over_db: float) -> RenderRefused:

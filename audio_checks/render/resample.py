@@ -339,10 +339,10 @@ class _Reader:
 
 def _frames_before(blocks: Blocks, frames: int, count: int) -> NDArray[np.float64]:
     """Return the `count` frames that sound before the first frame of a loop."""
-    tail = None
-    for block in blocks():
-        tail = block if tail is None else np.concatenate([tail, block])[-count:]
-    assert tail is not None  # noqa: S101 - a stream with frames has a block
+    stream = iter(blocks())
+    tail = next(stream)  # a stream with frames has a block
+    for block in stream:
+        tail = np.concatenate([tail, block])[-count:]
     tail = tail[-min(count, frames) :]
     return tail[np.arange(-count, 0) % len(tail)]
 

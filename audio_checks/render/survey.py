@@ -13,8 +13,9 @@ from audio_checks.measure.edges import Edges
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.loudness import Loudness, channel_weights
 from audio_checks.measure.phase import Phase
+from audio_checks.measure.seam import Seam
 from audio_checks.measure.true_peak import TruePeak
-from audio_checks.render.rendered import Spectra
+from audio_checks.render.rendered import SeamFigures, Spectra
 
 
 class Accumulator(Protocol):
@@ -84,9 +85,10 @@ class Survey:
         """Return the energy above a frequency against all of it, in dB."""
         return -math.inf if self._spectrum is None else self._spectrum.above_db(hz)
 
-    def spectra(self, render: AverageSpectrum) -> Spectra:
-        """Return the bands of master and render."""
-        assert self._spectrum is not None  # noqa: S101 - asked where the loss is told only
+    def spectra(self, render: AverageSpectrum | None) -> Spectra | None:
+        """Return the bands of master and render; None where the loss is not told."""
+        if self._spectrum is None or render is None:
+            return None
         master = self._spectrum.result()
         levels = render.result().levels_dbfs
         return Spectra(
@@ -94,3 +96,12 @@ class Survey:
             master_dbfs=tuple(float(level) for level in master.levels_dbfs),
             render_dbfs=tuple(float(level) for level in levels),
         )
+
+
+def seam_of(file: BinaryIO, layout: wav.WavLayout, points: tuple[tuple[int, int], ...]) -> SeamFigures:
+    """Return how a file's first loop, or all of it, goes over its seam."""
+    seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loop=points[0] if points else None)
+    for block in wav.blocks(file, layout):
+        seam.add(block)
+    figures = seam.result()
+    return SeamFigures(figures["seam_step_db"], figures["seam_slope_db"])

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from audio_checks import RenderRefused, check_file, is_placeholder, parse_spec, wav
 from audio_checks.metadata.carrying import Move, carried
-from audio_checks.render import render as rendering
+from audio_checks.render import along
 from audio_checks.render.render import render_master
 from audio_checks.spec import Target
 from tests.support.waves import chunk, join, noise, placeholder_mark, silence, sine, wav_bytes, write_wav
@@ -41,11 +41,11 @@ def smpl(*loops, kind=0):
     return chunk(b"smpl", head + body + b"more")
 
 
-def bext(began):
+def bext(began, levels=(-2300, 500, -100, -2000, -2200)):
     head = b"Door".ljust(256, b"\0") + b"A Studio".ljust(82, b"\0") + struct.pack("<QH", began, 2) + bytes(64)
     return chunk(
         b"bext",
-        head + struct.pack("<5h", -2300, 500, -100, -2000, -2200) + bytes(180) + b"A=PCM,F=96000,W=24,M=mono\r\n\0",
+        head + struct.pack("<5h", *levels) + bytes(180) + b"A=PCM,F=96000,W=24,M=mono\r\n\0",
     )
 
 
@@ -138,8 +138,6 @@ def test_given_points_replace_the_loops_and_leave_the_notes(tmp_path):
 def test_what_became_untrue_is_taken_back(tmp_path):
     stereo = noise(seconds=1, rate=RATE, channels=2)
     _, kept = rendered(tmp_path, replace(HALF, channels=1), samples=stereo)
-    levels = struct.unpack_from("<5h", one(kept, "bext"), 412)
-    assert levels == (0x7FFF,) * 5
     history = one(kept, "bext")[602:]
     assert history == b"A=PCM,F=96000,W=24,M=mono\r\nA=PCM,F=48000,W=16,M=mono\r\n"
     told = one(kept, "iXML")
@@ -147,6 +145,25 @@ def test_what_became_untrue_is_taken_back(tmp_path):
     assert b"loudness" not in told
     assert b"TRACK_LIST" not in told
     assert b"<project>Shield Wing</project>" in told
+
+
+def loudness_told(tmp_path, samples, levels):
+    made, kept = rendered(tmp_path, samples=samples, chunks={"before": [bext(0, levels)]})
+    return made.measurements, struct.unpack_from("<5h", one(kept, "bext"), 412)
+
+
+def test_loudness_is_told_as_it_is_now_where_it_was_told(tmp_path):
+    # A tone of 997 Hz at -20 dBFS reads -23.01 LUFS in mono (BS.1770), at any rate: the master lied.
+    tone = sine(hz=997, dbfs=-20, rate=RATE, seconds=4)
+    figures, levels = loudness_told(tmp_path, tone, (-1000, 500, 0x7FFF, -900, -800))
+    assert levels == (-2301, 0, 0x7FFF, -2301, -2301)
+    assert figures["true_peak_dbtp"] == pytest.approx(-20, abs=0.1)  # known, and yet not told: nobody had asked
+    assert loudness_told(tmp_path, tone, (0x7FFF,) * 5)[1] == (0x7FFF,) * 5
+
+
+def test_loudness_of_silence_is_not_told(tmp_path):
+    _, levels = loudness_told(tmp_path, silence(seconds=1, rate=RATE), (-1000, 500, -100, -900, -800))
+    assert levels == (0x7FFF,) * 5
 
 
 def test_what_is_still_true_stays(tmp_path):
@@ -192,7 +209,7 @@ def test_a_stand_in_stays_marked(tmp_path, chunks):
 
 
 def test_more_than_can_be_held_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(rendering, "MOST_BYTES", 100)
+    monkeypatch.setattr(along, "MOST_BYTES", 100)
     with pytest.raises(RenderRefused) as refused:
         rendered(tmp_path, chunks={"after": [chunk(b"pict", bytes(200))]})
     assert refused.value.code == "render:large-chunks"

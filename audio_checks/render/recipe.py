@@ -1,0 +1,36 @@
+"""What is to be done with a master, once its header is known."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from numpy import float64
+from numpy.typing import NDArray
+
+from audio_checks.render.dither import Dither
+
+TOLERANCE_DB = 0.05  # as for checks: what they would let pass is not touched
+MONO_LOSS_LIMIT_DB = 6.0
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What to do with a master, once its header is known."""
+
+    sample_rate_hz: int
+    bit_depth: int
+    encoding: Literal["pcm", "float"]
+    gains: NDArray[float64] | None  # from the master's channels to the file's; None leaves them
+    dither: Dither
+    refuse_over_peak: bool = False
+    sample_peak_limit_dbfs: float | None = None
+    true_peak_limit_dbtp: float | None = None
+    tolerance_db: float = TOLERANCE_DB
+    mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB
+    loop: bool = False
+    loop_points: tuple[tuple[int, int], ...] | None = None  # None keeps the master's
+    chunks: Literal["sound", "all"] = "sound"
+    shelf_db: float | Literal["auto"] = 0.0
+    trim_below_dbfs: float | None = None
+    fade_in_ms: float = 0.0
+    fade_out_ms: float = 0.0
+    tells_loss: bool = True
