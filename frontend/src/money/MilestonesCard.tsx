@@ -1,14 +1,16 @@
+import { Link, type LinkProps } from '@tanstack/react-router'
 import { type ReactNode, useId } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
 import { dueDay, shortDay } from '@/ui/format'
 
-import type { ContractMoney, MilestoneMoney } from './api'
+import type { ContractMoney, MilestoneMoney, Slip } from './api'
 import classes from './Money.module.css'
 import { money, slipInWords } from './words'
 
 interface MilestonesCardProps {
   contracts: readonly ContractMoney[]
+  projectId: string
   side: 'team' | 'designer'
   end?: ReactNode
   /** The contract, where each has a card of its own. */
@@ -16,7 +18,7 @@ interface MilestonesCardProps {
 }
 
 /** How far each milestone is, counted in accepted cues. */
-export function MilestonesCard({ contracts, side, end = 'accepted cues count', of }: MilestonesCardProps) {
+export function MilestonesCard({ contracts, projectId, side, end = 'accepted cues count', of }: MilestonesCardProps) {
   const id = useId()
   const rows = contracts.flatMap((contract) =>
     contract.milestones
@@ -34,7 +36,9 @@ export function MilestonesCard({ contracts, side, end = 'accepted cues count', o
       <ul aria-labelledby={id}>
         {rows.map(({ milestone, currency, slip }) => (
           <li key={milestone.id} className={classes.milestone}>
-            <span className="strong">{milestone.name}</span>
+            <Link className="link strong" to={`/projects/${projectId}/milestones/${milestone.id}` as LinkProps['to']}>
+              {milestone.name}
+            </Link>
             <span className={classes.progress} aria-hidden="true">
               <span style={{ width: `${(100 * milestone.accepted) / Math.max(1, milestone.wanted)}%` }} />
             </span>
@@ -43,7 +47,7 @@ export function MilestonesCard({ contracts, side, end = 'accepted cues count', o
             </span>
             <span className={`small ${classes.when}`}>
               <span className="dim">{when(milestone)}</span>
-              <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : standing(milestone)}</span>
+              <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : standing(milestone, slip)}</span>
             </span>
             <span className={`small ${classes.end}`}>{money(milestone.left_minor, currency)}</span>
           </li>
@@ -58,7 +62,10 @@ function when({ due_on: due, done_at: done }: MilestoneMoney): string {
   return done === null ? dueDay(due) : shortDay(due)
 }
 
-function standing({ done_at: done, owed_minor: owed, paid_minor: paid }: MilestoneMoney): string {
+function standing(
+  { done_at: done, owed_minor: owed, paid_minor: paid }: MilestoneMoney,
+  slip: Slip | undefined,
+): string {
   if (done === null) return ''
-  return owed > 0 && paid >= owed ? 'accepted and paid' : 'accepted'
+  return `accepted ${slip ? 'in time ' : ''}${owed > 0 && paid >= owed ? 'and paid' : ''}`.trim()
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -12,7 +12,21 @@ export type CueMoney = Schemas['CueMoneyRead']
 export type ExtraRound = Schemas['ExtraRoundRead']
 export type Invoice = Schemas['InvoiceRead']
 export type InvoiceIssue = Schemas['InvoiceIssue']
+export type Payment = Schemas['PaymentRead']
 export type PaymentAdd = Schemas['PaymentAdd']
+export type MilestoneSheet = Schemas['MilestoneSheet']
+export type MilestoneCue = Schemas['MilestoneCue']
+export type Slip = Schemas['MilestoneSlip']
+export type Estimates = Schemas['EstimatesRead']
+export type LedgerLine = Schemas['LedgerLineRead']
+export type Plan = Schemas['PlanRead']
+export type PlanSet = Schemas['PlanSet']
+export type PlanChecked = Schemas['PlanChecked']
+export type Contract = Schemas['ContractRead']
+export type ListedCue = Schemas['CueRead']
+export type WorkedDay = Schemas['WorkedDayRead']
+export type WorkedDayAdd = Schemas['WorkedDayAdd']
+export type WorkLogAdd = Schemas['WorkLogAdd']
 
 /** Whatever is done to money, every screen that sums it up is asked anew. */
 const MONEY = 'money'
@@ -58,6 +72,56 @@ export const estimatesQuery = (contractId: string) =>
     retry: false,
   })
 
+export const milestoneQuery = (milestoneId: string) =>
+  queryOptions({
+    queryKey: [MONEY, 'milestone', milestoneId],
+    queryFn: () =>
+      answered(api.GET('/v1/milestones/{milestone_id}', { params: { path: { milestone_id: milestoneId } } })),
+  })
+
+export const planQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: [MONEY, 'plan', contractId],
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/milestones', of(contractId))),
+  })
+
+/** What is wrong and what is unwise about a plan as it is typed. */
+export const planCheckQuery = (contractId: string, plan: PlanSet) =>
+  queryOptions({
+    queryKey: [MONEY, 'plan-check', contractId, plan],
+    queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/plan-check', { ...of(contractId), body: plan })),
+    staleTime: Infinity,
+    gcTime: 60_000,
+  })
+
+export const contractQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: ['contract', contractId],
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}', of(contractId))),
+  })
+
+/** The cues that a plan may share out, in the order of the list. */
+export const plannableQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['sound-list', projectId, 'plannable'],
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/sound-list', {
+            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ cues }) => cues).filter(({ state }) => state !== 'cut')
+    },
+  })
+
+export const daysQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: [MONEY, 'days', contractId],
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/worked-days', of(contractId))),
+  })
+
 function useMoneyChange<Given, Answer>(change: (given: Given) => Promise<Answer>) {
   const client = useQueryClient()
   return useMutation({
@@ -74,6 +138,33 @@ export const useIssueInvoice = (contractId: string) =>
 export const useRecordPayment = (invoiceId: string) =>
   useMoneyChange((body: PaymentAdd) =>
     answered(api.POST('/v1/invoices/{invoice_id}/payments', { params: { path: { invoice_id: invoiceId } }, body })),
+  )
+
+export const useRefund = (paymentId: string) =>
+  useMoneyChange((body: PaymentAdd) =>
+    answered(api.POST('/v1/payments/{payment_id}/refunds', { params: { path: { payment_id: paymentId } }, body })),
+  )
+
+export const useSavePlan = (contractId: string) =>
+  useMoneyChange((body: PlanSet) =>
+    answered(api.PUT('/v1/contracts/{contract_id}/milestones', { ...of(contractId), body })),
+  )
+
+export const useLogDay = (contractId: string) =>
+  useMoneyChange((body: WorkedDayAdd) =>
+    answered(api.POST('/v1/contracts/{contract_id}/worked-days', { ...of(contractId), body })),
+  )
+
+export const useSettleDay = (workedDayId: string) =>
+  useMoneyChange(async (how: 'agree' | 'take back') => {
+    const params = { params: { path: { worked_day_id: workedDayId } } }
+    if (how === 'agree') await answered(api.POST('/v1/worked-days/{worked_day_id}/agree', params))
+    else await answered(api.DELETE('/v1/worked-days/{worked_day_id}', params))
+  })
+
+export const useLogWork = (contractId: string) =>
+  useMoneyChange((body: WorkLogAdd) =>
+    answered(api.POST('/v1/contracts/{contract_id}/work-logs', { ...of(contractId), body })),
   )
 
 export const useSettleRound = (extraRoundId: string) =>

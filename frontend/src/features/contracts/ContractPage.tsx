@@ -59,6 +59,11 @@ export function ContractPage() {
         </Card>
         <div className="stack">
           <Steps contract={contract} projectId={projectId} />
+          {isOrder(contract) && contract.agreed_at !== null && (
+            <ButtonLink component={Link} to={`/projects/${projectId}/money`}>
+              Milestones, invoices and ledger
+            </ButtonLink>
+          )}
           <Said contract={contract} />
           <Versions contract={contract} projectId={projectId} />
           {contract.my_party === 'studio' && <KeepAsTemplate contract={contract} />}
@@ -100,6 +105,11 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
         <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/draft`}>
           Change the draft
         </ButtonLink>
+        {isOrder(contract) && (
+          <ButtonLink component={Link} icon="lines" to={`/projects/${projectId}/contracts/${contract.id}/plan`}>
+            Plan milestones
+          </ButtonLink>
+        )}
         <Button
           variant="primary"
           aria-busy={send.isPending}
@@ -116,6 +126,9 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
     </>
   )
 }
+
+/** Whether it orders work, and so has milestones and money. */
+const isOrder = ({ kind }: Contract): boolean => kind === 'single' || kind === 'statement_of_work'
 
 function Accept({ contract }: { contract: Contract }) {
   const accept = useDeed(contract.id)

@@ -8,10 +8,12 @@ import {
   type Invoice,
   invoiceDraftQuery,
   invoicesQuery,
+  type Payment,
   useIssueInvoice,
   useRecordPayment,
+  useRefund,
 } from '@/money/api'
-import { amount, minorOf, money, percent } from '@/money/words'
+import { amount, money, percent } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day } from '@/ui/format'
@@ -19,6 +21,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
 import classes from './Page.module.css'
+import { PaymentForm } from './PaymentForm'
 
 interface InvoicesCardProps {
   contract: ContractMoney
@@ -78,75 +81,81 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
       </Row>
       {paying && (
         <li>
-          <PaymentForm invoice={invoice} title={title} onDone={() => setPaying(false)} />
+          <PayForm invoice={invoice} title={title} onDone={() => setPaying(false)} />
+        </li>
+      )}
+      {invoice.payments.map((payment) => (
+        <PaymentRow key={payment.id} payment={payment} invoice={invoice} isProducer={isProducer} />
+      ))}
+    </>
+  )
+}
+
+function PayForm({ invoice, title, onDone }: { invoice: Invoice; title: string; onDone: () => void }) {
+  return (
+    <PaymentForm
+      name={`Payment on invoice ${invoice.number}, ${title}`}
+      verb="Record payment"
+      day="Paid on"
+      mostMinor={invoice.open_minor}
+      currency={invoice.currency}
+      record={useRecordPayment(invoice.id)}
+      onDone={onDone}
+    />
+  )
+}
+
+interface PaymentRowProps {
+  payment: Payment
+  invoice: Invoice
+  isProducer: boolean
+}
+
+/** One payment as it was written down; what went back is a line of its own below it. */
+function PaymentRow({ payment, invoice, isProducer }: PaymentRowProps) {
+  const [returning, setReturning] = useState(false)
+  const { currency, number } = invoice
+  const { amount_minor: minor, left_minor: left, paid_on: on, reference } = payment
+  const isRefund = payment.refund_of_id !== null
+  return (
+    <>
+      <Row dense className={classes.payment}>
+        <span className="grow small mid">
+          {isRefund ? 'went back' : 'paid'} {day(on)}, {reference}
+          {!isRefund && left !== minor && `, ${amount(left, currency)} of it stands`}
+        </span>
+        <span className="small nowrap">{amount(minor, currency)}</span>
+        {isProducer && !isRefund && left !== 0 && !returning && (
+          <Button
+            variant="quiet"
+            onClick={() => setReturning(true)}
+            aria-label={`Record a refund of ${reference}, invoice ${number}`}
+          >
+            Record refund
+          </Button>
+        )}
+      </Row>
+      {returning && (
+        <li>
+          <RefundForm payment={payment} invoice={invoice} onDone={() => setReturning(false)} />
         </li>
       )}
     </>
   )
 }
 
-function today(): string {
-  const now = new Date()
-  return new Date(now.getTime() - now.getTimezoneOffset() * 60_000).toISOString().slice(0, 10)
-}
-
-function PaymentForm({ invoice, title, onDone }: { invoice: Invoice; title: string; onDone: () => void }) {
-  const record = useRecordPayment(invoice.id)
-  const [typed, setTyped] = useState(amount(invoice.open_minor, invoice.currency))
-  const [reference, setReference] = useState('')
-  const [paidOn, setPaidOn] = useState(today())
-  const [missing, setMissing] = useState<{ amount?: string; reference?: string }>({})
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    const minor = minorOf(typed, invoice.currency)
-    const lacks = {
-      amount: minor === null || minor === 0 ? `Write an amount in ${invoice.currency}, as in 180.00.` : undefined,
-      reference: reference.trim() === '' ? 'Write the bank’s reference.' : undefined,
-    }
-    setMissing(lacks)
-    if (minor === null || lacks.amount || lacks.reference) return
-    record.mutate({ amount_minor: minor, reference: reference.trim(), paid_on: paidOn }, { onSuccess: onDone })
-  }
+function RefundForm({ payment, invoice, onDone }: { payment: Payment; invoice: Invoice; onDone: () => void }) {
   return (
-    <form
-      className={classes.form}
-      onSubmit={send}
-      noValidate
-      aria-label={`Payment on invoice ${invoice.number}, ${title}`}
-    >
-      <TextInput
-        label={`Amount, ${invoice.currency}`}
-        value={typed}
-        onChange={(event) => setTyped(event.currentTarget.value)}
-        error={missing.amount}
-        inputMode="decimal"
-      />
-      <TextInput
-        label="Reference"
-        value={reference}
-        onChange={(event) => setReference(event.currentTarget.value)}
-        error={missing.reference}
-      />
-      <TextInput
-        label="Paid on"
-        type="date"
-        value={paidOn}
-        onChange={(event) => setPaidOn(event.currentTarget.value)}
-      />
-      {record.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={record.error.detail} fix={record.error.fix} />
-        </div>
-      )}
-      <div className={classes.foot}>
-        <Button variant="quiet" onClick={onDone}>
-          Not now
-        </Button>
-        <Button type="submit" variant="primary">
-          Record payment
-        </Button>
-      </div>
-    </form>
+    <PaymentForm
+      name={`Refund of ${payment.reference}, invoice ${invoice.number}`}
+      verb="Record refund"
+      day="Went back on"
+      note="The payment stays in the ledger; lines that take it back are added."
+      mostMinor={payment.left_minor}
+      currency={invoice.currency}
+      record={useRefund(payment.id)}
+      onDone={onDone}
+    />
   )
 }
 

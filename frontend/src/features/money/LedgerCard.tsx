@@ -1,76 +1,27 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { ledgerQuery } from '@/money/api'
-import { amount } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
-import { shortDay } from '@/ui/format'
 
+import { LedgerTable } from './LedgerTable'
 import classes from './Page.module.css'
 
-const KINDS = {
-  deposit: 'Deposit',
-  accepted: 'Accepted',
-  held_back: 'Held back until the end',
-  cut: 'Cut',
-  extra_round: 'Extra round',
-  worked_day: 'Day of work',
-  tax: 'Tax',
-  reversed: 'Taken back',
-  paid: 'Paid',
-  refunded: 'Refunded',
-}
-
-/** Every line that was ever written, the newest first. */
+/** Every line that was ever written. */
 export function LedgerCard({ contractId, title }: { contractId: string; title: string }) {
   const { data } = useQuery(ledgerQuery(contractId))
   if (!data) return null
-  const id = `ledger-${contractId}`
   return (
     <Card aria-label={`Ledger, ${title}`}>
-      <CardHead id={id} title="Ledger" count={data.lines.length} end="lines are added, never changed" />
-      {data.lines.length === 0 && (
+      <CardHead
+        id={`ledger-${contractId}`}
+        title="Ledger"
+        count={data.lines.length}
+        end="lines are added, never changed"
+      />
+      {data.lines.length === 0 ? (
         <p className={`mid ${classes.pad}`}>Nothing is due yet. The first accepted cue begins it.</p>
-      )}
-      {data.lines.length > 0 && (
-        // A region that scrolls is reached by the keyboard.
-        // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <div className={classes.scroll} tabIndex={0} role="region" aria-label={`Lines of the ledger, ${title}`}>
-          <table className={`small ${classes.table}`}>
-            <thead className="dim">
-              <tr>
-                <th scope="col">Day</th>
-                <th scope="col">What</th>
-                <th scope="col">For</th>
-                <th scope="col" className={classes.wideOnly}>
-                  Clause
-                </th>
-                <th scope="col" className={classes.wideOnly}>
-                  By
-                </th>
-                <th scope="col" className={classes.number}>
-                  {data.currency}
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {data.lines.toReversed().map((line) => (
-                <tr key={line.id}>
-                  <td>{shortDay(line.at)}</td>
-                  <td>
-                    {KINDS[line.kind]}
-                    {line.round_number !== null && ` ${line.round_number}`}
-                    {line.reference !== null && `, ${line.reference}`}
-                    {line.invoice_number !== null && <span className="dim"> invoice {line.invoice_number}</span>}
-                  </td>
-                  <td>{line.cue?.name ?? line.milestone ?? ''}</td>
-                  <td className={classes.wideOnly}>{line.clause.replaceAll('_', ' ')}</td>
-                  <td className={classes.wideOnly}>{line.by}</td>
-                  <td className={classes.number}>{amount(line.amount_minor, data.currency)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </div>
+      ) : (
+        <LedgerTable lines={data.lines} currency={data.currency} name={`Lines of the ledger, ${title}`} />
       )}
     </Card>
   )

@@ -1,5 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
-import { useParams } from '@tanstack/react-router'
+import { Link, useParams } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
 import { useTitle } from '@/app/title'
@@ -11,6 +11,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { CalendarCard } from './CalendarCard'
+import { DaysCard } from './DaysCard'
 import { EstimatesCard } from './EstimatesCard'
 import { InvoicesCard } from './InvoicesCard'
 import { LedgerCard } from './LedgerCard'
@@ -45,7 +46,14 @@ export function MoneyPage() {
         </EmptyState>
       )}
       {data?.contracts.length === 0 && (
-        <EmptyState head="No contract is agreed here.">
+        <EmptyState
+          head="No contract is agreed here."
+          action={
+            <Link className="link" to="/projects/$projectId/contracts" params={{ projectId }}>
+              To the contracts
+            </Link>
+          }
+        >
           {side === 'team'
             ? 'Sounds can be made and accepted without one. Once a contract is agreed, its milestones, invoices and payments stand here.'
             : 'Once you and the studio have agreed on a contract, what you are owed and paid stands here.'}
@@ -84,6 +92,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
   return (
     <section className="columns" aria-label={`${contract.title}, ${contract.designer.name}`}>
       <div className="stack">
+        <DaysCard contract={contract} side={side} isProducer={isProducer} />
         <InvoicesCard contract={contract} side={side} isProducer={isProducer} />
         <LedgerCard contractId={contract.contract_id} title={contract.title} />
       </div>
@@ -91,6 +100,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
         <MilestonesCard
           contracts={[contract]}
           side={side}
+          projectId={projectId}
           of={contract.title}
           end={`${contract.title}, ${contract.designer.name}`}
         />

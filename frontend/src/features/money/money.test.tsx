@@ -6,7 +6,7 @@ import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
 import type { ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
 import { openApp } from '@/test/openApp'
 import { aMe, aServer, PROJECT } from '@/test/review'
-import { refusal } from '@/test/server'
+import { answer, refusal } from '@/test/server'
 
 // Whole pages are drawn here, which a busy machine takes its time for; their chunk is read once, before.
 vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
@@ -130,6 +130,25 @@ const DRAFT = {
   total_minor: 21_420,
 }
 
+const WORKED = {
+  id: 'day-1',
+  worked_on: '2026-11-12',
+  quarters: 2,
+  note: 'Servo recordings',
+  amount_minor: 20_000,
+  agreed_at: null,
+}
+const byTheDay = () =>
+  tell({
+    contracts: [
+      {
+        ...aContract('effects', 'Effects'),
+        by_day: { day_rate_minor: 40_000, days_cap: 10, agreed_minor: 40_000, cap_minor: 400_000 },
+      },
+    ],
+    totals: [],
+  })
+
 let server: ReturnType<typeof aServer>
 const PAGE = `/projects/${PROJECT}/money`
 const tell = (money: ProjectMoney) => server.on(`GET /v1/projects/${PROJECT}/money`, money)
@@ -204,6 +223,59 @@ describe('a producer', () => {
     )
   })
 
+  test('records what of a payment went back, and sees what of it stands', async () => {
+    const paid = anInvoice('effects', {
+      paid_minor: 36_000,
+      open_minor: 0,
+      state: 'paid',
+      payments: [
+        {
+          id: 'p1',
+          amount_minor: 36_000,
+          reference: 'TX 41',
+          paid_on: '2026-11-12',
+          refund_of_id: null,
+          left_minor: 26_000,
+        },
+        { id: 'p2', amount_minor: -10_000, reference: 'R 1', paid_on: '2026-11-13', refund_of_id: 'p1', left_minor: 0 },
+      ],
+    })
+    server.on('GET /v1/contracts/effects/invoices', [paid]).on('POST /v1/payments/p1/refunds', paid)
+    await opened()
+    const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
+    expect(await effects.findByText(/TX 41, 260.00 of it stands/)).toBeVisible()
+    expect(effects.queryByRole('button', { name: /refund of R 1/ })).toBeNull()
+    await userEvent.click(effects.getByRole('button', { name: 'Record a refund of TX 41, invoice 1' }))
+    const form = within(effects.getByRole('form', { name: 'Refund of TX 41, invoice 1' }))
+    const typed = form.getByLabelText('Amount, USD')
+    expect(typed).toHaveFocus()
+    await userEvent.clear(typed)
+    await userEvent.type(typed, '60')
+    expect(form.getByText('A part: $200.00 stays.')).toBeVisible()
+    await userEvent.type(form.getByLabelText('Reference'), 'R 2')
+    await userEvent.click(form.getByRole('button', { name: 'Record refund' }))
+    await waitFor(() =>
+      expect(server.of('POST /v1/payments/p1/refunds')[0]?.body).toMatchObject({
+        amount_minor: 6_000,
+        reference: 'R 2',
+      }),
+    )
+  })
+
+  test('agrees to logged days, with what is left of the cap in view', async () => {
+    byTheDay()
+    server
+      .on('GET /v1/contracts/effects/worked-days', [WORKED])
+      .on('POST /v1/worked-days/day-1/agree', () => refusal(409, 'beyond-cap', 'the 10 days agreed to are used up'))
+    openApp(PAGE)
+    const card = within(await screen.findByRole('region', { name: 'Days, Effects' }))
+    expect(card.getByText(/400.00 of \$4,000.00; \$400.00 a day, 10 at most/)).toBeVisible()
+    expect(await card.findByText(/half a day, Servo recordings, waits for the studio/)).toBeVisible()
+    await userEvent.click(card.getByRole('button', { name: /Agree to .*12 November.*, 200.00/ }))
+    expect(await card.findByRole('alert')).toHaveTextContent('the 10 days agreed to are used up')
+    expect(card.queryByRole('form')).toBeNull()
+  })
+
   test('is told what a refusal says', async () => {
     server.on(`GET /v1/projects/${PROJECT}/money`, () => refusal(403, 'team-needed', 'Only the team sees this.'))
     openApp(PAGE)
@@ -239,6 +311,29 @@ describe('a designer', () => {
     expect(await faults()).toEqual([])
     await userEvent.click(form.getByRole('button', { name: 'Issue invoice 2' }))
     await waitFor(() => expect(server.of('POST /v1/contracts/effects/invoices')).toHaveLength(1))
+  })
+
+  test('logs a day in quarters, and takes one back', async () => {
+    byTheDay()
+    server
+      .on('GET /v1/contracts/effects/worked-days', [WORKED])
+      .on('POST /v1/contracts/effects/worked-days', WORKED)
+      .on('DELETE /v1/worked-days/day-1', answer(null, 204))
+    openApp(PAGE)
+    const card = within(await screen.findByRole('region', { name: 'Days, Effects' }))
+    const form = within(card.getByRole('form', { name: 'Log a day, Effects' }))
+    await userEvent.selectOptions(form.getByLabelText('How much of it'), 'Three quarters')
+    await userEvent.type(form.getByLabelText('What for'), 'Doors')
+    await userEvent.click(form.getByRole('button', { name: 'Log it' }))
+    await waitFor(() =>
+      expect(server.of('POST /v1/contracts/effects/worked-days')[0]?.body).toMatchObject({
+        quarters: 3,
+        note: 'Doors',
+      }),
+    )
+    await userEvent.click(await card.findByRole('button', { name: /^Take .*12 November.* back$/ }))
+    await waitFor(() => expect(server.of('DELETE /v1/worked-days/day-1')).toHaveLength(1))
+    expect(await faults()).toEqual([])
   })
 
   test('is told where nothing is agreed yet; axe finds nothing', async () => {

@@ -1,6 +1,6 @@
 import { Textarea, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { Link } from '@tanstack/react-router'
+import { Link, type LinkProps } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
 import { showToast } from '@/app/toast'
@@ -12,7 +12,7 @@ import { plural } from '@/ui/format'
 import { membersQuery, type Project, useChangeProject } from './api'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
-import { against, KIND_WORDS } from './words'
+import { against, KIND_WORDS, speaks } from './words'
 
 interface Someone {
   id: string
@@ -81,6 +81,11 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             People
+          </Link>
+        )}
+        {(!mine.is_team || speaks(project)) && (
+          <Link className="link" to={`/projects/${projectId}/money` as LinkProps['to']}>
+            Money
           </Link>
         )}
       </div>

@@ -74,6 +74,17 @@ export function ProjectPage() {
           },
         ]
       : []),
+    ...(maySpeak || (project && !isTeam)
+      ? [
+          {
+            id: 'money',
+            label: 'Money: milestones, invoices, ledger',
+            icon: 'lines' as const,
+            also: ['payment', 'refund', 'owed'],
+            run: () => void navigate({ href: `/projects/${projectId}/money` }),
+          },
+        ]
+      : []),
     {
       id: 'spec-versions',
       label: 'Versions of the delivery spec',

@@ -139,7 +139,7 @@ export function TodayPage(): ReactNode {
                 <Drafts projectId={projectId} mayDecide={mayDecide} />
               </Card>
             )}
-            <MilestonesCard contracts={money.data?.contracts ?? []} side="team" />
+            <MilestonesCard contracts={money.data?.contracts ?? []} side="team" projectId={projectId} />
             <WithOthersCard waiting={side.with_others} />
             <Builds builds={side.builds} />
             <Placeholders

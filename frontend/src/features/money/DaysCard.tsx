@@ -1,0 +1,151 @@
+import { NativeSelect, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { type ContractMoney, daysQuery, useLogDay, useSettleDay, type WorkedDay } from '@/money/api'
+import { amount, money } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { FieldError } from '@/ui/FieldError'
+import { day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import classes from './Page.module.css'
+import { today } from './today'
+
+const QUARTERS = ['A quarter', 'Half a day', 'Three quarters', 'A day']
+const CHOICES = QUARTERS.map((label, place) => ({ value: String(place + 1), label })).toReversed()
+
+interface DaysCardProps {
+  contract: ContractMoney
+  side: 'team' | 'designer'
+  isProducer: boolean
+}
+
+/** The days of a contract by the day: its designer logs them, a producer agrees, and they are due up to the cap. */
+export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
+  const { by_day: byDay, currency, title, contract_id: contractId } = contract
+  const { data: days = [] } = useQuery({ ...daysQuery(contractId), enabled: byDay !== null })
+  if (byDay === null) return null
+  const { day_rate_minor: rate, days_cap: cap, agreed_minor: agreed, cap_minor: most } = byDay
+  return (
+    <Card aria-label={`Days, ${title}`}>
+      <CardHead
+        id={`days-${contractId}`}
+        title="Days"
+        count={days.length > 0 ? days.length : undefined}
+        end={`${amount(agreed, currency)} of ${money(most, currency)}; ${money(rate, currency)} a day, ${cap} at most`}
+      />
+      {days.length === 0 && (
+        <div className={classes.pad}>
+          <EmptyState head="No day is logged yet." level={3}>
+            {side === 'designer'
+              ? 'Log a day once you worked it. It is due when the studio agrees to it.'
+              : 'The designer logs days; each is due once you agree to it, up to the cap.'}
+          </EmptyState>
+        </div>
+      )}
+      <Rows>
+        {days.toReversed().map((one) => (
+          <DayRow key={one.id} day={one} currency={currency} side={side} isProducer={isProducer} />
+        ))}
+      </Rows>
+      {side === 'designer' && <LogForm contract={contract} />}
+    </Card>
+  )
+}
+
+interface DayRowProps {
+  day: WorkedDay
+  currency: string
+  side: 'team' | 'designer'
+  isProducer: boolean
+}
+
+function DayRow({ day: one, currency, side, isProducer }: DayRowProps) {
+  const settle = useSettleDay(one.id)
+  const named = day(one.worked_on)
+  const isAgreed = one.agreed_at !== null
+  return (
+    <Row>
+      <span className="grow">
+        <span className={isAgreed ? undefined : 'strong'}>{named}</span>
+        <span className="small mid">
+          {' '}
+          {QUARTERS[one.quarters - 1]?.toLowerCase()}
+          {one.note && `, ${one.note}`}
+          {isAgreed ? ', agreed' : ', waits for the studio'}
+        </span>
+        {settle.error instanceof ApiProblem && <FieldError>{settle.error.detail}</FieldError>}
+      </span>
+      <span className="nowrap">{amount(one.amount_minor, currency)}</span>
+      {!isAgreed && side === 'team' && isProducer && (
+        <Button
+          aria-busy={settle.isPending}
+          onClick={() => settle.mutate('agree')}
+          aria-label={`Agree to ${named}, ${amount(one.amount_minor, currency)}`}
+        >
+          Agree
+        </Button>
+      )}
+      {!isAgreed && side === 'designer' && (
+        <Button variant="quiet" onClick={() => settle.mutate('take back')} aria-label={`Take ${named} back`}>
+          Take back
+        </Button>
+      )}
+    </Row>
+  )
+}
+
+function LogForm({ contract }: { contract: ContractMoney }) {
+  const log = useLogDay(contract.contract_id)
+  const [on, setOn] = useState(today())
+  const [quarters, setQuarters] = useState('4')
+  const [note, setNote] = useState('')
+  const [lacksDay, setLacksDay] = useState(false)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    setLacksDay(on === '')
+    if (on === '' || log.isPending) return
+    log.mutate({ worked_on: on, quarters: Number(quarters), note: note.trim() }, { onSuccess: () => setNote('') })
+  }
+  return (
+    <form className={classes.form} onSubmit={send} noValidate aria-label={`Log a day, ${contract.title}`}>
+      <TextInput
+        label="Worked on"
+        description="Logged again, a day is corrected."
+        type="date"
+        value={on}
+        onChange={({ currentTarget }) => setOn(currentTarget.value)}
+        error={lacksDay ? 'Give the day.' : undefined}
+      />
+      <NativeSelect
+        label="How much of it"
+        description="Counted in quarters."
+        data={CHOICES}
+        value={quarters}
+        onChange={({ currentTarget }) => setQuarters(currentTarget.value)}
+      />
+      <TextInput
+        label="What for"
+        description="It may stay empty."
+        value={note}
+        maxLength={2000}
+        onChange={({ currentTarget }) => setNote(currentTarget.value)}
+      />
+      {log.error instanceof ApiProblem && (
+        <div className={classes.wide}>
+          <ProblemNote detail={log.error.detail} fix={log.error.fix} />
+        </div>
+      )}
+      <div className={classes.foot}>
+        <Button type="submit" variant="primary" aria-busy={log.isPending}>
+          Log it
+        </Button>
+      </div>
+    </form>
+  )
+}

@@ -1,0 +1,362 @@
+import { NativeSelect, NumberInput, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { NotFoundPage } from '@/app/NotFoundPage'
+import { useTitle } from '@/app/title'
+import { useMyProject } from '@/judging/api'
+import { milestoneQuery, type MilestoneCue, type MilestoneSheet, useLogWork } from '@/money/api'
+import { amount, money, slipInWords } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { day, dueDay, figure, plural, shortDay } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+import { State, type StateKind } from '@/ui/State'
+
+import { LedgerTable } from './LedgerTable'
+import classes from './Page.module.css'
+import { today } from './today'
+
+type Side = 'team' | 'designer'
+
+/** One milestone: its cues, how late it is and with whom the days went, its estimates, and every line of its money. */
+export function MilestonePage() {
+  const { projectId, milestoneId } = useParams({ from: '/shell/projects/$projectId/milestones/$milestoneId' })
+  const { data: sheet, error } = useQuery(milestoneQuery(milestoneId))
+  const project = useMyProject(projectId)
+  useTitle(sheet?.milestone.name ?? 'Milestone')
+  if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
+  if (!sheet) {
+    return (
+      <div className="page stack" aria-busy={error === null}>
+        <h1>Milestone</h1>
+        {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      </div>
+    )
+  }
+  const side: Side = project?.part === 'designer' ? 'designer' : 'team'
+  return (
+    <div className="page">
+      <Head sheet={sheet} side={side} />
+      <div className="columns">
+        <div className="stack">
+          <CuesCard sheet={sheet} side={side} />
+          <LinesCard sheet={sheet} />
+        </div>
+        <aside className="stack" aria-label={`Beside ${sheet.milestone.name}`}>
+          <DueCard sheet={sheet} side={side} />
+          <SlipCard sheet={sheet} side={side} />
+          <EstimateCard sheet={sheet} side={side} />
+        </aside>
+      </div>
+    </div>
+  )
+}
+
+function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
+  const { milestone, contract_title: title, contract_id: contractId, project_id: projectId, designer } = sheet
+  const { due_on: due, done_at: done, accepted, wanted } = milestone
+  return (
+    <header className={classes.head}>
+      <div>
+        <h1>{milestone.name}</h1>
+        <p className="mid">
+          {milestone.is_deposit
+            ? 'Due when the contract is agreed.'
+            : `${accepted} of ${plural(wanted, 'cue')} accepted. ${due === null ? 'It has no date.' : done === null ? `Due ${dueDay(due)}.` : `Due ${shortDay(due)}, done ${day(done)}.`}`}
+        </p>
+        <p className="small mid">
+          Of{' '}
+          <Link className="link" to="/projects/$projectId/contracts/$contractId" params={{ projectId, contractId }}>
+            {title}
+          </Link>
+          {side === 'team' ? `, with ${designer.name}. ` : '. '}
+          <Link className="link" to="/projects/$projectId/money" params={{ projectId }}>
+            All money of the project
+          </Link>
+        </p>
+      </div>
+      <p className="figure">{money(milestone.left_minor, sheet.currency)}</p>
+    </header>
+  )
+}
+
+const kindOf = (status: MilestoneCue['status']): StateKind => (status === 'partly_accepted' ? 'approved' : status)
+
+function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
+  const { cues, currency, project_id: projectId, milestone } = sheet
+  return (
+    <Card aria-labelledby="cues">
+      <CardHead
+        id="cues"
+        title="Cues"
+        count={cues.length}
+        end={sheet.release === 'per_cue' ? 'each pays when it is accepted' : 'all pay with the last one accepted'}
+      />
+      {cues.length === 0 && (
+        <div className={classes.pad}>
+          <EmptyState head={milestone.is_deposit ? 'A deposit waits for no cue.' : 'No cue stands in it.'} level={3}>
+            {milestone.is_deposit ? 'It is due at signing.' : 'Only accepted cues make an amount due.'}
+          </EmptyState>
+        </div>
+      )}
+      <Rows>
+        {cues.map((one) => (
+          <Row key={one.cue.id} className={classes.cue}>
+            <span className="grow">
+              <Link
+                className="link"
+                to="/projects/$projectId/sound-list/cues/$cueId"
+                params={{ projectId, cueId: one.cue.id }}
+              >
+                <span className="mono dim">{one.cue.label}</span>
+                <span className={`${classes.name} ${one.cut_in === null ? '' : 'struck'}`}>{one.cue.name}</span>
+              </Link>
+            </span>
+            {side === 'team' && one.status === 'to_review' ? (
+              <Link
+                className="link"
+                to="/projects/$projectId/review/$cueId"
+                params={{ projectId, cueId: one.cue.id }}
+                search={{}}
+                aria-label={`Review ${one.cue.name}`}
+              >
+                <State kind="to_review" />
+              </Link>
+            ) : (
+              <State kind={kindOf(one.status)}>
+                {one.status === 'partly_accepted' ? 'Partly accepted' : undefined}
+              </State>
+            )}
+            <span className={`small mid ${classes.share}`}>{shareInWords(one, currency)}</span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+/** "180.00 due", "157.50 of 315.00, cut": what a cue's share comes to. */
+function shareInWords(
+  { amount_minor: share, owed_minor: owed, paid_minor: paid, cut_in }: MilestoneCue,
+  currency: string,
+) {
+  if (share === null) return 'not agreed yet'
+  const whole = amount(share, currency)
+  if (cut_in !== null)
+    return `${amount(owed, currency)} of ${whole} by the cut${paid !== 0 && paid === owed ? ', paid' : ''}`
+  if (owed === 0) return whole
+  return `${owed === share ? whole : `${amount(owed, currency)} of ${whole}`} ${paid === owed ? 'paid' : 'due'}`
+}
+
+function LinesCard({ sheet }: { sheet: MilestoneSheet }) {
+  const { milestone, lines, currency } = sheet
+  return (
+    <Card aria-labelledby="lines">
+      <CardHead id="lines" title="Ledger of this milestone" count={lines.length} end="lines are added, never changed" />
+      {lines.length === 0 ? (
+        <p className={`mid ${classes.pad}`}>Nothing is due yet. The first accepted cue begins it.</p>
+      ) : (
+        <LedgerTable lines={lines} currency={currency} name={`Lines of ${milestone.name}`} />
+      )}
+    </Card>
+  )
+}
+
+const INVOICE_STATES = { open: 'open', partly_paid: 'partly paid', paid: 'paid', late: 'late' }
+
+function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
+  const { milestone, currency, invoices, project_id: projectId } = sheet
+  const { owed_minor: owed, paid_minor: paid, left_minor: left } = milestone
+  const saved = milestone.amount_minor - left
+  const facts = [
+    { name: 'Agreed', minor: milestone.amount_minor },
+    { name: 'Saved by cuts', minor: saved },
+    { name: 'Owed so far', minor: owed },
+    { name: 'Paid', minor: paid },
+  ].filter(({ name, minor }) => name !== 'Saved by cuts' || minor !== 0)
+  return (
+    <Card aria-labelledby="due">
+      <CardHead id="due" title={side === 'team' ? 'Due to the designer' : 'You are owed'} end="without tax" />
+      <div className={classes.pad}>
+        <p className="figure">{money(owed - paid, currency)}</p>
+        {facts.map(({ name, minor }) => (
+          <p key={name} className={`small ${classes.line}`}>
+            <span className="mid">{name}</span> <span>{amount(minor, currency)}</span>
+          </p>
+        ))}
+      </div>
+      <Rows aria-label="Invoices that hold lines of it">
+        {invoices.map(({ id, number, state, open_minor: open }) => (
+          <Row key={id} dense>
+            <span className="grow small">
+              <a className="link" href={`/v1/invoices/${id}/invoice.pdf`} target="_blank" rel="noreferrer">
+                Invoice {number}
+              </a>{' '}
+              <span className="mid">{INVOICE_STATES[state]}</span>
+            </span>
+            {open !== 0 && <span className="small nowrap">{amount(open, currency)} open</span>}
+          </Row>
+        ))}
+      </Rows>
+      {owed !== paid && (
+        <p className={`small ${classes.pad}`}>
+          <Link className="link" to="/projects/$projectId/money" params={{ projectId }}>
+            {side === 'team' ? 'Record a payment' : invoices.length > 0 ? 'Invoices' : 'Draft an invoice'}
+          </Link>
+        </p>
+      )}
+    </Card>
+  )
+}
+
+function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
+  const { slip, slips, slip_growth_days: growth, milestone } = sheet
+  if (sheet.estimates === null || milestone.is_deposit) return null
+  return (
+    <Card aria-labelledby="slip">
+      <CardHead id="slip" title="Late" end="seen by you two only" />
+      <div className={classes.pad}>
+        <p>{slip ? capital(slipInWords(slip, side)) : 'Its day is still to come'}.</p>
+        {slips.length > 1 && (
+          <table className={`small ${classes.slips}`}>
+            <thead className="dim">
+              <tr>
+                <th scope="col">Milestone</th>
+                <th scope="col">Late</th>
+                <th scope="col">{side === 'designer' ? 'with you' : 'with the designer'}</th>
+                <th scope="col">{side === 'designer' ? 'with the studio' : 'with you'}</th>
+              </tr>
+            </thead>
+            <tbody>
+              {slips.map((one) => (
+                <tr key={one.milestone_id} className={one.milestone_id === milestone.id ? 'strong' : undefined}>
+                  <th scope="row">{one.name}</th>
+                  <td>{plural(one.days, 'day')}</td>
+                  <td>{one.designer_days}</td>
+                  <td>{one.studio_days}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        )}
+        {growth !== null && (
+          <p className="small mid">
+            {growth > 0
+              ? `Each milestone slips by ${figure(growth, 1)} days more than the one before.`
+              : growth < 0
+                ? `Each milestone slips by ${figure(-growth, 1)} days less than the one before.`
+                : 'The slip does not grow.'}
+          </p>
+        )}
+      </div>
+    </Card>
+  )
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
+const hours = (minutes: number): string => `${figure(minutes / 60, 1)} h`
+const error = (percent: number | null): string =>
+  percent === null ? '' : `, ${percent > 0 ? '+' : ''}${figure(percent)} %`
+
+function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
+  const { estimates, milestone, cues } = sheet
+  if (estimates === null || milestone.is_deposit) return null
+  const own = new Set(cues.map(({ cue }) => cue.id))
+  const ofCues = estimates.cues.filter(({ about_id }) => own.has(about_id))
+  const whole = estimates.milestones.find(({ about_id }) => about_id === milestone.id)
+  const forecast = estimates.forecasts.find(({ milestone_id }) => milestone_id === milestone.id)
+  return (
+    <Card aria-labelledby="estimates">
+      <CardHead id="estimates" title="Estimates" end="seen by you two only" />
+      <div className={classes.pad}>
+        {whole && (
+          <p className={`small ${classes.line}`}>
+            <span className="mid">From agreement to its date</span>
+            <span>
+              {figure(whole.estimate)} days, {whole.actual === null ? 'so far' : 'it took'} {figure(whole.so_far)}
+              {error(whole.error_percent)}
+            </span>
+          </p>
+        )}
+        {ofCues.map((one) => (
+          <p key={one.about_id} className={`small ${classes.line}`}>
+            <span className="mid">{one.name}</span>
+            <span>
+              {hours(one.estimate)}, {one.so_far > 0 ? `logged ${hours(one.so_far)}` : 'nothing logged'}
+              {error(one.error_percent)}
+            </span>
+          </p>
+        ))}
+        {!whole && ofCues.length === 0 && <p className="mid">Nothing was estimated in its plan.</p>}
+        {forecast && (
+          <p className="small">
+            {forecast.forecast_on === forecast.due_on
+              ? 'In time, by how estimates turned out before.'
+              : `By how estimates turned out before, it is done on ${day(forecast.forecast_on)}.`}
+          </p>
+        )}
+        {estimates.warning !== null && <p className="small tone-warn">{estimates.warning}</p>}
+      </div>
+      {side === 'designer' && sheet.contract_state === 'agreed' && ofCues.length > 0 && (
+        <LogWork contractId={sheet.contract_id} cues={cues.map(({ cue }) => cue)} />
+      )}
+    </Card>
+  )
+}
+
+/** The designer's own note of time, which the estimates are held against. */
+function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id: string; name: string }[] }) {
+  const log = useLogWork(contractId)
+  const [cue, setCue] = useState(cues[0]?.id ?? '')
+  const [minutes, setMinutes] = useState<number | string>('')
+  const [on, setOn] = useState(today())
+  const [lacks, setLacks] = useState(false)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    const given = Number(minutes)
+    const isLacking = !(given >= 1) || on === ''
+    setLacks(isLacking)
+    if (isLacking || log.isPending) return
+    log.mutate({ cue_id: cue, minutes: Math.round(given), worked_on: on }, { onSuccess: () => setMinutes('') })
+  }
+  return (
+    <form className={classes.form} onSubmit={send} noValidate aria-label="Log time">
+      <NativeSelect
+        label="Cue"
+        data={cues.map(({ id, name }) => ({ value: id, label: name }))}
+        value={cue}
+        onChange={({ currentTarget }) => setCue(currentTarget.value)}
+      />
+      <NumberInput
+        label="Minutes"
+        min={1}
+        max={24 * 60}
+        allowDecimal={false}
+        value={minutes}
+        onChange={setMinutes}
+        error={lacks ? 'Give minutes and a day.' : undefined}
+      />
+      <TextInput
+        label="Worked on"
+        type="date"
+        value={on}
+        onChange={({ currentTarget }) => setOn(currentTarget.value)}
+      />
+      {log.error instanceof ApiProblem && (
+        <div className={classes.wide}>
+          <ProblemNote detail={log.error.detail} fix={log.error.fix} />
+        </div>
+      )}
+      <div className={classes.foot}>
+        <Button type="submit" aria-busy={log.isPending}>
+          Log time
+        </Button>
+      </div>
+    </form>
+  )
+}

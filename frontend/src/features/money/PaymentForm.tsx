@@ -1,0 +1,94 @@
+import { TextInput } from '@mantine/core'
+import type { UseMutationResult } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import type { Invoice, PaymentAdd } from '@/money/api'
+import { amount, minorOf, money } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
+
+import classes from './Page.module.css'
+import { today } from './today'
+
+interface PaymentFormProps {
+  name: string
+  verb: string
+  /** The label of the day. */
+  day: string
+  note?: string
+  /** The whole that may be written down; a part of it may, too. Below zero on a credit note. */
+  mostMinor: number
+  currency: string
+  record: UseMutationResult<Invoice, Error, PaymentAdd>
+  onDone: () => void
+}
+
+/** Money that changed hands, whole or in part, with the bank's reference. */
+export function PaymentForm({ name, verb, day, note, mostMinor, currency, record, onDone }: PaymentFormProps) {
+  const first = useFocusOnMount<HTMLInputElement>()
+  const [typed, setTyped] = useState(amount(mostMinor, currency))
+  const [reference, setReference] = useState('')
+  const [on, setOn] = useState(today())
+  const [missing, setMissing] = useState<{ amount?: string; reference?: string; on?: string }>({})
+  const minor = minorOf(typed, currency)
+  const isPart = minor !== null && minor !== 0 && Math.abs(minor) < Math.abs(mostMinor)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (record.isPending) return
+    const lacks = {
+      amount: minor === null || minor === 0 ? `Write an amount in ${currency}, as in 180.00.` : undefined,
+      reference: reference.trim() === '' ? 'Write the bank’s reference.' : undefined,
+      on: on === '' ? 'Give the day.' : undefined,
+    }
+    setMissing(lacks)
+    if (minor === null || lacks.amount || lacks.reference || lacks.on) return
+    record.mutate({ amount_minor: minor, reference: reference.trim(), paid_on: on }, { onSuccess: onDone })
+  }
+  return (
+    <form className={classes.form} onSubmit={send} noValidate aria-label={name}>
+      <TextInput
+        ref={first}
+        label={`Amount, ${currency}`}
+        description={
+          isPart ? `A part: ${money(mostMinor - minor, currency)} stays.` : `All of ${money(mostMinor, currency)}.`
+        }
+        value={typed}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+        error={missing.amount}
+        inputMode="decimal"
+      />
+      <TextInput
+        label="Reference"
+        description="As the bank writes it."
+        value={reference}
+        maxLength={200}
+        onChange={(event) => setReference(event.currentTarget.value)}
+        error={missing.reference}
+      />
+      <TextInput
+        label={day}
+        description="Not a day that is to come."
+        type="date"
+        value={on}
+        onChange={(event) => setOn(event.currentTarget.value)}
+        error={missing.on}
+      />
+      {note !== undefined && <p className={`small mid ${classes.wide}`}>{note}</p>}
+      {record.error instanceof ApiProblem && (
+        <div className={classes.wide}>
+          <ProblemNote detail={record.error.detail} fix={record.error.fix} />
+        </div>
+      )}
+      <div className={classes.foot}>
+        <Button variant="quiet" onClick={onDone}>
+          Not now
+        </Button>
+        <Button type="submit" variant="primary" aria-busy={record.isPending}>
+          {verb}
+        </Button>
+      </div>
+    </form>
+  )
+}

@@ -1,0 +1,250 @@
+import { keepPreviousData, useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { useEffect, useMemo, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import {
+  type Contract,
+  contractQuery,
+  type ListedCue,
+  type Plan,
+  plannableQuery,
+  planCheckQuery,
+  planQuery,
+  useSavePlan,
+} from '@/money/api'
+import { money } from '@/money/words'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './Plan.module.css'
+import { type Fault, NO_CUE, paysMinor, planOf, type TypedCue, typedOf, type TypedPlan } from './plan'
+import { PlannedCues } from './PlannedCues'
+import { PlannedMilestones } from './PlannedMilestones'
+
+const SETTLED_MS = 300 // after the last key, the plan is looked at
+
+/** The plan of a draft: milestones with dates and amounts, which cues they cover, and what is unwise about it. */
+export function PlanPage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/plan' })
+  const { data: contract, error } = useQuery(contractQuery(contractId))
+  const { data: plan, error: noPlan } = useQuery({ ...planQuery(contractId), staleTime: Infinity })
+  const { data: cues, error: noCues } = useQuery(plannableQuery(projectId))
+  useTitle(contract ? `Plan: ${contract.title}` : 'Plan')
+  const problem = error ?? noPlan ?? noCues
+  if (contract && !contract.may.change) return <Fixed contract={contract} projectId={projectId} />
+  if (!contract || !plan || !cues) {
+    return (
+      <div className="page stack" aria-busy={problem === null}>
+        <h1>Plan</h1>
+        {problem instanceof ApiProblem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      </div>
+    )
+  }
+  return <Editor key={contractId} contract={contract} plan={plan} cues={cues} projectId={projectId} />
+}
+
+function Fixed({ contract, projectId }: { contract: Contract; projectId: string }) {
+  const params = { projectId, contractId: contract.id }
+  return (
+    <div className="page page-narrow">
+      <EmptyState
+        head={contract.state === 'agreed' ? 'The plan is agreed.' : 'This plan is not yours to change now.'}
+        level={1}
+        action={
+          <Link className="link" to="/projects/$projectId/contracts/$contractId" params={params}>
+            Back to {contract.title}
+          </Link>
+        }
+      >
+        {contract.state === 'agreed'
+          ? 'Dates and amounts stand as both accepted them; another statement of work adds to them. Money shows what became of each milestone.'
+          : 'A producer plans while the contract is a draft. What was sent is taken back first.'}
+      </EmptyState>
+    </div>
+  )
+}
+
+interface EditorProps {
+  contract: Contract
+  plan: Plan
+  cues: readonly ListedCue[]
+  projectId: string
+}
+
+function useSettled<T>(value: T): T {
+  const [settled, setSettled] = useState(value)
+  useEffect(() => {
+    const waiting = setTimeout(() => setSettled(value), SETTLED_MS)
+    return () => clearTimeout(waiting)
+  }, [value])
+  return settled
+}
+
+function Editor({ contract, plan, cues, projectId }: EditorProps) {
+  const navigate = useNavigate()
+  const save = useSavePlan(contract.id)
+  const begun = useMemo(() => typedOf(plan), [plan])
+  const [typed, setTyped] = useState<TypedPlan>(begun)
+  const { currency } = contract
+  const { plan: wanted, faults: unread } = planOf(typed, cues, currency)
+  const settled = useSettled(typed)
+  const looked = useQuery({
+    ...planCheckQuery(
+      contract.id,
+      useMemo(() => planOf(settled, cues, currency).plan, [settled, cues, currency]),
+    ),
+    placeholderData: keepPreviousData,
+  })
+  const faults: Fault[] = [...unread, ...(looked.data?.faults ?? [])]
+  const refused = save.error instanceof ApiProblem ? save.error : null
+  const isChanged = typed !== begun
+
+  const add = () =>
+    setTyped((now) => ({
+      ...now,
+      milestones: [
+        ...now.milestones,
+        { key: crypto.randomUUID(), name: '', dueOn: '', amount: '', tax: '', isDeposit: false },
+      ],
+    }))
+  const change = (ids: readonly string[], changes: Partial<TypedCue>) =>
+    setTyped((now) => ({
+      ...now,
+      cues: {
+        ...now.cues,
+        ...Object.fromEntries(ids.map((id) => [id, { ...(now.cues[id] ?? NO_CUE), ...changes }])),
+      },
+    }))
+  useHotkeys([{ keys: 'n', label: 'Add a milestone', group: 'Plan', run: add }])
+
+  const params = { projectId, contractId: contract.id }
+  const keep = () => {
+    if (save.isPending || unread.length > 0) return
+    save.mutate(wanted, {
+      onSuccess: () => {
+        showToast('The plan is kept; the draft’s text says it.')
+        void navigate({ to: '/projects/$projectId/contracts/$contractId', params })
+      },
+    })
+  }
+  return (
+    <div className="page stack">
+      <header className={classes.head}>
+        <div>
+          <h1>{`Plan: ${contract.title}`}</h1>
+          <p className="mid">{modeInWords(contract)}</p>
+        </div>
+        <div className={classes.buttons}>
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}`}>
+            {isChanged ? 'Back without saving' : 'Back to the contract'}
+          </ButtonLink>
+          <Button
+            variant="primary"
+            disabled={!isChanged || unread.length > 0}
+            aria-busy={save.isPending}
+            onClick={keep}
+          >
+            Save the plan
+          </Button>
+        </div>
+      </header>
+      {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <div className="columns">
+        <div className="stack">
+          <PlannedMilestones
+            milestones={typed.milestones}
+            pays={wanted.milestones.map(paysMinor)}
+            faults={faults}
+            currency={currency}
+            onChange={(milestones) => setTyped((now) => ({ ...now, milestones }))}
+            onAdd={add}
+          />
+          <PlannedCues cues={cues} typed={typed} currency={currency} projectId={projectId} onChange={change} />
+        </div>
+        <aside className="stack" aria-label="What the plan comes to">
+          <Sums contract={contract} pays={wanted.milestones} />
+          <Advice
+            faults={faults.filter(({ where }) => where === 'milestones')}
+            advice={looked.data?.advice ?? []}
+            isEmpty={typed.milestones.length === 0}
+            error={looked.error}
+          />
+        </aside>
+      </div>
+    </div>
+  )
+}
+
+/** How the price comes about, as the draft's terms say it. */
+function modeInWords({ version, currency }: Contract): string {
+  const { price_mode: mode, day_rate_minor: rate, days_cap: cap } = version.terms
+  if (mode === 'day_rate') {
+    return `By the day: ${money(Number(rate ?? 0), currency)} a day, ${String(cap ?? 0)} days at most. Milestones are dates here, and need no amount.`
+  }
+  return mode === 'per_cue'
+    ? 'Per cue: a milestone pays what its cues’ prices add up to.'
+    : 'A milestone’s amount is shared by its cues: by their prices where they have some, else equally.'
+}
+
+function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof planOf>['plan']['milestones'] }) {
+  const sum = (wanted: boolean) =>
+    pays.filter(({ is_deposit }) => (is_deposit ?? false) === wanted).reduce((all, one) => all + paysMinor(one), 0)
+  const [deposit, milestones] = [sum(true), sum(false)]
+  return (
+    <Card aria-labelledby="sums">
+      <CardHead id="sums" title="Price" end="without tax" />
+      <div className={classes.pad}>
+        <p className="figure">{money(deposit + milestones, contract.currency)}</p>
+        <p className="small mid">
+          {`${money(deposit, contract.currency)} at signing, ${money(milestones, contract.currency)} by milestones.`}
+        </p>
+      </div>
+    </Card>
+  )
+}
+
+interface AdviceProps {
+  /** Of the whole plan; those of a milestone stand beside it. */
+  faults: readonly Fault[]
+  advice: readonly { code: string; message: string; why: string }[]
+  isEmpty: boolean
+  error: Error | null
+}
+
+function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
+  return (
+    <Card aria-labelledby="advice">
+      <CardHead
+        id="advice"
+        title="What is unwise"
+        count={advice.length > 0 ? advice.length : undefined}
+        end="said, never forbidden"
+      />
+      <div className={classes.pad} aria-live="polite">
+        {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+        {faults.map(({ message }) => (
+          <ProblemNote key={message} detail={message} />
+        ))}
+        {advice.length === 0 && faults.length === 0 && (
+          <p className="mid">
+            {isEmpty ? 'Nothing is planned yet.' : 'Nothing: it rises, the largest completes it, and each has its day.'}
+          </p>
+        )}
+        <ul className={classes.advice}>
+          {advice.map(({ code, message, why }) => (
+            <li key={`${code} ${message}`}>
+              <p className="tone-warn">{message}</p>
+              <p className="small mid">{why}</p>
+            </li>
+          ))}
+        </ul>
+      </div>
+    </Card>
+  )
+}

@@ -1,0 +1,139 @@
+import { Checkbox, TextInput } from '@mantine/core'
+
+import { money } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { FieldError } from '@/ui/FieldError'
+
+import classes from './Plan.module.css'
+import { type Fault, moved, type TypedMilestone } from './plan'
+
+interface PlannedMilestonesProps {
+  milestones: readonly TypedMilestone[]
+  /** What each pays, as far as it can be read. */
+  pays: readonly number[]
+  faults: readonly Fault[]
+  currency: string
+  onChange: (milestones: TypedMilestone[]) => void
+  onAdd: () => void
+}
+
+/** The milestones of a plan, in order; each with what is wrong about it. */
+export function PlannedMilestones({ milestones, pays, faults, currency, onChange, onAdd }: PlannedMilestonesProps) {
+  return (
+    <Card aria-labelledby="milestones">
+      <CardHead
+        id="milestones"
+        title="Milestones"
+        count={milestones.length}
+        end={
+          <Button icon="plus" keys="n" onClick={onAdd}>
+            Add a milestone
+          </Button>
+        }
+      />
+      {milestones.length === 0 && (
+        <div className={classes.pad}>
+          <EmptyState head="No milestone yet." level={3}>
+            Usual are a deposit at signing, then milestones that rise: a palette, the alpha, the beta.
+          </EmptyState>
+        </div>
+      )}
+      {milestones.map((one, place) => (
+        <Milestone
+          key={one.key}
+          one={one}
+          place={place}
+          last={milestones.length - 1}
+          paysMinor={pays[place] ?? 0}
+          faults={faults.filter(({ where }) => where === `milestones.${place}`)}
+          currency={currency}
+          onChange={(changes) =>
+            onChange(milestones.map((each) => (each.key === one.key ? { ...each, ...changes } : each)))
+          }
+          onMove={(by) => onChange(moved(milestones, place, by))}
+          onRemove={() => onChange(milestones.filter(({ key }) => key !== one.key))}
+        />
+      ))}
+    </Card>
+  )
+}
+
+interface MilestoneProps {
+  one: TypedMilestone
+  place: number
+  last: number
+  paysMinor: number
+  faults: readonly Fault[]
+  currency: string
+  onChange: (changes: Partial<TypedMilestone>) => void
+  onMove: (by: 1 | -1) => void
+  onRemove: () => void
+}
+
+function Milestone({ one, place, last, paysMinor, faults, currency, onChange, onMove, onRemove }: MilestoneProps) {
+  const called = one.name.trim() || `milestone ${place + 1}`
+  return (
+    <fieldset className={classes.milestone}>
+      <legend className="visually-hidden">{called}</legend>
+      <TextInput
+        label="Name"
+        value={one.name}
+        maxLength={200}
+        onChange={({ currentTarget: { value } }) => onChange({ name: value })}
+      />
+      <TextInput
+        label="Date"
+        type="date"
+        value={one.isDeposit ? '' : one.dueOn}
+        disabled={one.isDeposit}
+        description={one.isDeposit ? 'At signing.' : undefined}
+        onChange={({ currentTarget: { value } }) => onChange({ dueOn: value })}
+      />
+      <TextInput
+        label={`Amount, ${currency}`}
+        value={one.amount}
+        inputMode="decimal"
+        placeholder={one.isDeposit ? undefined : money(paysMinor, currency)}
+        description={one.amount === '' && !one.isDeposit ? 'Empty: its cues’ prices.' : undefined}
+        onChange={({ currentTarget: { value } }) => onChange({ amount: value })}
+      />
+      <TextInput
+        label="Tax, %"
+        value={one.tax}
+        inputMode="decimal"
+        placeholder="the contract’s"
+        onChange={({ currentTarget: { value } }) => onChange({ tax: value })}
+      />
+      <div className={classes.tools}>
+        <Checkbox
+          label="A deposit, due at signing"
+          checked={one.isDeposit}
+          onChange={({ currentTarget: { checked } }) => onChange({ isDeposit: checked })}
+        />
+        <span className={classes.buttons}>
+          <Button variant="quiet" disabled={place === 0} onClick={() => onMove(-1)} aria-label={`Move ${called} up`}>
+            Up
+          </Button>
+          <Button
+            variant="quiet"
+            disabled={place === last}
+            onClick={() => onMove(1)}
+            aria-label={`Move ${called} down`}
+          >
+            Down
+          </Button>
+          <Button variant="quiet" onClick={onRemove} aria-label={`Remove ${called}`}>
+            Remove
+          </Button>
+        </span>
+      </div>
+      {faults.map(({ message }) => (
+        <div key={message} className={classes.whole}>
+          <FieldError>{message}</FieldError>
+        </div>
+      ))}
+    </fieldset>
+  )
+}

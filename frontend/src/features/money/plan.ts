@@ -1,0 +1,135 @@
+import type { ListedCue, Plan, PlanSet } from '@/money/api'
+import { amount, minorOf } from '@/money/words'
+
+/** A milestone as it is typed; its key lasts as long as the page. */
+export interface TypedMilestone {
+  key: string
+  name: string
+  dueOn: string
+  amount: string
+  tax: string
+  isDeposit: boolean
+}
+
+/** What is typed for a cue; without a milestone the contract does not cover it. */
+export interface TypedCue {
+  milestone: string
+  price: string
+  hours: string
+}
+
+export interface TypedPlan {
+  milestones: TypedMilestone[]
+  cues: Readonly<Record<string, TypedCue>>
+}
+
+export interface Fault {
+  /** `milestones.0` is the first one. */
+  where: string
+  message: string
+}
+
+export const NO_CUE: TypedCue = { milestone: '', price: '', hours: '' }
+
+/** What was saved, as fields show it. */
+export function typedOf({ milestones, currency }: Plan): TypedPlan {
+  const cues: Record<string, TypedCue> = {}
+  for (const { id, cues: own } of milestones) {
+    for (const { cue, price_minor: price, estimate_min: estimate } of own) {
+      cues[cue.id] = {
+        milestone: id,
+        price: price === null ? '' : amount(price, currency),
+        hours: estimate === null ? '' : String(Number((estimate / 60).toFixed(2))),
+      }
+    }
+  }
+  return {
+    cues,
+    milestones: milestones.map((one) => {
+      const isPriced = one.cues.length > 0 && one.cues.every(({ price_minor }) => price_minor !== null)
+      return {
+        key: one.id,
+        name: one.name,
+        dueOn: one.due_on ?? '',
+        amount: isPriced ? '' : amount(one.amount_minor, currency),
+        tax: one.tax_bp === null ? '' : String(one.tax_bp / 100),
+        isDeposit: one.is_deposit,
+      }
+    }),
+  }
+}
+
+const bounded = (typed: string, scale: number, most: number): number | null => {
+  const value = Number(typed.trim().replace(',', '.'))
+  return Number.isFinite(value) && value >= 0 && value <= most ? Math.round(value * scale) : null
+}
+
+/** The plan to send, and what of the typing cannot be read; what cannot be read is left out of it. */
+export function planOf(
+  typed: TypedPlan,
+  list: readonly ListedCue[],
+  currency: string,
+): { plan: PlanSet; faults: Fault[] } {
+  const faults: Fault[] = []
+  const read = <T>(text: string, value: T | null, where: string, message: string): T | null => {
+    if (text.trim() === '') return null
+    if (value === null) faults.push({ where, message })
+    return value
+  }
+  const positive = (text: string): number | null => {
+    const minor = minorOf(text, currency)
+    return minor !== null && minor >= 0 ? minor : null
+  }
+  const milestones = typed.milestones.map((one, place) => {
+    const where = `milestones.${place}`
+    if (one.name.trim() === '') faults.push({ where, message: 'Give it a name.' })
+    const called = one.name.trim() || `Milestone ${place + 1}`
+    const cues = one.isDeposit
+      ? []
+      : list.flatMap((cue) => {
+          const said = typed.cues[cue.id]
+          if (said?.milestone !== one.key) return []
+          const price = read(
+            said.price,
+            positive(said.price),
+            where,
+            `${cue.name}: “${said.price}” is no amount in ${currency}; write it as in 180.00.`,
+          )
+          const minutes = read(
+            said.hours,
+            bounded(said.hours, 60, 10_000),
+            where,
+            `${cue.name}: “${said.hours}” is no number of hours; write it as in 2 or 1.5.`,
+          )
+          return [{ cue_id: cue.id, price_minor: price, estimate_min: minutes || null }]
+        })
+    return {
+      name: called,
+      due_on: one.isDeposit || one.dueOn === '' ? null : one.dueOn,
+      is_deposit: one.isDeposit,
+      amount_minor: read(
+        one.amount,
+        positive(one.amount),
+        where,
+        `“${one.amount}” is no amount in ${currency}; write it as in 1,440.00.`,
+      ),
+      tax_bp: read(one.tax, bounded(one.tax, 100, 100), where, `“${one.tax}” is no rate; write 0 to 100, as in 19.`),
+      cues,
+    }
+  })
+  return { plan: { milestones }, faults }
+}
+
+/** What a milestone pays: its amount, else the prices of its cues. */
+export const paysMinor = ({ amount_minor, cues }: PlanSet['milestones'][number]): number =>
+  amount_minor ?? (cues ?? []).reduce((sum, { price_minor }) => sum + (price_minor ?? 0), 0)
+
+/** The list with one of its places exchanged with its neighbour; the same list at its ends. */
+export function moved<T>(items: readonly T[], place: number, by: 1 | -1): T[] {
+  const result = [...items]
+  const [one, other] = [result[place], result[place + by]]
+  if (one === undefined || other === undefined) return result
+  result[place] = other
+  result[place + by] = one
+  return result
+}
