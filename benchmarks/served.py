@@ -117,6 +117,19 @@ def cpu_seconds(pid: int) -> float:
     return sum(map(int, _stat(pid)[11:15])) / TICKS_A_SECOND + sum(_cpu_seconds_if_there(int(child)) for child in below)
 
 
+def memory_bytes(pid: int) -> int:
+    """Return what a process and those directly below it hold in memory; pages that they share count in each."""
+    below = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    return sum(_resident_bytes(one) for one in (pid, *map(int, below)))
+
+
+def _resident_bytes(pid: int) -> int:
+    try:
+        return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except (FileNotFoundError, ProcessLookupError):
+        return 0
+
+
 def _cpu_seconds_if_there(pid: int) -> float:
     try:
         return cpu_seconds(pid)

@@ -1,0 +1,298 @@
+"""How the server answers while 200 files come in at once and 50 requests a second are asked.
+
+    python -m benchmarks.load                     5 minutes, on a PostgreSQL and an S3 server that it starts
+    python -m benchmarks.load --seconds 60 --uploads 50 --rate 20
+
+Each of the 200 uploads lasts 20 seconds, as over a line of 350 kbit/s, becomes a take that is checked and rendered,
+and is followed by the next. Requests come at fixed times whether or not earlier ones are answered, and are timed from
+then: what waits counts. They are those of a working day in a project of 10,000 takes: lists, queue, search, single
+takes, comments and verdicts. One web process and one worker share the machine with database, store and whoever asks.
+"""
+
+import argparse
+import asyncio
+import itertools
+import os
+import random
+import statistics
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import AsyncIterator, Callable, Coroutine
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from subprocess import Popen
+from typing import Any
+from uuid import UUID
+
+import httpx
+import sqlalchemy as sa
+
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.kit.runtime import Runtime
+from app.renders.models import RenderSet
+from benchmarks.bulk import filling
+from benchmarks.served import Place, cpu_seconds, headers_for, memory_bytes
+from benchmarks.studios import Made, ProjectMaker, make_team
+from benchmarks.tables import DOCS, machine, table, write_between
+from benchmarks.throughput import sound
+from tests.support.deliver import BYTES, TUS, metadata
+from tests.support.postgres import running_postgres
+from tests.support.s3 import run_s3
+
+P95_MS = 250.0
+TAKES = 10_000
+UPLOAD_S = 20.0
+PIECES = 20
+LOOK_EVERY_S = 2.0
+CALM_S = 5.0  # before anything is timed
+TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
+HEADER_BYTES, SAMPLE_BYTES = 44, 3
+Answered = Coroutine[Any, Any, httpx.Response]
+
+
+@dataclass
+class Told:
+    """What came of it: seconds by kind of request, what went wrong, and memory as it went."""
+
+    times_s: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
+    wrong: list[str] = field(default_factory=list)
+    memory_bytes: dict[str, list[int]] = field(default_factory=lambda: defaultdict(list))
+    takes: int = 0
+
+    def add(self, kind: str, taken_s: float, answer: httpx.Response | Exception) -> None:
+        """Note one answer."""
+        self.times_s[kind].append(taken_s)
+        if isinstance(answer, Exception):
+            self.wrong.append(f"{kind}: {answer!r}")
+        elif not answer.is_success:
+            self.wrong.append(f"{kind}: {answer.status_code} {answer.text[:200]}")
+
+
+class People:
+    """Whoever asks: a designer who delivers, and the decider's side that looks and decides."""
+
+    def __init__(self, address: str, made: Made, to_approve: list[UUID], takes: list[UUID], told: Told) -> None:
+        unbounded = httpx.Limits(max_connections=None, max_keepalive_connections=None)
+        clients = [
+            httpx.AsyncClient(base_url=address, headers=headers_for(secret), timeout=60, limits=unbounded)
+            for secret in (made.designer_secret, made.decider_secret)
+        ]
+        self.designer, self.decider = clients
+        self._project = f"/v1/projects/{made.project_id}"
+        self._project_id = made.project_id
+        self._takes = takes
+        self._to_approve = iter(to_approve)
+        self._dice = random.Random(1)
+        self._names = itertools.count(1)
+        self._told = told
+
+    async def ask(self, kind: str, due: float) -> None:
+        """Ask once, timed from when it was due."""
+        try:
+            answer: httpx.Response | Exception = await self.kinds[kind](self)
+        except httpx.HTTPError as error:
+            answer = error
+        self._told.add(kind, time.perf_counter() - due, answer)
+
+    async def deliver(self, content: bytes, until: float) -> None:
+        """Send files, one after the other, each in many pieces over its time."""
+        await asyncio.sleep(self._dice.random() * UPLOAD_S)
+        opened = await self.designer.post(f"{self._project}/deliveries", json={"note": "load"})
+        delivery_id = str(opened.raise_for_status().json()["id"])
+        while time.perf_counter() < until:
+            try:
+                await self._deliver_one(delivery_id, f"load_{next(self._names)}.wav", unlike(content, self._dice))
+            except httpx.HTTPError as error:
+                self._told.wrong.append(f"upload: {error!r}")
+
+    async def _deliver_one(self, delivery_id: str, name: str, content: bytes) -> None:
+        named = metadata(delivery_id=delivery_id, file_name=name)
+        headers = TUS | {"Upload-Length": str(len(content)), "Upload-Metadata": named}
+        begun = (await self.designer.post("/v1/uploads", headers=headers)).raise_for_status()
+        location = begun.headers["location"]
+        headers = TUS | BYTES | {"Upload-Offset": "0", "Content-Length": str(len(content))}
+        sent = await self.designer.patch(location, headers=headers, content=in_pieces(content))
+        body = {"upload_id": location.rpartition("/")[2], "file_name": name}
+        due = time.perf_counter()
+        made = await self.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body)
+        self._told.add("a finished upload becomes a take", time.perf_counter() - due, made)
+        if sent.is_success and made.is_success:
+            self._told.takes += 1
+        else:
+            self._told.wrong.append(f"upload: {sent.status_code} {sent.text[:200]}")
+
+    def _get(self, path: str, **params: str) -> Answered:
+        return self.decider.get(path, params=params)
+
+    def _take(self) -> str:
+        return f"/v1/takes/{self._dice.choice(self._takes)}"
+
+    def _find(self) -> Answered:
+        return self._get(f"{self._project}/find", q=self._dice.choice(TYPED))
+
+    def _comment(self) -> Answered:
+        return self.decider.post(f"{self._take()}/comments", json={"text": "a little shorter", "start_s": 0.5})
+
+    def _approve(self) -> Answered:
+        return self.decider.post(f"/v1/takes/{next(self._to_approve)}/verdict", json={"kind": "approve"})
+
+    kinds: dict[str, Callable[["People"], Answered]] = {  # noqa: RUF012 - of the class, and never changed
+        "review queue": lambda self: self._get("/v1/review-queue", project_id=str(self._project_id)),
+        "sound list": lambda self: self._get(f"{self._project}/sound-list"),
+        "where cues stand": lambda self: self._get(f"{self._project}/sound-list/standing"),
+        "search": _find,
+        "deliveries": lambda self: self.designer.get(f"{self._project}/deliveries"),
+        "a take": lambda self: self._get(self._take()),
+        "its sounds": lambda self: self._get(f"{self._take()}/sounds"),
+        "its comments": lambda self: self._get(f"{self._take()}/comments"),
+        "comment": _comment,
+        "approve": _approve,
+    }
+
+
+def unlike(content: bytes, dice: random.Random) -> bytes:
+    """Return the same sound, but for the last bits of some samples: no other is like it, and none is known yet."""
+    changed = bytearray(content)
+    for place in range(64):
+        changed[HEADER_BYTES + SAMPLE_BYTES * place] = dice.randrange(256)
+    return bytes(changed)
+
+
+async def in_pieces(content: bytes) -> AsyncIterator[bytes]:
+    """Yield a file as a slow line does."""
+    size = -(-len(content) // PIECES)
+    for start in range(0, len(content), size):
+        yield content[start : start + size]
+        await asyncio.sleep(UPLOAD_S / PIECES)
+
+
+async def load(people: People, *, seconds: float, uploads: int, rate: float, watch: Callable[[], None]) -> None:
+    """Let everybody work for a time."""
+    content = sound(1)
+    begun = time.perf_counter()
+    until = begun + seconds
+    deliveries = [asyncio.create_task(people.deliver(content, until)) for _ in range(uploads)]
+    asked: set[asyncio.Task[None]] = set()
+
+    async def watching() -> None:
+        while time.perf_counter() < until:
+            watch()
+            await asyncio.sleep(LOOK_EVERY_S)
+
+    watched = asyncio.create_task(watching())
+    kinds = list(people.kinds)
+    for number in range(int(seconds * rate)):
+        due = begun + number / rate
+        await asyncio.sleep(max(0.0, due - time.perf_counter()))
+        task = asyncio.create_task(people.ask(kinds[number % len(kinds)], due))
+        asked.add(task)
+        task.add_done_callback(asked.discard)
+    await asyncio.gather(*asked, watched, *deliveries)
+    for client in (people.designer, people.decider):
+        await client.aclose()
+
+
+def main() -> None:
+    """Load the server, and tell how it bore it."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.load", description=__doc__.partition("\n")[0])
+    parser.add_argument("--seconds", type=float, default=300.0)
+    parser.add_argument("--uploads", type=int, default=200, help="at once")
+    parser.add_argument("--rate", type=float, default=50.0, help="requests a second")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
+    options = parser.parse_args()
+    told = Told()
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="soundlist-load-"))).resolve()
+        postgres = stack.enter_context(running_postgres(durable=True))
+        store = stack.enter_context(run_s3(folder / "s3")).settings()
+        named = {name if name.startswith("aws") else f"soundlist_{name}": value for name, value in store.items()}
+        place = Place(folder, postgres.new_database("load"), {name.upper(): value for name, value in named.items()})
+        runtime = place.runtime()
+        stack.callback(runtime.close)
+        made, to_approve, takes = fill(runtime)
+        address, web = stack.enter_context(place.serving())
+        worker = stack.enter_context(place.running("worker", name="worker"))
+        time.sleep(CALM_S)
+        print(f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s …", flush=True)
+        processes = {"web": web, "worker": worker}
+        pids = {name: process.pid for name, process in processes.items()} | {"database": postgres.pid}
+        before, rendered = {name: cpu_seconds(pid) for name, pid in pids.items()}, rendered_takes(runtime)
+        people = People(address, made, to_approve, takes, told)
+        watch = watcher(told, processes)
+        asyncio.run(load(people, seconds=options.seconds, uploads=options.uploads, rate=options.rate, watch=watch))
+        spent = {name: cpu_seconds(pid) - before[name] for name, pid in pids.items()}
+        rendered = rendered_takes(runtime) - rendered
+    text = report(told, options, spent, rendered)
+    print(text)
+    if options.docs:
+        write_between(DOCS / "scale.md", "load", text)
+    if told.wrong:
+        raise SystemExit(f"{len(told.wrong)} errors; the first: {told.wrong[0]}")
+
+
+def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
+    """Make a project; return it, the takes that may be approved, and takes of every kind."""
+    with filling(runtime.database) as bulk:
+        made = ProjectMaker(bulk, make_team(bulk, "Load"), takes=TAKES, seed=1).make()
+    with runtime.database.reading() as session:
+        rows = session.execute(sa.select(Take.id, Take.state, Take.cue_id, Take.variation)).all()
+    waiting = {(row.cue_id, row.variation): row.id for row in rows if row.state is TakeState.CONFORMING}
+    return made, list(waiting.values()), [row.id for row in rows if row.state is not TakeState.RECEIVED]
+
+
+def rendered_takes(runtime: Runtime) -> int:
+    """Return how many takes have all their game files."""
+    with runtime.database.reading() as session:
+        return session.query(RenderSet).count()
+
+
+def watcher(told: Told, processes: dict[str, Popen[bytes]]) -> Callable[[], None]:
+    """Return what notes the memory of each process and all below it."""
+
+    def watch() -> None:
+        for name, process in processes.items():
+            told.memory_bytes[name].append(memory_bytes(process.pid))
+
+    return watch
+
+
+def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], rendered: int) -> str:
+    """Return what was found, as Markdown."""
+    rows = [_row(kind, times) for kind, times in told.times_s.items()]
+    whole = [taken for times in told.times_s.values() for taken in times]
+    rows.append(_row("all", whole))
+    growth = ", ".join(f"{name} {_growth(sizes)}" for name, sizes in told.memory_bytes.items())
+    spent = ", ".join(f"{name} {1000 * seconds / len(whole):.0f}" for name, seconds in cpu_s.items())
+    met = "met" if _p_ms(whole, 95) <= P95_MS and not told.wrong else "not met"
+    lines = (
+        f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s, {machine()};"
+        f" {os.getloadavg()[0]:.1f} processes wanted to run.",
+        f"{told.takes} files came in whole, {rendered} takes were checked and rendered meanwhile;"
+        f" {len(told.wrong)} errors.",
+        f"Memory, first and last quarter of the time: {growth}.",
+        f"CPU time in ms a request, uploads and jobs in it: {spent}.",
+        f"The limit, a p95 of {P95_MS:.0f} ms without an error, was {met}.",
+    )
+    return " ".join(lines) + "\n\n" + table(["ms", "requests", "p50", "p95", "p99"], rows)
+
+
+def _row(kind: str, times_s: list[float]) -> list[object]:
+    return [kind, len(times_s), *(f"{_p_ms(times_s, part):.0f}" for part in (50, 95, 99))]
+
+
+def _p_ms(times_s: list[float], part: int) -> float:
+    return 1000 * (statistics.quantiles(times_s, n=100)[part - 1] if len(times_s) > 1 else sum(times_s))
+
+
+def _growth(sizes: list[int]) -> str:
+    quarter = max(1, len(sizes) // 4)
+    first, last = (statistics.median(part) / 2**20 for part in (sizes[:quarter], sizes[-quarter:]))
+    return f"{first:.0f} and {last:.0f} MiB"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
