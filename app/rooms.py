@@ -35,6 +35,7 @@ JOB_MODULES = (
     "app.deliveries.jobs",
     "app.conformance.jobs",
     "app.renders.jobs",
+    "app.reviews.jobs",
     "app.builds.jobs",
     "app.notifications.jobs",
 )
@@ -62,7 +63,9 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "cue.cut": ("notifications.tell_cut",),
     "contract.sent": ("notifications.tell_contract",),
     "contract.change_asked": ("notifications.tell_contract",),
-    "contract.agreed": ("notifications.tell_contract",),
+    "contract.agreed": ("notifications.tell_contract", "reviews.adopt_accepted"),
+    "decider.reminded": ("notifications.tell_reminder",),
+    "cue.accepted_by_silence": ("notifications.tell_silence",),
     "build.posted": ("notifications.tell_build",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),

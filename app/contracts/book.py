@@ -59,6 +59,7 @@ class PricedCue:
     amount_minor: int
     is_accepted: bool = False
     cut_in: WorkState | None = None
+    accepting_clause: str = CLAUSES[LineKind.ACCEPTED]
 
     @property
     def is_settled(self) -> bool:
@@ -174,11 +175,15 @@ def settle_shares(book: Book, cues: Sequence[PricedCue], rules: PayRules) -> lis
         kept = {kind for kind, line in standing.items() if wanted.get(kind) == line.amount_minor}
         entries += [take_back(line) for kind, line in standing.items() if kind not in kept]
         entries += [
-            Entry(kind, amount_minor, CLAUSES[kind], cue_id=cue.cue_id, milestone_id=cue.milestone_id)
+            Entry(kind, amount_minor, _clause(kind, cue), cue_id=cue.cue_id, milestone_id=cue.milestone_id)
             for kind, amount_minor in wanted.items()
             if kind not in kept and amount_minor
         ]
     return entries
+
+
+def _clause(kind: LineKind, cue: PricedCue) -> str:
+    return cue.accepting_clause if kind is LineKind.ACCEPTED else CLAUSES[kind]
 
 
 def _wanted_shares(

@@ -198,6 +198,9 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
             yield place, f"{_shown(name, value)}, and no clause that stands says so; let one say {{{name}}}"
         elif not known and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
             yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
+    days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")
+    if "silence_days" in written and isinstance(days, int) and isinstance(reminder_days, int) and reminder_days >= days:
+        yield "terms.silence_reminder_days", f"{reminder_days}; wanted less than the {days} days that silence may last"
     if terms.get("price_mode") == BY_DAY:
         for name in ("day_rate_minor", "days_cap"):
             if not terms.get(name):

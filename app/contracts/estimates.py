@@ -13,7 +13,7 @@ from app.contracts.errors import CueNotInContract, NotAgreed, OtherPartyNeeded
 from app.contracts.estimating import ErrorRate, Habit, error_percent, error_rate, forecast
 from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, ContractCue, Milestone, WorkLog
-from app.contracts.rules import ContractState
+from app.contracts.rules import AcceptedBy, ContractState
 from app.kit import clock
 from app.projects.errors import ProducerNeeded
 
@@ -96,6 +96,8 @@ def _of_milestone(contract: Contract, milestone: Milestone, cues: list[ContractC
         return None
     moments = [cue.accepted_at or cue.cut_at for cue in cues]
     done = [moment for moment in moments if moment is not None]
+    if cues and all(cue.accepted_by is AcceptedBy.ADOPTION for cue in cues):
+        return None
     is_done = bool(cues) and len(done) == len(cues) and any(cue.accepted_at for cue in cues)
     until = max(done) if is_done else clock.now()
     so_far_days = float((until.date() - began_on).days)

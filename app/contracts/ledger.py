@@ -8,9 +8,10 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.contracts import money_queries, record
-from app.contracts.book import Book, Entry, Line, PayRules, PricedCue
+from app.contracts.book import CLAUSES, Book, Entry, Line, PayRules, PricedCue
 from app.contracts.models import Contract, ContractCue, LedgerLine, Milestone
-from app.contracts.rules import LineKind
+from app.contracts.rules import AcceptedBy, LineKind
+from app.contracts.silence import CLAUSE as SILENCE
 from app.contracts.terms import MoneyTerms
 from app.kit.money import money
 from app.projects.models import Project
@@ -64,6 +65,7 @@ def priced(cues: Iterable[ContractCue]) -> list[PricedCue]:
             amount_minor=cue.amount_minor or 0,
             is_accepted=cue.accepted_at is not None,
             cut_in=cue.cut_in,
+            accepting_clause=SILENCE if cue.accepted_by is AcceptedBy.SILENCE else CLAUSES[LineKind.ACCEPTED],
         )
         for cue in cues
     ]

@@ -8,7 +8,7 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.contracts.rules import ContractKind, ContractState, LineKind, Party, ReleaseClause, WorkState
+from app.contracts.rules import AcceptedBy, ContractKind, ContractState, LineKind, Party, ReleaseClause, WorkState
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.record import START
@@ -169,6 +169,7 @@ class ContractCue(Base):
         CheckConstraint("amount_minor >= 0", name="amount_not_negative"),
         CheckConstraint("estimate_min > 0", name="estimate_positive"),
         CheckConstraint("(cut_at is null) = (cut_in is null)", name="cut_in_a_state"),
+        CheckConstraint("(accepted_at is null) = (accepted_by is null)", name="accepted_somehow"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
@@ -182,6 +183,7 @@ class ContractCue(Base):
     amount_minor: Mapped[int | None] = mapped_column(BigInteger)  # its share, from the agreement on
     estimate_min: Mapped[int | None]  # minutes of work; stands from the agreement on
     accepted_at: Mapped[datetime | None]
+    accepted_by: Mapped[AcceptedBy | None]
     cut_at: Mapped[datetime | None]
     cut_in: Mapped[WorkState | None]
     cue: Mapped[Cue] = relationship(lazy="raise")

@@ -63,6 +63,24 @@ def running_cue(session: Session, cue_id: UUID, designer_ids: Collection[UUID] |
     return session.scalars(found).first()
 
 
+def cue_of(session: Session, contract_id: UUID, cue_id: UUID) -> ContractCue | None:
+    """Return a cue as one contract covers it, as it stands now."""
+    return session.scalar(
+        select(ContractCue)
+        .where(ContractCue.contract_id == contract_id, ContractCue.cue_id == cue_id)
+        .options(joinedload(ContractCue.cue))
+        .execution_options(populate_existing=True)
+    )
+
+
+def is_accepted_elsewhere(session: Session, contract_id: UUID, cue_id: UUID) -> bool:
+    """Return whether a cue was accepted under another contract, which may have ended since."""
+    found = select(ContractCue.id).where(
+        ContractCue.cue_id == cue_id, ContractCue.contract_id != contract_id, ContractCue.accepted_at.is_not(None)
+    )
+    return session.scalars(found.limit(1)).first() is not None
+
+
 def covered_elsewhere(session: Session, contract_id: UUID, cue_ids: Collection[UUID]) -> Sequence[Row[str, str]]:
     """Return the cues that another agreed contract covers and that are not settled there, with its title."""
     return session.execute(

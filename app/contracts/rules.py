@@ -54,6 +54,14 @@ class LineKind(StrEnum):
     REFUNDED = "refunded"  # takes back a line of a payment
 
 
+class AcceptedBy(StrEnum):
+    """How a cue came to be accepted."""
+
+    VERDICT = "verdict"  # the decider's
+    SILENCE = "silence"  # nobody said anything in the days that the contract's clause names
+    ADOPTION = "adoption"  # it was approved already when the contract was agreed
+
+
 class WorkState(StrEnum):
     """How far the work on a cue was when it was cut."""
 

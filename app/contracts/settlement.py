@@ -1,6 +1,7 @@
 """What acceptance, cuts and rounds do to money; called in the transaction of the verdict or cut itself."""
 
 from collections.abc import Collection
+from datetime import date
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -13,13 +14,21 @@ from app.contracts.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundSett
 from app.contracts.ledger import book_of, called, priced, rules_of, terms_of, write
 from app.contracts.models import Contract, ContractCue, ExtraRound
 from app.contracts.queries import contract_for, lock_contract
-from app.contracts.rules import LineKind, WorkState
+from app.contracts.rules import AcceptedBy, ContractState, LineKind, WorkState
+from app.contracts.silence import CLAUSE as SILENCE
 from app.kit import clock
 from app.projects.errors import ProducerNeeded
 from app.projects.models import Project
 
 
-def accept_cue(session: Session, cue_id: UUID, *, designer_ids: Collection[UUID], person_id: UUID) -> None:
+def accept_cue(
+    session: Session,
+    cue_id: UUID,
+    *,
+    designer_ids: Collection[UUID],
+    person_id: UUID,
+    by: AcceptedBy = AcceptedBy.VERDICT,
+) -> None:
     """Make a cue's share due by the release clause, now that every variation is approved.
 
     Without an agreed contract of one of the takes' designers nothing is owed; accepting twice is accepting once.
@@ -27,9 +36,37 @@ def accept_cue(session: Session, cue_id: UUID, *, designer_ids: Collection[UUID]
     covered = _locked(session, cue_id, designer_ids)
     if covered is None or covered.accepted_at is not None or covered.cut_at is not None:
         return
-    covered.accepted_at = clock.now()
-    _tell(session, covered, "accepted", person_id)
+    covered.accepted_at, covered.accepted_by = clock.now(), by
+    clause = {"clause": SILENCE} if by is AcceptedBy.SILENCE else {}
+    _tell(session, covered, "accepted", person_id, **clause)
     _settle(session, covered.contract_id, person_id)
+
+
+def adopt_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID) -> None:
+    """Take a cue that was approved before into its contract, which is agreed; what was accepted anywhere stays there.
+
+    `person_id` is who had approved it. Adopting twice is adopting once.
+    """
+    contract = lock_contract(session, contract_id)
+    covered = money_queries.cue_of(session, contract_id, cue_id)
+    if covered is None or covered.accepted_at is not None or covered.cut_at is not None or contract.agreed_at is None:
+        return
+    if contract.state is not ContractState.AGREED or money_queries.is_accepted_elsewhere(session, contract_id, cue_id):
+        return
+    covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
+    _tell(session, covered, "adopted", person_id)
+    _settle(session, contract_id, person_id)
+
+
+def note_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
+    """Write into a contract's record that somebody was reminded of a cue, and until when its verdict is waited for."""
+    covered = money_queries.cue_of(session, contract_id, cue_id)
+    if covered is None:
+        return
+    prefix = session.get_one(Project, covered.project_id).cue_prefix
+    to = session.get_one(Person, to_id).name
+    told = {"cue": called(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
+    record.append(session, contract_id, "reminded", told)
 
 
 def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
@@ -37,7 +74,7 @@ def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
     covered = _locked(session, cue_id, None)
     if covered is None or covered.accepted_at is None or covered.cut_at is not None:
         return
-    covered.accepted_at = None
+    covered.accepted_at = covered.accepted_by = None
     _tell(session, covered, "reopened", person_id)
     _settle(session, covered.contract_id, person_id)
 
@@ -124,7 +161,7 @@ def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | Non
     covered = money_queries.running_cue(session, cue_id, designer_ids)
     if covered is not None:
         lock_contract(session, covered.contract_id)
-        session.refresh(covered, ["accepted_at", "cut_at", "cut_in"])
+        session.refresh(covered, ["accepted_at", "accepted_by", "cut_at", "cut_in"])
     return covered
 
 

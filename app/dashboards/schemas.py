@@ -203,12 +203,20 @@ class ToMake(Schema):
     status: CueStatus
 
 
+class WithApprover(CueBrief):
+    """A cue that waits for its verdict."""
+
+    accepted_after: date | None = Field(
+        description="Day after which it counts as accepted without a verdict, by its contract's clause on silence."
+    )
+
+
 class Desk(Schema):
     """A designer's work in one project."""
 
     came_back: list[CameBack]
     to_make: list[ToMake]
-    with_approver: list[CueBrief]
+    with_approver: list[WithApprover]
     with_approver_files: int
     accepted: int
     cues: int

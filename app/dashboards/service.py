@@ -25,6 +25,7 @@ from app.projects.models import Project
 from app.projects.queries import current_spec, deciders_of
 from app.projects.service import Standing, nda_is_open, standing_in
 from app.renders.models import Picture
+from app.reviews.silence import last_days
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 
@@ -139,12 +140,17 @@ def desk(session: Session, actor: Actor, project_id: UUID) -> schemas.Desk:
     the_list = WholeList(session, own)
     cues = queries.cues_by_id(session, project_id)
     takes = queries.take_counts(session, project_id, actor.person)
+    waiting = [row for row in the_list.rows if the_list.status[row.id] is CueStatus.TO_REVIEW]
+    last = last_days(session, [row.id for row in waiting])
     return schemas.Desk(
         came_back=_came_back(session, the_list, spec, actor.person),
         to_make=[
             _to_make(project, cues[row.id], the_list) for row in the_list.rows if the_list.status[row.id] in UNFINISHED
         ],
-        with_approver=[_brief(project, row) for row in the_list.rows if the_list.status[row.id] is CueStatus.TO_REVIEW],
+        with_approver=[
+            schemas.WithApprover(**_brief(project, row).model_dump(), accepted_after=last.get(row.id))
+            for row in waiting
+        ],
         with_approver_files=takes.get((TakeState.CONFORMING, True), 0),
         accepted=the_list.counts.get(CueStatus.ACCEPTED, 0),
         cues=len(the_list.rows) - the_list.counts.get(CueStatus.CUT, 0),

@@ -1,6 +1,7 @@
 """What people are told by mail, and the sending."""
 
 from dataclasses import dataclass
+from datetime import date
 from uuid import UUID
 
 import aiosmtplib
@@ -8,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.builds.models import Build
 from app.conformance.queries import current_run
+from app.contracts.facts import in_words
 from app.contracts.models import Contract
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -230,6 +232,43 @@ def tell_contract(runtime: Runtime, payload: Payload) -> None:
         teller = Teller(runtime, session, project, payload["event_id"])
         for recipient in recipients:
             teller.tell(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
+
+
+@job("notifications.tell_reminder")
+def tell_reminder(runtime: Runtime, payload: Payload) -> None:
+    """Tell the decider that a cue will be accepted when nobody says anything, and after which day."""
+    with runtime.database.writing() as session:
+        cue = session.get_one(Cue, UUID(payload["cue_id"]))
+        project = session.get_one(Project, cue.project_id)
+        last_day = date.fromisoformat(payload["last_day"])
+        line = (
+            f"{_label(project, cue)} waits for your verdict. "
+            f"Without one it counts as accepted after {in_words(last_day)}, as its contract says."
+        )
+        decider = queries.address_of(session, UUID(payload["decider_id"]))
+        teller = Teller(runtime, session, project, payload["event_id"])
+        teller.tell(decider, "reminders", "sounds wait for your verdict", line, page="review")
+
+
+@job("notifications.tell_silence")
+def tell_silence(runtime: Runtime, payload: Payload) -> None:
+    """Tell designer, decider and producers that a cue was accepted by silence."""
+    with runtime.database.writing() as session:
+        cue = session.get_one(Cue, UUID(payload["cue_id"]))
+        project = session.get_one(Project, cue.project_id)
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        line = (
+            f"{_label(project, cue)} was accepted by silence: no verdict within {payload['days']} working days, "
+            f"as {contract.title} says. Its share is due as for any other cue."
+        )
+        people = {
+            queries.address_of(session, contract.designer_id),
+            queries.decider_address(session, project),
+            *queries.producer_addresses(session, project.studio_id),
+        }
+        teller = Teller(runtime, session, project, payload["event_id"])
+        for recipient in people:
+            teller.tell(recipient, "silence", "sounds accepted by silence", line, page="sound-list")
 
 
 @job("notifications.tell_build")

@@ -34,8 +34,25 @@ class Verdict(Base):
     dropped_draft: Mapped[dict[str, Any]] = mapped_column(default=dict)  # what was noted to change, and fell away
     withdraws_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_verdicts.id"), unique=True)
     given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    # By whose clause it was decided, because `given_by` said nothing; None: they did.
+    silence_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person] = relationship(lazy="raise")
+
+
+class Reminder(Base):
+    """One mail to the decider of a cue that a clause on silence will accept."""
+
+    __tablename__ = "reviews_reminders"
+    __table_args__ = (UniqueConstraint("cue_id", "waiting_since", "number"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    waiting_since: Mapped[datetime]  # another version of the cue waits anew
+    number: Mapped[int]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class Sending(Base):

@@ -7,17 +7,19 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, and_, exists, func, select, tuple_
+from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, select, tuple_
 from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
 from app.conformance.models import CheckRun, Waiver
+from app.contracts.models import Contract, ContractCue
+from app.contracts.rules import ContractState
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.projects.models import Project, Spec
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.queries import current_renders, pictures_of_sounds
-from app.reviews.models import ChangeRequest, Comment, Round, Verdict
+from app.reviews.models import ChangeRequest, Comment, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -77,6 +79,30 @@ def waiting_cues(
             break
         stretch = walk.where(tuple_(*order) > tuple_(*rows[-1]))
     return waiting[:limit]
+
+
+def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequence[Row[Take, Contract, Project]]:
+    """Return the takes that wait of cues that an agreed contract with their designer covers, the newest first."""
+    return session.execute(
+        select(Take, Contract, Project)
+        .join(ContractCue, ContractCue.cue_id == Take.cue_id)
+        .join(Contract, and_(Contract.id == ContractCue.contract_id, Contract.designer_id == Take.designer_id))
+        .join(Project, Project.id == Take.project_id)
+        .where(
+            reach,
+            _waits(),
+            Contract.state == ContractState.AGREED,
+            ContractCue.accepted_at.is_(None),
+            ContractCue.cut_at.is_(None),
+        )
+        .options(joinedload(Take.cue))
+        .order_by(Take.cue_id, Take.variation, Take.number.desc())
+    ).all()
+
+
+def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Reminder]:
+    """Return the reminders that were sent of cues."""
+    return session.scalars(select(Reminder).where(Reminder.cue_id.in_(list(cue_ids)))).all()
 
 
 def _first_of_their_cues(session: Session, take_ids: Collection[UUID]) -> set[UUID]:

@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterable
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
@@ -41,6 +41,7 @@ from app.reviews.schemas import (
     RoundRead,
     VerdictRead,
 )
+from app.reviews.silence import last_days
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_in_sight
@@ -63,8 +64,18 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     approved = queries.approved_variations(session, by_cue)
     changes = queries.last_changes(session, by_cue)
     words = words_on_sets(session, by_cue, _specs_of(one for takes in by_cue.values() for one in takes))
+    last = last_days(session, by_cue)
     items = [
-        _queue_item(takes, since, prefixes, rounds.get(cue_id, 0), changes.get(cue_id), approved.get(cue_id, []), words)
+        _queue_item(
+            takes,
+            since,
+            prefixes,
+            rounds.get(cue_id, 0),
+            changes.get(cue_id),
+            approved.get(cue_id, []),
+            words,
+            last.get(cue_id),
+        )
         for cue_id, since in shown
         if (takes := by_cue.get(cue_id))
     ]
@@ -102,6 +113,7 @@ def _queue_item(
     last_change: str | None,
     approved: list[int],
     words: dict[UUID, SetWord],
+    accepted_after: date | None,
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
@@ -116,6 +128,7 @@ def _queue_item(
         rounds_so_far=rounds,
         last_change=last_change,
         approved_variations=approved,
+        accepted_after=accepted_after,
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),
         takes=takes,
@@ -236,6 +249,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         kind=queue_kind(cue.variations, waiting),
         accepted=cue.state is not CueState.CUT and not missing_variations(cue.variations, approved),
         approved_variations=approved,
+        accepted_after=last_days(session, [cue.id]).get(cue.id),
         decider=PersonBrief.model_validate(people_by_id(session, {decider_id})[decider_id]),
         may_decide=standing.is_decider,
         takes=takes,
@@ -260,6 +274,7 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             note=one.note,
             given_by=PersonBrief.model_validate(one.author),
             created_at=one.created_at,
+            by_silence=one.silence_contract_id is not None,
             withdrawn=one.id in withdrawn,
         )
 
@@ -301,6 +316,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
                 at=verdict.created_at,
                 kind=verdict.kind.value,
                 by=PersonBrief.model_validate(verdict.author),
+                by_silence=verdict.silence_contract_id is not None,
                 text=verdict.note,
             )
     sent = (ChangeRequest.take_id == take.id, ChangeRequest.sending_id.is_not(None))

@@ -1,6 +1,6 @@
 """The bodies of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated, Any, Literal, Self
 from uuid import UUID
 
@@ -112,6 +112,9 @@ class QueueItem(Schema):
     rounds_so_far: int
     last_change: str | None = Field(description="What was asked last of this cue, which these takes answer.")
     approved_variations: list[int]
+    accepted_after: date | None = Field(
+        description="Day after which the cue counts as accepted without a verdict, by its contract's clause on silence."
+    )
     findings_count: int
     worst_finding: FindingRead | None
     takes: list[ReviewTake]
@@ -238,6 +241,7 @@ class HistoryEntry(Schema):
     at: datetime
     kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
     by: PersonBrief | None
+    by_silence: bool = Field(False, description="Whether a clause on silence approved it, and `by` said nothing.")
     text: str
     start_s: float | None = None
     end_s: float | None = None
@@ -252,6 +256,7 @@ class VerdictRead(Schema):
     note: str
     given_by: PersonBrief
     created_at: datetime
+    by_silence: bool = Field(description="Whether a clause on silence decided it, and `given_by` said nothing.")
     withdrawn: bool
 
 
@@ -262,6 +267,7 @@ class CueReviewRead(Schema):
     kind: QueueKind
     accepted: bool
     approved_variations: list[int]
+    accepted_after: date | None
     decider: PersonBrief
     may_decide: bool
     takes: list[ReviewTake]

@@ -80,7 +80,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     action_id = new_id()
     for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
-        session.add(new_verdict(session, standing, draft.take, VerdictKind.REQUEST_CHANGE, draft.text, action_id))
+        session.add(new_verdict(session, actor.person, draft.take, VerdictKind.REQUEST_CHANGE, draft.text, action_id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
         draft.sending_id = sending.id
     rounds = _count_rounds(session, sending, reversals)

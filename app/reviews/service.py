@@ -6,7 +6,9 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.contracts.rules import AcceptedBy
 from app.contracts.settlement import note_work, settle_cut
+from app.contracts.silence import CLAUSE as SILENCE
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state, take_for
@@ -73,7 +75,7 @@ def give_verdict(
     ensure_seen(take.state, seen_state)
     if kind is VerdictKind.REQUEST_CHANGE:
         return _draft_change(session, standing, take, cue, text=note, start_s=start_s, end_s=end_s)
-    decision = _Decision(session, standing, note)
+    decision = Decision(session, actor.person, note)
     if kind is VerdictKind.APPROVE:
         decision.approve(take)
     else:
@@ -104,13 +106,16 @@ def _cue_to_judge(session: Session, take: Take) -> Cue:
     return cue
 
 
-class _Decision:
-    """What one click decides, so that it can be taken back together."""
+class Decision:
+    """What one click decides, or a clause on silence, so that it can be taken back together."""
 
-    def __init__(self, session: Session, standing: Standing, note: str) -> None:
+    def __init__(
+        self, session: Session, person_id: UUID, note: str, *, silence_contract_id: UUID | None = None
+    ) -> None:
         self._session = session
-        self._standing = standing
+        self._person_id = person_id
         self._note = note
+        self._silence_contract_id = silence_contract_id
         self.action_id = new_id()
         self.approved: list[Take] = []
         self.gave_way: list[UUID] = []
@@ -139,13 +144,22 @@ class _Decision:
 
     def finish(self, cue: Cue) -> bool:
         """Settle what is owed, tell of the approvals, and return whether the cue is accepted now."""
-        accepted = settle_acceptance(self._session, cue, person_id=self._standing.actor.person)
-        for take in self.approved:
+        by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
+        accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
+        for take in self.approved if by is AcceptedBy.VERDICT else ():
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
     def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
-        verdict = new_verdict(self._session, self._standing, take, kind, note, self.action_id)
+        verdict = new_verdict(
+            self._session,
+            self._person_id,
+            take,
+            kind,
+            note,
+            self.action_id,
+            silence_contract_id=self._silence_contract_id,
+        )
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
         if draft is not None:
@@ -155,12 +169,21 @@ class _Decision:
 
 
 def new_verdict(
-    session: Session, standing: Standing, take: Take, kind: VerdictKind, note: str, action_id: UUID
+    session: Session,
+    person_id: UUID,
+    take: Take,
+    kind: VerdictKind,
+    note: str,
+    action_id: UUID,
+    *,
+    silence_contract_id: UUID | None = None,
 ) -> Verdict:
     """Return a verdict to put on record before the take moves; the record of its contract has it at once."""
     if take.cue_id is not None:
         facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
-        note_work(session, take.cue_id, take.designer_id, "judged", person_id=standing.actor.person, **facts)
+        if silence_contract_id is not None:
+            facts["clause"] = SILENCE
+        note_work(session, take.cue_id, take.designer_id, "judged", person_id=person_id, **facts)
     return Verdict(
         studio_id=take.studio_id,
         project_id=take.project_id,
@@ -171,7 +194,8 @@ def new_verdict(
         note=note,
         state_before=take.state,
         since_before=take.state_since,
-        given_by=standing.actor.person,
+        given_by=person_id,
+        silence_contract_id=silence_contract_id,
     )
 
 
@@ -269,7 +293,7 @@ def _take_back(
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
-        back = new_verdict(session, standing, take, VerdictKind.WITHDRAW, "", action_id)
+        back = new_verdict(session, standing.actor.person, take, VerdictKind.WITHDRAW, "", action_id)
         back.withdraws_id = verdict.id
         session.add(back)
         take.state, take.state_since = verdict.state_before, verdict.since_before
@@ -306,7 +330,7 @@ def accept_set(
     new = [take for take in picks if take.state is not TakeState.APPROVED]
     if not new:
         raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
-    decision = _Decision(session, standing, note)
+    decision = Decision(session, actor.person, note)
     for take in new:
         decision.approve(take)
     accepted = decision.finish(cue)

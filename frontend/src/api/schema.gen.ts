@@ -5039,6 +5039,8 @@ export interface components {
             accepted: boolean;
             /** Approved Variations */
             approved_variations: number[];
+            /** Accepted After */
+            accepted_after: string | null;
             decider: components["schemas"]["PersonBrief"];
             /** May Decide */
             may_decide: boolean;
@@ -5278,7 +5280,7 @@ export interface components {
             /** To Make */
             to_make: components["schemas"]["ToMake"][];
             /** With Approver */
-            with_approver: components["schemas"]["CueBrief"][];
+            with_approver: components["schemas"]["WithApprover"][];
             /** With Approver Files */
             with_approver_files: number;
             /** Accepted */
@@ -5733,6 +5735,12 @@ export interface components {
              */
             kind: "received" | "checked" | "waived" | "approve" | "set_aside" | "request_change" | "withdraw" | "comment";
             by: components["schemas"]["PersonBrief"] | null;
+            /**
+             * By Silence
+             * @description Whether a clause on silence approved it, and `by` said nothing.
+             * @default false
+             */
+            by_silence: boolean;
             /** Text */
             text: string;
             /** Start S */
@@ -7944,6 +7952,11 @@ export interface components {
             last_change: string | null;
             /** Approved Variations */
             approved_variations: number[];
+            /**
+             * Accepted After
+             * @description Day after which the cue counts as accepted without a verdict, by its contract's clause on silence.
+             */
+            accepted_after: string | null;
             /** Findings Count */
             findings_count: number;
             worst_finding: components["schemas"]["FindingRead"] | null;
@@ -9744,6 +9757,11 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+            /**
+             * By Silence
+             * @description Whether a clause on silence decided it, and `given_by` said nothing.
+             */
+            by_silence: boolean;
             /** Withdrawn */
             withdrawn: boolean;
         };
@@ -9853,6 +9871,29 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+        };
+        /**
+         * WithApprover
+         * @description A cue that waits for its verdict.
+         */
+        WithApprover: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Label
+             * @example SW-014
+             */
+            label: string;
+            /** Name */
+            name: string;
+            /**
+             * Accepted After
+             * @description Day after which it counts as accepted without a verdict, by its contract's clause on silence.
+             */
+            accepted_after: string | null;
         };
         /**
          * WithOthers

@@ -1,4 +1,4 @@
-import { figure, length, place, plural, range } from '@/ui/format'
+import { day, figure, length, place, plural, range } from '@/ui/format'
 
 import type { QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
 import { inOrder, letterOf, oddOne, variationName } from './hearing'
@@ -131,8 +131,7 @@ export function namesOf(names: readonly string[]): string {
 /** The takes of an item in the order in which they are heard. */
 export const heardTakes = (item: QueueItem): ReviewTake[] => inOrder(item.takes)
 
-/** What happened to a take, in a word or two. */
-export const HAPPENED: Record<string, string> = {
+const HAPPENED: Record<string, string> = {
   received: 'Delivered',
   checked: 'Checked',
   waived: 'Let through',
@@ -142,3 +141,10 @@ export const HAPPENED: Record<string, string> = {
   withdraw: 'Verdict taken back',
   comment: 'Comment',
 }
+
+/** What happened to a take, in a word or two. */
+export const happened = ({ kind, by_silence: bySilence }: { kind: string; by_silence?: boolean }): string =>
+  bySilence && kind === 'approve' ? 'Accepted by silence' : (HAPPENED[kind] ?? kind)
+
+/** Until when a cue waits under its contract's clause on silence. */
+export const unlessJudged = (after: string): string => `accepted after ${day(after)} without a verdict`

@@ -62,6 +62,8 @@ const EVENT_WORDS: Record<string, string> = {
   agreed: 'Agreed',
   ended: 'Ended',
   planned: 'Plan fixed',
+  adopted: 'Accepted before, and taken in',
+  reminded: 'Reminded of a verdict',
   delivered: 'Delivered',
   judged: 'Judged',
   accepted: 'Cue accepted',

@@ -8,6 +8,7 @@ import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { showToast } from '@/app/toast'
 import { ended } from '@/judging/findings'
+import { unlessJudged } from '@/judging/words'
 import { mendsQuery } from '@/mending'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -143,6 +144,10 @@ export function WithApproverCard({ desk }: { desk: Desk }) {
             <State kind="to_review">
               {plural(cues.length, 'cue')}, {plural(files, 'file')}
             </State>
+            {cues.map(
+              ({ id, name, accepted_after: after }) =>
+                after && <p key={id} className={`small mid ${classes.whole}`}>{`${name}: ${unlessJudged(after)}`}</p>,
+            )}
           </>
         )}
       </div>

@@ -85,7 +85,7 @@ const DESK = {
     toMake({ id: 'c3', label: 'SW-003', name: 'laser_fire' }, { variations: 4, missing: 2 }),
     toMake({ id: 'c21', label: 'SW-021', name: 'void_whale' }, { state: 'concept' }),
   ],
-  with_approver: [{ id: 'c7', label: 'SW-007', name: 'shield_hit' }],
+  with_approver: [{ id: 'c7', label: 'SW-007', name: 'shield_hit', accepted_after: '2030-03-15' }],
   with_approver_files: 3,
   accepted: 6,
   cues: 23,
@@ -364,6 +364,13 @@ describe('the mend of what came back', () => {
     expect(card).toHaveTextContent('Trims 45.0 ms from the start.')
     expect(within(card).getByRole('link', { name: 'warp_in_02' })).toHaveAttribute('href', '/takes/t7')
   })
+})
+
+test('what waits with the approver says when it counts as accepted without a verdict', async () => {
+  serve(answers())
+  openApp('/desk')
+  const card = await screen.findByRole('region', { name: 'With the approver' })
+  expect(card).toHaveTextContent('shield_hit: accepted after Friday 15 March 2030 without a verdict')
 })
 
 describe('delivering', () => {

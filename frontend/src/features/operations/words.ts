@@ -32,6 +32,8 @@ const JOBS: Partial<Record<string, string>> = {
   'renders.plan_batch': 'Plan a batch of game files',
   'renders.renew_renders': 'Ask for new game files',
   'server.forget_done_jobs': 'Clear away old jobs',
+  'reviews.adopt_accepted': 'Take what was accepted before into its contract',
+  'reviews.mind_silence': 'Remind of waiting verdicts, and accept by silence',
   'server.send_waiting': 'Send mails that wait',
   'server.sweep_uploads': 'Clear away unfinished uploads',
 }

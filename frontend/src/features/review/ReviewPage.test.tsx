@@ -27,10 +27,11 @@ vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
 configure({ asyncUtilTimeout: 5_000 })
 beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 
-const shield = anItem({ id: 'shield', name: 'shield_hit' }, [
-  aTake('a', { number: 1, findings: [aFinding()] }),
-  aTake('b', { number: 2 }),
-])
+const shield = anItem(
+  { id: 'shield', name: 'shield_hit' },
+  [aTake('a', { number: 1, findings: [aFinding()] }), aTake('b', { number: 2 })],
+  { accepted_after: '2030-03-15' },
+)
 const walk = anItem({ id: 'walk', name: 'foot_deck_walk', label: 'SW-008', variations: 2 }, [
   aTake('w1', { variation: 1 }),
   aTake('w2', { variation: 2 }),
@@ -80,6 +81,9 @@ describe('the queue', () => {
     expect(screen.getByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
     const waiting = within(screen.getByRole('complementary', { name: 'Queue' }))
     expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveAttribute('aria-current')
+    expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveTextContent(
+      'Accepted after Friday 15 March 2030 without a verdict',
+    )
     expect(await waiting.findByRole('link', { name: /dock_clamp Approved/ })).toBeVisible()
   })
 

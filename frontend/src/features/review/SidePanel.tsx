@@ -4,7 +4,7 @@ import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState }
 
 import { ApiProblem } from '@/api'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
-import { capital, HAPPENED, sentence, spot, told } from '@/judging/words'
+import { capital, happened, sentence, spot, told } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
@@ -336,7 +336,7 @@ function History({ take }: { take: ReviewTake }) {
       {history.data?.toReversed().map((entry, index) => (
         <li key={`${entry.at} ${index}`}>
           <p className="row small">
-            <span className="strong">{HAPPENED[entry.kind] ?? entry.kind}</span>
+            <span className="strong">{happened(entry)}</span>
             <span className="mid cut-text">{entry.by?.name ?? ''}</span>
             <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
               {age(entry.at)}

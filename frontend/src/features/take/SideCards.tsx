@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { HAPPENED, sentence, spot, told } from '@/judging/words'
+import { happened, sentence, spot, told } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
@@ -131,7 +131,7 @@ export function HistoryCard({ takeId }: { takeId: string }) {
         {history.toReversed().map((entry, at) => (
           <li key={`${entry.at} ${at}`}>
             <p className="row small">
-              <span className="strong">{HAPPENED[entry.kind] ?? entry.kind}</span>
+              <span className="strong">{happened(entry)}</span>
               <span className="mid cut-text">{entry.by?.name ?? ''}</span>
               <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
                 {age(entry.at)}
