@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
@@ -62,7 +62,15 @@ class PackedFile(Base):
     """One file of a sealed pack."""
 
     __tablename__ = "builds_packed_files"
-    __table_args__ = (UniqueConstraint("pack_id", "path"),)
+    __table_args__ = (
+        UniqueConstraint("pack_id", "path"),
+        Index(  # what a studio keeps is summed up of it
+            "ix_builds_packed_files_keys",
+            *("studio_id", "sha256", "size_bytes"),
+            sqlite_where=text("kind = 'key'"),
+            postgresql_where=text("kind = 'key'"),
+        ),
+    )
 
     pack_id: Mapped[UUID] = mapped_column(ForeignKey("builds_packs.id"), primary_key=True)
     place: Mapped[int] = mapped_column(primary_key=True)

@@ -1,26 +1,50 @@
 """What studios keep, summed up from what the rooms know; callers have checked who looks."""
 
-from dataclasses import dataclass
+from collections import defaultdict
+from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import Row, Select, func, select
+from sqlalchemy import Boolean, ColumnElement, Select, String, func, literal, literal_column, select, union_all
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Studio
-from app.deliveries.models import Take
-from app.renders.models import Render
+from app.builds.models import PackedFile, StandIn
+from app.conformance.models import Mend
+from app.contracts.models import ContractVersion
+from app.deliveries.models import Archive, Take
+from app.kit.db import Base
+from app.operations.schemas import KeptFiles, KeptKind, StorageRead
+from app.renders.models import MasterExport, Picture, Reel, Render
+
+Sums = Select[UUID, str, int, int | None]
 
 
-@dataclass(frozen=True)
-class Storage:
-    """What one studio keeps."""
+class Source(NamedTuple):
+    """Where files of one kind are on record: whose they are, the hash that each is kept under, and its size."""
 
-    studio_id: UUID
-    studio_name: str
-    masters: int
-    master_bytes: int
-    renders: int
-    render_bytes: int
+    kind: KeptKind
+    whose: Any
+    sha256: Any
+    size_bytes: Any
+
+
+KEPT = (
+    Source(KeptKind.MASTERS, Take.studio_id, Take.master_sha256, Take.master_bytes),
+    Source(KeptKind.ARCHIVES, Archive.studio_id, Archive.sha256, Archive.archive_bytes),
+    Source(KeptKind.GAME_FILES, Render.studio_id, Render.sha256, Render.file_bytes),
+    Source(KeptKind.MENDS, Mend.studio_id, Mend.sha256, Mend.mended_bytes),
+    Source(KeptKind.REELS, Reel.studio_id, Reel.sha256, Reel.file_bytes),
+    Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
+    Source(KeptKind.STAND_INS, StandIn.studio_id, StandIn.sha256, StandIn.file_bytes),
+    Source(KeptKind.DOCUMENTS, ContractVersion.studio_id, ContractVersion.pdf_sha256, ContractVersion.pdf_bytes),
+    Source(KeptKind.DOCUMENTS, PackedFile.studio_id, PackedFile.sha256, PackedFile.size_bytes),
+)
+ONLY: dict[type[Base], ColumnElement[bool]] = {
+    Mend: Mend.new_take_id.is_(None),  # the others are masters
+    PackedFile: literal_column(
+        "kind = 'key'", Boolean
+    ),  # as its index says it; all else in a pack is kept as what it is
+}
 
 
 def address_of(session: Session, person_id: UUID) -> str:
@@ -33,29 +57,47 @@ def studio_names(session: Session, ids: set[UUID]) -> dict[UUID, str]:
     return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).all())
 
 
-def storage(session: Session, studio_id: UUID | None = None) -> list[Storage]:
+def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead]:
     """Return what each studio keeps, the largest first; one studio alone where it is given."""
-    masters = select(Take.studio_id, Take.master_sha256, func.max(Take.master_bytes).label("size_bytes"))
-    renders = select(Render.studio_id, Render.sha256, func.max(Render.file_bytes).label("size_bytes"))
-    renders = renders.where(Render.sha256.is_not(None))
+    sums: dict[UUID, dict[KeptKind, KeptFiles]] = defaultdict(dict)
+    rows = session.execute(union_all(*(_summed(source, studio_id) for source in KEPT), _drawn(studio_id)))
+    for whose, kind_word, files, size_bytes in rows:
+        kind = KeptKind(kind_word)
+        known = sums[whose].get(kind, KeptFiles(kind=kind, files=0, size_bytes=0))
+        sums[whose][kind] = KeptFiles(
+            kind=kind, files=known.files + files, size_bytes=known.size_bytes + int(size_bytes or 0)
+        )
     studios = select(Studio.id, Studio.name)
     if studio_id is not None:
-        masters, renders = masters.where(Take.studio_id == studio_id), renders.where(Render.studio_id == studio_id)
         studios = studios.where(Studio.id == studio_id)
-    kept_masters = _summed(session, masters.group_by(Take.studio_id, Take.master_sha256))
-    kept_renders = _summed(session, renders.group_by(Render.studio_id, Render.sha256))
     found = [
-        Storage(id_, name, *kept_masters.get(id_, (0, 0)), *kept_renders.get(id_, (0, 0)))
+        StorageRead(
+            studio_id=id_,
+            studio_name=name,
+            size_bytes=sum(each.size_bytes for each in sums[id_].values()),
+            kept=[sums[id_][kind] for kind in KeptKind if kind in sums[id_]],
+        )
         for id_, name in session.execute(studios)
     ]
-    return sorted(found, key=lambda each: (-each.master_bytes - each.render_bytes, each.studio_name))
+    return sorted(found, key=lambda each: (-each.size_bytes, each.studio_name))
 
 
-def _summed(
-    session: Session, blobs: Select[UUID, str, int] | Select[UUID, str | None, int | None]
-) -> dict[UUID, tuple[int, int]]:
-    kept = blobs.subquery()
-    rows: list[Row[UUID, int, int]] = list(
-        session.execute(select(kept.c.studio_id, func.count(), func.sum(kept.c.size_bytes)).group_by(kept.c.studio_id))
-    )
-    return {studio_id: (count, int(size_bytes or 0)) for studio_id, count, size_bytes in rows}
+def _summed(source: Source, studio_id: UUID | None) -> Sums:
+    """Sum up files by studio, those with the same bytes once."""
+    kind, whose, sha256, size_bytes = source
+    files = select(whose.label("studio_id"), func.max(size_bytes).label("size_bytes")).where(sha256.is_not(None))
+    if whose.class_ in ONLY:
+        files = files.where(ONLY[whose.class_])
+    if studio_id is not None:
+        files = files.where(whose == studio_id)
+    each = files.group_by(whose, sha256).subquery()
+    summed = select(each.c.studio_id, literal(kind.value, String), func.count(), func.sum(each.c.size_bytes))
+    return summed.group_by(each.c.studio_id)
+
+
+def _drawn(studio_id: UUID | None) -> Sums:
+    """Sum up what was drawn of sounds; no two sounds look alike."""
+    files, size_bytes = func.count(Picture.drawn_bytes), func.sum(Picture.drawn_bytes)
+    drawn = select(Picture.studio_id, literal(KeptKind.DRAWINGS.value, String), files, size_bytes)
+    drawn = drawn.where(Picture.drawn_bytes.is_not(None))
+    return (drawn if studio_id is None else drawn.where(Picture.studio_id == studio_id)).group_by(Picture.studio_id)

@@ -63,15 +63,35 @@ class LaneRead(Schema):
     oldest_at: datetime | None = Field(description="Since when the one waits that has waited longest.")
 
 
+class KeptKind(StrEnum):
+    """What a kept file is."""
+
+    MASTERS = "masters"
+    ARCHIVES = "archives"  # ZIPs as they were delivered
+    GAME_FILES = "game_files"
+    DRAWINGS = "drawings"  # wave shapes, spectrum and preview of one sound together
+    MENDS = "mends"  # those that no designer has made a take of
+    REELS = "reels"
+    EXPORTS = "exports"  # masters with what is known of them, made to be handed out
+    STAND_INS = "stand_ins"
+    DOCUMENTS = "documents"  # contracts, and the keys that go with packs
+
+
+class KeptFiles(Schema):
+    """How many files of one kind are kept, and how large they are together."""
+
+    kind: KeptKind
+    files: int
+    size_bytes: int
+
+
 class StorageRead(Schema):
-    """What a studio keeps; the same bytes delivered twice are kept once."""
+    """What a studio keeps; of a kind, the same bytes are kept and counted once."""
 
     studio_id: UUID
     studio_name: str
-    masters: int
-    master_bytes: int
-    renders: int
-    render_bytes: int
+    size_bytes: int
+    kept: list[KeptFiles] = Field(description="Kinds without a file are left out.")
 
 
 class WorkerRead(Schema):

@@ -6197,6 +6197,23 @@ export interface components {
             since: string;
         };
         /**
+         * KeptFiles
+         * @description How many files of one kind are kept, and how large they are together.
+         */
+        KeptFiles: {
+            kind: components["schemas"]["KeptKind"];
+            /** Files */
+            files: number;
+            /** Size Bytes */
+            size_bytes: number;
+        };
+        /**
+         * KeptKind
+         * @description What a kept file is.
+         * @enum {string}
+         */
+        KeptKind: "masters" | "archives" | "game_files" | "drawings" | "mends" | "reels" | "exports" | "stand_ins" | "documents";
+        /**
          * LaneRead
          * @description The jobs of one studio and one urgency; lanes take turns.
          */
@@ -8999,7 +9016,7 @@ export interface components {
         };
         /**
          * StorageRead
-         * @description What a studio keeps; the same bytes delivered twice are kept once.
+         * @description What a studio keeps; of a kind, the same bytes are kept and counted once.
          */
         StorageRead: {
             /**
@@ -9009,14 +9026,13 @@ export interface components {
             studio_id: string;
             /** Studio Name */
             studio_name: string;
-            /** Masters */
-            masters: number;
-            /** Master Bytes */
-            master_bytes: number;
-            /** Renders */
-            renders: number;
-            /** Render Bytes */
-            render_bytes: number;
+            /** Size Bytes */
+            size_bytes: number;
+            /**
+             * Kept
+             * @description Kinds without a file are left out.
+             */
+            kept: components["schemas"]["KeptFiles"][];
         };
         /**
          * StudioAdd

@@ -9,9 +9,13 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
 
+from app.builds.models import PackedFile, SealedPack, StandIn
+from app.builds.rules import FileKind
+from app.conformance.models import Mend
+from app.conformance.rules import MendState
 from app.kit import queue
 from app.kit.runtime import Runtime
-from app.renders.models import Render
+from app.renders.models import MasterExport, Picture, Reel, Render
 from app.renders.rules import RenderState
 from tests.app.kit.test_queue import until
 from tests.app.reviews.making import Stage
@@ -247,6 +251,10 @@ def kept(world: World) -> Callable[[], dict[str, Any]]:
     return lambda: told(world.producer.get(of_studio(world, "storage")))
 
 
+def kinds(storage: dict[str, Any]) -> dict[str, tuple[int, int]]:
+    return {each["kind"]: (each["files"], each["size_bytes"]) for each in storage["kept"]}
+
+
 def test_what_is_delivered_twice_is_kept_once(
     world: World, operator: TestClient, kept: Callable[[], dict[str, Any]]
 ) -> None:
@@ -254,14 +262,14 @@ def test_what_is_delivered_twice_is_kept_once(
     cue_id, same = stage.cue("shield_hit"), "a" * 64
     for sha256 in (same, same, "b" * 64):
         stage.take(cue_id, master_sha256=sha256, is_drawn=False)  # 1,000 bytes each
-    take_id = stage.take(cue_id)
+    take_id = stage.take(cue_id, is_drawn=False)
+    tenant = {"studio_id": world.studio_id, "project_id": world.project_id}
 
     def render(session: Any) -> None:
         for target, sha256 in (("game", "c" * 64), ("handheld", "c" * 64), ("trailer", None)):
             session.add(
                 Render(
-                    studio_id=world.studio_id,
-                    project_id=world.project_id,
+                    **tenant,
                     take_id=take_id,
                     target=target,
                     key=target,
@@ -273,17 +281,56 @@ def test_what_is_delivered_twice_is_kept_once(
             )
 
     world.server.in_database(render)
-    assert {name: kept()[name] for name in ("masters", "master_bytes", "renders", "render_bytes")} == {
-        "masters": 3,
-        "master_bytes": 3_000,
-        "renders": 1,
-        "render_bytes": 400,
-    }
+    assert kinds(kept()) == {"masters": (3, 3_000), "game_files": (1, 400)}
+    assert kept()["size_bytes"] == 3_400
     server = told(operator.get("/v1/operations/storage"))
     assert [each for each in server["studios"] if each["studio_id"] == str(world.studio_id)] == [kept()]
     is_on_disk = world.server.runtime.settings.bucket is None
     assert (server["free_bytes"] is not None and server["free_bytes"] > 0) == is_on_disk
 
 
+def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str, Any]]) -> None:
+    stage = Stage(world)
+    cue_id = stage.cue("shield_hit")
+    take_id, mended_id = stage.take(cue_id, is_drawn=False), stage.take(cue_id, is_drawn=False)
+    tenant = {"studio_id": world.studio_id, "project_id": world.project_id}
+    letters = iter("bcdefghijk")
+
+    def add(session: Any) -> None:
+        def file(size_bytes: int) -> dict[str, Any]:
+            return {"sha256": next(letters) * 64, "file_bytes": size_bytes}
+
+        def mend(key: str, size_bytes: int, **used: Any) -> Mend:
+            sha256 = next(letters) * 64
+            return Mend(**tenant, take_id=take_id, key=key, state=MendState.MADE, sha256=sha256,
+                        mended_bytes=size_bytes, **used)  # fmt: skip
+
+        session.add(Picture(studio_id=world.studio_id, sound_sha256="x", drawn_bytes=70))
+        session.add(Picture(studio_id=world.studio_id, sound_sha256="y", drawn_bytes=None))  # drawn before it was noted
+        session.add(mend("waits", 50))
+        session.add(mend("used", 60, used_by=world.designer_id, new_take_id=mended_id))
+        session.add(Reel(**tenant, cue_id=cue_id, key="reel", gap_ms=0, crossfade_ms=0, with_slates=False,
+                         file_name="reel.wav", **file(40)))  # fmt: skip
+        session.add(StandIn(**tenant, cue_id=cue_id, variation=1, target="game", key="k", **file(30)))
+        session.add(MasterExport(**tenant, take_id=take_id, key="k", provenance={}, file_name="m.wav", **file(20)))
+        pack = SealedPack(**tenant, target="game", number=1, sealed_by=world.producer_id)
+        session.add(pack)
+        session.flush()
+        for place, kind in enumerate((FileKind.KEY, FileKind.GAME)):
+            session.add(PackedFile(pack_id=pack.id, place=place, studio_id=world.studio_id, path=f"{place}", kind=kind,
+                                   sha256=next(letters) * 64, size_bytes=10))  # fmt: skip
+
+    world.server.in_database(add)
+    assert kinds(kept()) == {
+        "masters": (2, 2_000),
+        "drawings": (1, 70),
+        "mends": (1, 50),
+        "reels": (1, 40),
+        "exports": (1, 20),
+        "stand_ins": (1, 30),
+        "documents": (1, 10),
+    }
+
+
 def test_a_studio_that_keeps_nothing_is_shown_so(kept: Callable[[], dict[str, Any]]) -> None:
-    assert (kept()["masters"], kept()["master_bytes"], kept()["renders"], kept()["render_bytes"]) == (0, 0, 0, 0)
+    assert (kept()["kept"], kept()["size_bytes"]) == ([], 0)

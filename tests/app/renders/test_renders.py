@@ -189,6 +189,12 @@ def test_jobs_that_run_twice_change_nothing(world: World) -> None:
     assert count(world.server, Render.take_id == UUID(take_id)) == 2
     # Of the master and of two game files.
     assert count(world.server, Picture.studio_id == world.studio_id) == 3
+    for picture in world.server.in_database(
+        lambda session: session.scalars(select(Picture).where(Picture.studio_id == world.studio_id)).all()
+    ):
+        drawn = {picture.peaks_sha256, picture.spectrum_sha256, picture.preview_sha256} - {picture.sound_sha256}
+        sizes = world.server.runtime.store.sizes_bytes(picture.studio_id, drawn)
+        assert picture.drawn_bytes == sum(sizes.values()) > 0
 
 
 def test_the_same_master_gives_the_same_bytes(world: World) -> None:

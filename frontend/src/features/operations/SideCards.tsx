@@ -9,13 +9,25 @@ import classes from './Operations.module.css'
 import { Refusal } from './Refusal'
 import { laneKey, laneLine, laneWords } from './words'
 
-const sizeOf = ({ master_bytes, render_bytes }: Storage) => master_bytes + render_bytes
+const NAMES: Record<Storage['kept'][number]['kind'], string> = {
+  masters: 'master',
+  archives: 'ZIP file',
+  game_files: 'game file',
+  drawings: 'preview',
+  mends: 'mended file',
+  reels: 'reel',
+  exports: 'exported master',
+  stand_ins: 'placeholder',
+  documents: 'document',
+}
+const keptWords = ({ kept }: Storage) =>
+  kept.map(({ kind, files, size_bytes }) => `${plural(files, NAMES[kind])} ${bytes(size_bytes)}`).join(', ')
 
-/** What is kept: masters as they came, game files as they were made. */
+/** What is kept: masters as they came, game files as they were made, and what goes with them. */
 export function StorageCard({ scope }: { scope: Scope }) {
   const { data, error } = useQuery(keptQuery(scope))
   const studios = data?.studios ?? []
-  const whole = studios.reduce((sum, one) => sum + sizeOf(one), 0)
+  const whole = studios.reduce((sum, { size_bytes }) => sum + size_bytes, 0)
   const free = data?.freeBytes ?? null
   return (
     <Card aria-labelledby="storage">
@@ -35,12 +47,9 @@ export function StorageCard({ scope }: { scope: Scope }) {
             <span className="grow">
               <span className="strong">{one.studio_name}</span>
               <br />
-              <span className="small dim">
-                {plural(one.masters, 'master')} {bytes(one.master_bytes)}, {plural(one.renders, 'game file')}{' '}
-                {bytes(one.render_bytes)}
-              </span>
+              <span className="small dim">{keptWords(one) || 'Nothing yet.'}</span>
             </span>
-            <span className="num">{bytes(sizeOf(one))}</span>
+            <span className="num">{bytes(one.size_bytes)}</span>
           </Row>
         ))}
       </Rows>

@@ -21,10 +21,11 @@ const ME = {
 const KEPT = {
   studio_id: 's1',
   studio_name: 'Shield Wing studio',
-  masters: 1,
-  master_bytes: 864_044,
-  renders: 2,
-  render_bytes: 1_152_088,
+  size_bytes: 2_016_132,
+  kept: [
+    { kind: 'masters', files: 1, size_bytes: 864_044 },
+    { kind: 'game_files', files: 2, size_bytes: 1_152_088 },
+  ],
 }
 const STUCK = {
   id: 'e1:conformance.check_take',
