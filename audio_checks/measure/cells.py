@@ -58,7 +58,8 @@ class CellStream:
     def __init__(self, channels: int, frames: int, kept: int, most: int) -> None:
         self._frames = frames
         self._kept = kept
-        self._figures = np.zeros((len(Cells._fields) * channels, kept + most))
+        self._figures = np.empty((len(Cells._fields) * channels, kept + most))
+        self._figures[:, :kept] = 0.0
 
     def room(self, count: int) -> NDArray[np.float64]:
         """Return where the figures of so many new cells go, shape (5 * channels, count)."""

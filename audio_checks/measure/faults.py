@@ -73,7 +73,8 @@ class Faults:
         self._silence = Clicks.LATE * self._cell  # that follows the sound
         wanted_frames = max(min(STRETCH_FRAMES, most // 2, frames), self._silence)
         self._stretch = _whole(wanted_frames, math.lcm(self._cell, ROW_FRAMES))
-        self._samples = np.zeros((channels, self._history + self._stretch + self._cell))
+        self._samples = np.empty((channels, self._history + self._stretch + self._cell))
+        self._samples[:, : self._history] = 0.0  # what comes is written before it is read
         self._maxima = np.zeros((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
         self._survey = survey or Survey()
         self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
