@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import func, select
@@ -99,18 +100,27 @@ def files_of(session: Session, pack_id: UUID) -> Sequence[PackedFile]:
     return session.scalars(select(PackedFile).where(PackedFile.pack_id == pack_id).order_by(PackedFile.place)).all()
 
 
-def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, tuple[int, int]]:
-    """Return how many game files each pack has, and how many bytes all of its files are."""
+class PackSums(NamedTuple):
+    """How much a pack holds."""
+
+    files: int = 0  # game files
+    stand_ins: int = 0
+    size_bytes: int = 0  # of all files, masters and key included
+
+
+def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, PackSums]:
+    """Return how much each pack holds; nothing of one that is not put together yet."""
     rows = session.execute(
         select(
             PackedFile.pack_id,
             func.count().filter(PackedFile.kind == FileKind.GAME),
+            func.count().filter(PackedFile.kind == FileKind.PLACEHOLDER),
             func.coalesce(func.sum(PackedFile.size_bytes), 0),
         )
         .where(PackedFile.pack_id.in_(pack_ids))
         .group_by(PackedFile.pack_id)
     )
-    return {pack_id: (files, int(size_bytes)) for pack_id, files, size_bytes in rows}
+    return {pack_id: PackSums(files, stand_ins, int(size_bytes)) for pack_id, files, stand_ins, size_bytes in rows}
 
 
 def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:

@@ -77,6 +77,7 @@ class SealedPackSummary(Schema):
     created_at: datetime
     sealed_at: datetime | None
     files: int = Field(description="Game files.")
+    placeholder_files: int = Field(description="Stand-ins beside them.")
     bytes: int
 
 

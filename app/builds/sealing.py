@@ -126,10 +126,10 @@ def sealed_entries(session: Session, store: Store, pack: SealedPack) -> list[Ent
 def summaries(session: Session, packs: Sequence[SealedPack]) -> list[SealedPackSummary]:
     """Return packs as a list shows them."""
     sums = queries.pack_sums(session, [pack.id for pack in packs])
-    return [SealedPackSummary(**_summary(pack, sums.get(pack.id, (0, 0)))) for pack in packs]
+    return [SealedPackSummary(**_summary(pack, sums.get(pack.id, queries.PackSums()))) for pack in packs]
 
 
-def _summary(pack: SealedPack, sums: tuple[int, int]) -> dict[str, object]:
+def _summary(pack: SealedPack, sums: queries.PackSums) -> dict[str, object]:
     return {
         "id": pack.id,
         "target": pack.target,
@@ -142,15 +142,16 @@ def _summary(pack: SealedPack, sums: tuple[int, int]) -> dict[str, object]:
         "sealed_by": pack.sealer.name,
         "created_at": pack.created_at,
         "sealed_at": pack.sealed_at,
-        "files": sums[0],
-        "bytes": sums[1],
+        "files": sums.files,
+        "placeholder_files": sums.stand_ins,
+        "bytes": sums.size_bytes,
     }
 
 
 def sealed_read(session: Session, pack: SealedPack) -> SealedPackRead:
     """Return a pack with what is not as it was in the one before."""
     before = queries.last_sealed(session, pack.project_id, pack.target, below=pack.number)
-    sums = queries.pack_sums(session, [pack.id]).get(pack.id, (0, 0))
+    sums = queries.pack_sums(session, [pack.id]).get(pack.id, queries.PackSums())
 
     def marks(of: SealedPack | None) -> dict[str, str]:
         renders = queries.game_renders_of(session, of.id) if of else {}

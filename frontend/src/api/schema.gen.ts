@@ -8561,6 +8561,11 @@ export interface components {
              * @description Game files.
              */
             files: number;
+            /**
+             * Placeholder Files
+             * @description Stand-ins beside them.
+             */
+            placeholder_files: number;
             /** Bytes */
             bytes: number;
             changes: components["schemas"]["PackChanges"];
@@ -8605,6 +8610,11 @@ export interface components {
              * @description Game files.
              */
             files: number;
+            /**
+             * Placeholder Files
+             * @description Stand-ins beside them.
+             */
+            placeholder_files: number;
             /** Bytes */
             bytes: number;
         };

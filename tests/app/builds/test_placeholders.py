@@ -111,7 +111,7 @@ def test_stand_ins_are_in_a_pack_only_when_asked_for_and_say_what_they_are(world
     sealed = seal(world, placeholders=True)
     with fetch(world, sealed) as archive:
         assert "warp_in.wav" in archive.namelist()
-    assert (sealed["files"], sealed["placeholders"]) == (3, True)
+    assert (sealed["files"], sealed["placeholder_files"], sealed["placeholders"]) == (3, 1, True)
 
 
 def test_an_accepted_stand_in_does_not_ship_unnoticed(world: World) -> None:

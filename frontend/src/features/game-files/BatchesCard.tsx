@@ -3,13 +3,13 @@ import { useState } from 'react'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { ago, bytes, day, figure } from '@/ui/format'
+import { ago, day, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 
-import { type Batch, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
+import { type Batch, type BatchSizes, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
 import classes from './Files.module.css'
 import { Refused } from './Refused'
-import { progressOf, sentence, signed } from './words'
+import { progressOf, sentence, signed, sizeOf, totalsOf } from './words'
 
 /** Everything made anew, in one action: how far it is, what it did to the sizes, and its end by hand. */
 export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpeak: boolean }) {
@@ -115,12 +115,45 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
   )
 }
 
+/** Each target's game files as they were, and as they are: both sets are kept. */
+function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[] }) {
+  const totals = totalsOf(sizes)
+  const longest = Math.max(1, ...totals.flatMap(({ before, after }) => [before, after]))
+  const said = totals.map(({ target, before, after }) => `${target} ${sizeOf(before)} before, ${sizeOf(after)} after`)
+  const share = (count: number) => `${(count / longest) * 100}%`
+  return (
+    <>
+      <div role="img" aria-label={`Sizes of batch ${batch.number}: ${said.join('; ')}`}>
+        {totals.map(({ target, before, after }) => (
+          <div key={target} className={`${classes.bar} small`}>
+            <span className="cut-text">{target}</span>
+            <span className={classes.track}>
+              <i data-half="upper" style={{ width: share(before) }} />
+              <i data-half="lower" data-used="" style={{ width: share(after) }} />
+            </span>
+            <span className="num mid">{`${sizeOf(before)} to ${sizeOf(after)}`}</span>
+          </div>
+        ))}
+      </div>
+      <p className={`small mid ${classes.legend}`}>
+        <span>
+          <i /> before
+        </span>
+        <span>
+          <i data-used="" /> after
+        </span>
+      </p>
+    </>
+  )
+}
+
 function Sizes({ batch }: { batch: Batch }) {
   const { data } = useBatch(batch)
   if (data === undefined) return null
   if (data.sizes.length === 0) return <p className="small mid">No version may ship yet.</p>
   return (
     <>
+      <SizeBars batch={batch} sizes={data.sizes} />
       <div className={classes.scroll}>
         <table className={`small ${classes.table}`} aria-label={`Sizes of batch ${batch.number}`}>
           <thead>
@@ -140,8 +173,8 @@ function Sizes({ batch }: { batch: Batch }) {
                 <th scope="row">{target}</th>
                 <td>{category || 'none'}</td>
                 <td className="num">{figure(files)}</td>
-                <td className="num">{before_bytes === 0 ? 'none' : bytes(before_bytes)}</td>
-                <td className="num">{bytes(after_bytes)}</td>
+                <td className="num">{sizeOf(before_bytes)}</td>
+                <td className="num">{sizeOf(after_bytes)}</td>
                 <td className="num">{signed(after_bytes - before_bytes)}</td>
               </tr>
             ))}

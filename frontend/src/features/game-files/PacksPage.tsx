@@ -79,11 +79,21 @@ function PackLine({ pack }: { pack: SealedPack }) {
     <li className={classes.pack} aria-label={`Pack ${title}`}>
       <p className="row wrap">
         <span className="strong">{title}</span>
-        {pack.placeholders && <State kind="placeholder">With placeholders</State>}
+        {(pack.state === 'sealed' ? pack.placeholder_files > 0 : pack.placeholders) && (
+          <State kind="placeholder">With placeholders</State>
+        )}
         {pack.state === 'sealing' && <State kind="checking">Being put together</State>}
         {pack.state === 'refused' && <State kind="refused" />}
         {pack.state === 'sealed' && (
-          <span className="mid">{`${plural(pack.files, 'file')}, ${bytes(pack.bytes)}`}</span>
+          <span className="mid">
+            {[
+              plural(pack.files, 'file'),
+              pack.placeholder_files > 0 && plural(pack.placeholder_files, 'placeholder'),
+              bytes(pack.bytes),
+            ]
+              .filter(Boolean)
+              .join(', ')}
+          </span>
         )}
         <span className="end">
           {pack.state === 'sealed' && (

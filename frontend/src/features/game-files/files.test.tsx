@@ -60,7 +60,11 @@ const batch = (more = {}) => ({
   left: 0,
   ...more,
 })
-const SIZES = [{ target: 'unity', category: 'weapon', files: 10, before_bytes: 4000, after_bytes: 2000 }]
+const SIZES = [
+  { target: 'unity', category: 'weapon', files: 10, before_bytes: 4000, after_bytes: 2000 },
+  { target: 'trailer', category: 'ui', files: 1, before_bytes: 0, after_bytes: 1000 },
+  { target: 'trailer', category: 'weapon', files: 1, before_bytes: 0, after_bytes: 2000 },
+]
 const TROUBLE = [{ cue: 'SW-002', name: 'ui_confirm', target: 'unity', reason: 'the master has 44100 Hz' }]
 const onPage = (more = {}) =>
   inProject('producer', {
@@ -112,6 +116,9 @@ describe('game files', () => {
     expect(within(line).getByRole('status')).toHaveTextContent('4 of 10 files: 3 made, 1 refused, 6 to make.')
     const sizes = await within(line).findByRole('table', { name: 'Sizes of batch 3' })
     expect(within(sizes).getByRole('row', { name: /^unity/ })).toHaveTextContent('−2.0 kB')
+    expect(within(line).getByRole('img', { name: /^Sizes of batch 3/ })).toHaveAccessibleName(
+      'Sizes of batch 3: unity 4.0 kB before, 2.0 kB after; trailer none before, 3.0 kB after',
+    )
     expect(within(line).getByText(/The master has 44100 Hz/)).toBeVisible()
     await userEvent.click(await within(line).findByRole('button', { name: /^Stop\s*Batch 3$/ }))
     await waitFor(() => expect(within(line).queryByRole('button', { name: /Stop/ })).toBeNull())
@@ -147,6 +154,7 @@ describe('packs', () => {
     created_at: NOW,
     sealed_at: NOW,
     files: 41,
+    placeholder_files: 9,
     bytes: 5_000_000,
   }
   const CHANGES = { since: 1, new: 1, changed: 1, gone: 0, same: 39, paths: [{ path: 'a/laser.wav', kind: 'changed' }] }
@@ -174,6 +182,7 @@ describe('packs', () => {
     openApp('/projects/p1/packs')
     const line = await screen.findByRole('listitem', { name: 'Pack unity 2' })
     expect(within(line).getByText('With placeholders')).toBeVisible()
+    expect(within(line).getByText('41 files, 9 placeholders, 5.0 MB')).toBeVisible()
     expect(within(line).getByRole('link', { name: 'Download pack unity 2' })).toHaveAttribute(
       'href',
       '/v1/packs/k1/pack.zip',

@@ -1,6 +1,6 @@
 import { bytes, channels, figure, plural, rate } from '@/ui/format'
 
-import type { Batch, Changes, Memory, Target } from './api'
+import type { Batch, BatchSizes, Changes, Memory, Target } from './api'
 
 export function sentence(text: string): string {
   const begun = text.charAt(0).toUpperCase() + text.slice(1)
@@ -56,3 +56,15 @@ export function changesInWords({ since, changed, gone, same, ...counts }: Change
 
 export const signed = (count: number): string =>
   count === 0 ? 'the same' : `${count > 0 ? '+' : '−'}${bytes(Math.abs(count))}`
+
+export const sizeOf = (count: number): string => (count === 0 ? 'none' : bytes(count))
+
+/** The bytes of each target's game files before and after, all categories together. */
+export function totalsOf(sizes: readonly BatchSizes[]): { target: string; before: number; after: number }[] {
+  const totals = new Map<string, { target: string; before: number; after: number }>()
+  for (const { target, before_bytes, after_bytes } of sizes) {
+    const { before, after } = totals.get(target) ?? { before: 0, after: 0 }
+    totals.set(target, { target, before: before + before_bytes, after: after + after_bytes })
+  }
+  return [...totals.values()]
+}

@@ -34,8 +34,8 @@ export function PlaceholdersCard({ projectId }: { projectId: string }) {
 
 function headOf({ cues, cues_left }: Countdown): string {
   if (cues === 0) return 'the list asks for nothing yet'
-  if (cues_left === 0) return `none of ${plural(cues, 'cue')}`
-  return `${cues_left} of ${plural(cues, 'cue')} still one`
+  if (cues_left === 0) return 'none, every cue is accepted'
+  return `${cues_left} of ${plural(cues, 'cue')} without an accepted sound`
 }
 
 function Counted({ projectId, countdown }: { projectId: string; countdown: Countdown }) {

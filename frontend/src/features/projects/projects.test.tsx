@@ -343,7 +343,7 @@ describe('placeholders', () => {
 
   test('count down by category, with the next to record', async () => {
     const card = await shown(COUNTDOWN)
-    expect(await within(card).findByText('4 of 12 cues still one')).toBeVisible()
+    expect(await within(card).findByText('4 of 12 cues without an accepted sound')).toBeVisible()
     expect(within(card).getByRole('img', { name: '14 of 20 files have an accepted sound' })).toBeVisible()
     expect(
       within(card)
@@ -366,7 +366,7 @@ describe('placeholders', () => {
 
   test('that are all replaced are said to be', async () => {
     const card = await shown({ ...COUNTDOWN, cues_left: 0, left: 0, next: null })
-    expect(await within(card).findByText('none of 12 cues')).toBeVisible()
+    expect(await within(card).findByText('none, every cue is accepted')).toBeVisible()
     expect(within(card).queryByText(/under way/)).toBeNull()
   })
 
