@@ -329,7 +329,7 @@ class AudioFile:
         decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
-        bytes_read = memoryview(np.empty(min(left, decoder.room() if decoder else most) * layout.frame_bytes, np.uint8))
+        bytes_read = np.empty(min(left, decoder.room() if decoder else most) * layout.frame_bytes, np.uint8).data
         while left:
             raw = bytes_read[: min(left, decoder.room() if decoder else most) * layout.frame_bytes]
             wav.fill(self._file, raw)
