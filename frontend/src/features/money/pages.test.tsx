@@ -1,0 +1,226 @@
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import type { MilestoneSheet } from '@/money/api'
+import { openApp } from '@/test/openApp'
+import { aMe, aServer, PROJECT } from '@/test/review'
+import { refusal } from '@/test/server'
+
+// Whole pages are drawn here, which a busy machine takes its time for; their chunks are read once, before.
+vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
+beforeAll(() => Promise.all([import('./MilestonePage'), import('./PlanPage')]))
+
+const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }
+const OATH = { id: 'oath', label: 'SW-020', name: 'vo_oath' }
+const HABIT = { pairs: 0, mean_percent: null, spread_points: null, habit: 'unknown' as const }
+
+const share = { price_minor: null, amount_minor: 15_000, estimate_min: 60, accepted_at: null, cut_in: null }
+const ping = { ...share, cue: PING, owed_minor: 15_000, paid_minor: 0, accepted_at: '2026-11-20T10:00:00Z' }
+const oath = { ...share, cue: OATH, owed_minor: 0, paid_minor: 0 }
+
+function aSheet(more: Partial<MilestoneSheet> = {}): MilestoneSheet {
+  const slip = { milestone_id: 'alpha', name: 'Alpha', due_on: '2026-11-16', days: 4, designer_days: 1, studio_days: 3 }
+  const before = { ...slip, milestone_id: 'palette', name: 'Palette', days: 2, designer_days: 2, studio_days: 0 }
+  return {
+    project_id: PROJECT,
+    contract_id: 'effects',
+    contract_title: 'Effects',
+    contract_state: 'agreed',
+    designer: { id: 'designer', name: 'Sound designer' },
+    currency: 'USD',
+    release: 'per_cue',
+    milestone: {
+      id: 'alpha',
+      name: 'Alpha',
+      is_deposit: false,
+      amount_minor: 30_000,
+      left_minor: 30_000,
+      owed_minor: 15_000,
+      paid_minor: 0,
+      due_on: '2026-11-16',
+      tax_bp: null,
+      accepted: 1,
+      wanted: 2,
+      done_at: null,
+      cues: [ping, oath],
+    },
+    cues: [
+      { ...ping, status: 'accepted' },
+      { ...oath, status: 'to_review' },
+    ],
+    slip,
+    slips: [before, slip],
+    slip_growth_days: 2,
+    estimates: {
+      cues: [
+        { about_id: 'ping', name: 'radar_ping', estimate: 60, so_far: 90, actual: 90, error_percent: 50 },
+        { about_id: 'elsewhere', name: 'dock_clamp', estimate: 60, so_far: 0, actual: null, error_percent: null },
+      ],
+      milestones: [],
+      cue_habit: HABIT,
+      milestone_habit: HABIT,
+      forecasts: [],
+      warning: null,
+    },
+    lines: [],
+    invoices: [],
+    ...more,
+  }
+}
+
+let server: ReturnType<typeof aServer>
+const faults = async () => {
+  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  return violations.map(({ id, nodes }) => [id, nodes[0]?.html])
+}
+
+beforeEach(() => {
+  server = aServer()
+    .on('GET /v1/me', aMe({ is_producer: true }))
+    .on('GET /v1/review-queue', { items: [], next: null })
+})
+
+describe('the page of a milestone', () => {
+  const opened = async (sheet = aSheet()) => {
+    server.on('GET /v1/milestones/alpha', sheet)
+    openApp(`/projects/${PROJECT}/milestones/alpha`)
+    await screen.findByRole('heading', { level: 1, name: 'Alpha' })
+  }
+
+  test('shows each cue with state and share, and leads to what waits for a verdict; axe finds nothing', async () => {
+    await opened()
+    const cues = within(screen.getByRole('region', { name: 'Cues' }))
+    const [first, second] = cues.getAllByRole('listitem')
+    expect(first).toHaveTextContent('SW-005radar_pingAccepted150.00 due')
+    expect(second).toHaveTextContent('150.00')
+    expect(cues.getByRole('link', { name: 'Review vo_oath' })).toHaveAttribute(
+      'href',
+      `/projects/${PROJECT}/review/oath`,
+    )
+    expect(within(screen.getByRole('region', { name: 'Due to the designer' })).getByText('$150.00')).toBeVisible()
+    expect(await faults()).toEqual([])
+  })
+
+  test('splits late days, with their trend', async () => {
+    await opened()
+    const late = within(screen.getByRole('region', { name: 'Late' }))
+    expect(late.getByText('4 days late: 1 with the designer, 3 with you.')).toBeVisible()
+    expect(late.getByRole('row', { name: 'Palette 2 days 2 0' })).toBeVisible()
+    expect(late.getByText('Each milestone slips by 2.0 days more than the one before.')).toBeVisible()
+  })
+
+  test('holds its own cues’ estimates against the time logged', async () => {
+    await opened()
+    const estimates = within(screen.getByRole('region', { name: 'Estimates' }))
+    expect(estimates.getByText('1.0 h, logged 1.5 h, +50 %')).toBeVisible()
+    expect(estimates.queryByText('dock_clamp')).toBeNull()
+    expect(estimates.queryByRole('form')).toBeNull()
+  })
+
+  test('tells a liaison nothing of lateness and estimates', async () => {
+    await opened(aSheet({ slip: null, slips: [], slip_growth_days: null, estimates: null }))
+    expect(screen.queryByRole('region', { name: 'Late' })).toBeNull()
+    expect(screen.queryByRole('region', { name: 'Estimates' })).toBeNull()
+  })
+
+  test('lets its designer log time on a cue', async () => {
+    server
+      .on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_decider: false }))
+      .on('POST /v1/contracts/effects/work-logs', () =>
+        refusal(422, 'not-agreed', 'time is logged once both have agreed'),
+      )
+    await opened()
+    const form = within(await screen.findByRole('form', { name: 'Log time' }))
+    await userEvent.click(form.getByRole('button', { name: 'Log time' }))
+    expect(form.getByText('Give minutes and a day.')).toBeVisible()
+    await userEvent.selectOptions(form.getByLabelText('Cue'), 'vo_oath')
+    await userEvent.type(form.getByLabelText('Minutes'), '45')
+    await userEvent.click(form.getByRole('button', { name: 'Log time' }))
+    expect(await form.findByRole('alert')).toHaveTextContent('time is logged once both have agreed')
+    expect(server.of('POST /v1/contracts/effects/work-logs')[0]?.body).toMatchObject({ cue_id: 'oath', minutes: 45 })
+  })
+
+  test('that is not there says so', async () => {
+    openApp(`/projects/${PROJECT}/milestones/elsewhere`)
+    expect(await screen.findByRole('heading', { level: 1, name: /not|nothing|nobody/i })).toBeVisible()
+  })
+})
+
+describe('the plan of a draft', () => {
+  const CONTRACT = {
+    id: 'effects',
+    title: 'Effects',
+    currency: 'USD',
+    state: 'draft',
+    may: { change: true },
+    version: { terms: { price_mode: 'flat' } },
+  }
+  const CHECK = 'POST /v1/contracts/effects/plan-check'
+  const SAVE = 'PUT /v1/contracts/effects/milestones'
+  const type = (field: HTMLElement, value: string) => fireEvent.change(field, { target: { value } })
+  const opened = async () => {
+    openApp(`/projects/${PROJECT}/contracts/effects/plan`)
+    await screen.findByRole('heading', { level: 1, name: 'Plan: Effects' })
+  }
+
+  beforeEach(() => {
+    server
+      .on('GET /v1/contracts/effects', CONTRACT)
+      .on('GET /v1/contracts/effects/milestones', {
+        contract_id: 'effects',
+        currency: 'USD',
+        milestones: [],
+        advice: [],
+      })
+      .on(`GET /v1/projects/${PROJECT}/sound-list`, {
+        revision: 1,
+        next: null,
+        cues: [PING, OATH].map((cue) => ({ ...cue, category: 'ui', state: 'locked' })),
+      })
+      .on(CHECK, {
+        faults: [{ where: 'milestones.0', message: 'the cues of Alpha add up to $1.00' }],
+        advice: [{ code: 'one-milestone', message: 'All is paid for Alpha alone.', why: 'Neither side sees early.' }],
+      })
+  })
+
+  test('begins empty, says what is unwise while it is typed, and is saved in minor units', async () => {
+    server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] })
+    await opened()
+    expect(screen.getByRole('heading', { name: 'No milestone yet.' })).toBeVisible()
+    await userEvent.keyboard('n')
+    const alpha = within(screen.getByRole('group', { name: 'milestone 1' }))
+    expect(screen.getByRole('button', { name: 'Save the plan' })).toBeDisabled()
+    type(alpha.getByLabelText('Name'), 'Alpha')
+    type(alpha.getByLabelText('Amount, USD'), 'x')
+    expect(screen.getByText(/“x” is no amount in USD/)).toBeVisible()
+    type(alpha.getByLabelText('Amount, USD'), '300')
+    await userEvent.selectOptions(screen.getByLabelText('Put the 2 shown into'), 'Alpha')
+    type(screen.getByLabelText('Hours estimated for vo_oath'), '2')
+    expect(await screen.findByText('All is paid for Alpha alone.')).toBeVisible()
+    expect(screen.getByText('the cues of Alpha add up to $1.00')).toBeVisible()
+    expect(await faults()).toEqual([])
+    await userEvent.click(screen.getByRole('button', { name: 'Save the plan' }))
+    await waitFor(() => expect(server.of(SAVE)).toHaveLength(1))
+    expect(server.of(SAVE)[0]?.body).toMatchObject({
+      milestones: [
+        {
+          name: 'Alpha',
+          amount_minor: 30_000,
+          cues: [
+            { cue_id: 'ping', price_minor: null, estimate_min: null },
+            { cue_id: 'oath', price_minor: null, estimate_min: 120 },
+          ],
+        },
+      ],
+    })
+  })
+
+  test('that was agreed says where it stands', async () => {
+    server.on('GET /v1/contracts/effects', { ...CONTRACT, state: 'agreed', may: { change: false } })
+    openApp(`/projects/${PROJECT}/contracts/effects/plan`)
+    expect(await screen.findByRole('heading', { level: 1, name: 'The plan is agreed.' })).toBeVisible()
+    expect(screen.getByRole('link', { name: 'Back to Effects' })).toBeVisible()
+  })
+})
