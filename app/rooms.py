@@ -7,6 +7,7 @@ from app.builds.endpoints import router as builds
 from app.conformance.endpoints import router as conformance
 from app.contracts.endpoints import router as contracts
 from app.contracts.money_endpoints import router as money
+from app.contracts.template_endpoints import router as contract_templates
 from app.dashboards.endpoints import router as dashboards
 from app.deliveries.endpoints import router as deliveries
 from app.notifications.endpoints import router as notifications
@@ -21,6 +22,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     projects,
     sound_lists,
     money,
+    contract_templates,
     contracts,
     deliveries,
     conformance,

@@ -3,43 +3,37 @@
 import json
 from collections.abc import Sequence
 from typing import Annotated, Any
-from urllib.parse import quote
 from uuid import UUID
 
 from fastapi import APIRouter, Path, Query, Request, Response
-from fastapi.responses import PlainTextResponse
 
 from app.accounts.endpoints import allows
-from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
-from app.accounts.errors import StudioNotFound
 from app.accounts.rules import Actor, Sight
 from app.accounts.schemas import PersonBrief
-from app.contracts import agreeing, clauses, comparison, queries, record, schemas, templates
+from app.contracts import agreeing, comparison, queries, record, schemas
 from app.contracts.documents import PDF
 from app.contracts.errors import (
     AlreadyAccepted,
     BadDraft,
-    BadTemplate,
     ContractNotFound,
     ContractVersionNotFound,
     DraftMovedOn,
     FrameworkNeeded,
     NoContractNeeded,
     NotYourContract,
-    TemplateNameTaken,
     TemplateNotFound,
     TextMovedOn,
     WrongState,
 )
-from app.contracts.models import Contract, ContractTemplate, ContractVersion
-from app.contracts.rules import ContractKind, ContractState, Party
+from app.contracts.models import Contract, ContractVersion
+from app.contracts.rules import ContractState, Party
+from app.contracts.template_endpoints import attachment, clauses_of
 from app.contracts.text import Block, blocks_of
 from app.kit.http import CurrentRuntime, DbSession, Route, problems
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
 router = APIRouter(prefix="/v1", tags=["contracts"], route_class=Route)
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
-TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
 
 
 def _blocks(blocks: Sequence[Block]) -> list[schemas.BlockRead]:
@@ -103,175 +97,15 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     )
 
 
-def _template(template: ContractTemplate) -> schemas.TemplateRead:
-    return schemas.TemplateRead(
-        **schemas.TemplateBrief.model_validate(template).model_dump(),
-        clauses=[schemas.ClauseRow.model_validate(row) for row in template.clauses],
-        terms=template.terms,
-    )
-
-
-def _clauses(rows: Sequence[schemas.ClauseRow]) -> list[clauses.Clause]:
-    return [clauses.Clause(row.key, row.title.strip(), row.text.strip(), row.stands) for row in rows]
-
-
 def _draft(body: schemas.DraftChange) -> agreeing.Draft:
     return agreeing.Draft(
         title=body.title,
-        clauses=_clauses(body.clauses),
+        clauses=clauses_of(body.clauses),
         terms=body.terms,
         currency=body.currency,
         release_clause=body.release_clause,
         holdback_bp=body.holdback_bp,
     )
-
-
-def _attachment(name: str) -> dict[str, str]:
-    return {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
-
-
-@router.get("/contract-library/{kind}")
-def read_contract_library(
-    kind: ContractKind,
-    _actor: Actor = allows(Sight.PERSON),
-) -> schemas.LibraryRead:
-    """Return the clauses that the library has for a kind of contract, and what they leave open."""
-    return schemas.LibraryRead(
-        kind=kind,
-        notice=templates.NOTICE,
-        clauses=[
-            schemas.LibraryClauseRead(
-                **each.clause.as_row(),
-                why=each.why,
-                music=each.music,
-                instead_of=each.instead_of,
-                terms=[schemas.TermRead.model_validate(term) for term in each.terms],
-            )
-            for each in clauses.library()
-            if kind in each.kinds
-        ],
-        variables=dict(clauses.FACTS),
-    )
-
-
-@router.get("/contract-library/{kind}/template.toml", response_class=PlainTextResponse)
-def download_library_template(
-    kind: ContractKind,
-    _actor: Actor = allows(Sight.PERSON),
-) -> PlainTextResponse:
-    """Return what the library has for a kind as a template file."""
-    return PlainTextResponse(templates.library_toml(kind), media_type=TOML, headers=_attachment(f"{kind}.toml"))
-
-
-@router.get(
-    "/studios/{studio_id}/contract-templates",
-    response_model=list[schemas.TemplateBrief],
-    responses=problems(StudioNotFound, StudioProducerNeeded),
-)
-def list_contract_templates(
-    studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> Sequence[ContractTemplate]:
-    """Return the templates that a studio keeps, by name."""
-    return templates.templates_of(session, actor, studio_id)
-
-
-@router.post(
-    "/studios/{studio_id}/contract-templates",
-    status_code=201,
-    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
-)
-def add_contract_template(
-    studio_id: UUID, body: schemas.TemplateAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> schemas.TemplateRead:
-    """Keep a template."""
-    return _template(
-        templates.keep_template(
-            session, actor, studio_id, name=body.name, kind=body.kind, clauses=_clauses(body.clauses), terms=body.terms
-        )
-    )
-
-
-@router.post(
-    "/studios/{studio_id}/contract-templates/import",
-    status_code=201,
-    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
-)
-def import_contract_template(
-    studio_id: UUID, body: schemas.TemplateImport, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> schemas.TemplateRead:
-    """Keep a template that comes as TOML."""
-    return _template(templates.import_template(session, actor, studio_id, body.toml, name=body.name))
-
-
-@router.get(
-    "/studios/{studio_id}/contract-templates/{template_id}",
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
-)
-def read_contract_template(
-    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> schemas.TemplateRead:
-    """Return a template with its clauses."""
-    return _template(templates.template_in_sight(session, actor, studio_id, template_id))
-
-
-@router.put(
-    "/studios/{studio_id}/contract-templates/{template_id}",
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound, BadTemplate, TemplateNameTaken),
-)
-def change_contract_template(
-    studio_id: UUID,
-    template_id: UUID,
-    body: schemas.TemplateChange,
-    session: DbSession,
-    actor: Actor = allows(Sight.PRODUCER),
-) -> schemas.TemplateRead:
-    """Change a template; contracts that began from it stay as they are."""
-    return _template(
-        templates.change_template(
-            session, actor, studio_id, template_id, name=body.name, clauses=_clauses(body.clauses), terms=body.terms
-        )
-    )
-
-
-@router.delete(
-    "/studios/{studio_id}/contract-templates/{template_id}",
-    status_code=204,
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
-)
-def drop_contract_template(
-    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> None:
-    """Keep a template no longer."""
-    templates.drop_template(session, actor, studio_id, template_id)
-
-
-@router.get(
-    "/studios/{studio_id}/contract-templates/{template_id}/template.toml",
-    response_class=PlainTextResponse,
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
-)
-def download_contract_template(
-    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> PlainTextResponse:
-    """Return a template as the file that an import reads."""
-    template = templates.template_in_sight(session, actor, studio_id, template_id)
-    rows = [clauses.Clause.of(row) for row in template.clauses]
-    toml = templates.write_toml(template.name, template.kind, rows, template.terms)
-    return PlainTextResponse(toml, media_type=TOML, headers=_attachment(f"{template.name}.toml"))
-
-
-@router.get(
-    "/studios/{studio_id}/contract-templates/{template_id}/template.md",
-    response_class=PlainTextResponse,
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
-)
-def download_contract_template_text(
-    studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> PlainTextResponse:
-    """Return a template's standing clauses as Markdown, for lawyers to read."""
-    template = templates.template_in_sight(session, actor, studio_id, template_id)
-    text = templates.write_markdown(template.name, [clauses.Clause.of(row) for row in template.clauses])
-    return PlainTextResponse(text, media_type=MARKDOWN, headers=_attachment(f"{template.name}.md"))
 
 
 @router.get(
@@ -411,18 +245,6 @@ def end_contract(
     return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
 
 
-@router.post(
-    "/contracts/{contract_id}/template",
-    status_code=201,
-    responses=problems(ContractNotFound, ProducerNeeded, TemplateNameTaken, BadTemplate),
-)
-def keep_contract_as_template(
-    contract_id: UUID, body: schemas.ContractTemplateAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> schemas.TemplateRead:
-    """Keep the contract's clauses and terms as a template of the studio."""
-    return _template(templates.keep_contract_as_template(session, actor, contract_id, name=body.name))
-
-
 @router.get(
     "/contracts/{contract_id}/versions",
     response_model=list[schemas.VersionBrief],
@@ -469,7 +291,7 @@ def download_contract_pdf(
     if found.pdf_sha256 is None:
         raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
     pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
-    return Response(pdf, media_type=PDF, headers=_attachment(f"{contract.title}, version {version}.pdf"))
+    return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
 
 
 @router.get("/contracts/{contract_id}/comparison", responses=problems(ContractNotFound, ContractVersionNotFound))
@@ -519,5 +341,5 @@ def download_contract_record(contract_id: UUID, session: DbSession, actor: Actor
     """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
     contract = agreeing.contract_in_sight(session, actor, contract_id)
     text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
-    headers = _attachment(f"{contract.title}, record.json")
+    headers = attachment(f"{contract.title}, record.json")
     return Response(text, media_type="application/json", headers=headers)
