@@ -53,9 +53,12 @@ fuzz: setup  ## Feed the reader a million mutants
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
-weights: setup  ## Learn the weights of judgements anew (SOUNDS_DIR= adds real recordings; a quarter of an hour)
+weights: setup  ## Learn the weights of judgements anew (SOUNDS_DIR= adds real recordings; half an hour)
 	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
 	$(BIN)/python -m training.reverb
+	$(BIN)/python -m training.reversed
+	$(BIN)/python -m training.upsampled
+	$(BIN)/python -m training.padded
 
 fix: setup  ## Format and mend what can be mended by itself
 	$(BIN)/ruff check --fix . ; $(BIN)/ruff format .

@@ -30,7 +30,7 @@ from audio_checks.measure.loudness import Loudness, channel_weights
 from audio_checks.measure.phase import Phase
 from audio_checks.measure.repeats import Repeat
 from audio_checks.measure.seam import Seam
-from audio_checks.measure.spectrum import Spectrum
+from audio_checks.measure.spectrum import MeanSpectrum, Spectrum
 from audio_checks.measure.steps import Steps
 from audio_checks.measure.survey import Survey
 from audio_checks.measure.true_peak import TruePeak
@@ -121,6 +121,7 @@ PLACES = frozenset(
         "edges",
         "end_edge",
         "likeness_print",
+        "mean_spectrum",
         "mono_loss_spans",
         "repeat_places",
         "soft_spans",
@@ -577,6 +578,12 @@ class Measurements:
     def bandwidth_hz(self) -> float:
         """The highest frequency that stands out of the noise; 0 for silence."""
         return float(self._file.figure("bandwidth_hz"))
+
+    @property
+    def mean_spectrum(self) -> MeanSpectrum:
+        """The mean power spectrum of all channels over the whole length."""
+        spectrum: MeanSpectrum = self._file.figure("mean_spectrum")
+        return spectrum
 
     @property
     def decay(self) -> DecayFigures:

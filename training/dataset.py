@@ -42,6 +42,7 @@ class Known:
     rt60_s: float
     wet_db: float  # of the reverb's energy over the dry sound's
     channels: int
+    is_reversed: bool = False
 
     @property
     def is_audible(self) -> bool:
@@ -95,9 +96,15 @@ def real_sounds(*, is_kept_apart: bool) -> list[tuple[str, str, Floats]]:
 
 
 def made(
-    count: int, seed: int, families: list[Family], rooms: list[Response], real: list[tuple[str, str, Floats]]
+    count: int,
+    seed: int,
+    families: list[Family],
+    rooms: list[Response],
+    real: list[tuple[str, str, Floats]],
+    *,
+    reversed_share: float = 0.0,
 ) -> Iterator[tuple[Known, Floats, int]]:
-    """Yield sounds: what is known of each, its samples, its sample rate."""
+    """Yield sounds: what is known of each, its samples, its sample rate; a share of them turned round."""
     for number in range(count):
         draws = np.random.default_rng([seed, number])
         if real and draws.random() < REAL_SHARE:
@@ -114,6 +121,8 @@ def made(
         known = Known(source, kind, is_real, False, "", 0.0, -np.inf, dry.shape[1])
         if draws.random() < 0.5:
             known, dry = _sent(draws, known, dry, rooms)
+        if reversed_share and draws.random() < reversed_share:
+            known, dry = replace(known, is_reversed=True), dry[::-1]
         samples, rate = _finished(draws, dry)
         yield known, samples, rate
 

@@ -24,6 +24,7 @@ from audio_checks.judge import reverb
 from audio_checks.measure import decay, tails
 from training import dataset
 from training.dataset import Known
+from training.tables import as_table, write_tables
 
 Floats = NDArray[np.float64]
 KINDS = ("event", "natural-decay", "ambience", "voice", "music", "unknown")
@@ -36,7 +37,6 @@ FOLDS = 5
 FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
 TREES = {"max_leaf_nodes": 12, "max_iter": 300, "learning_rate": 0.05, "min_samples_leaf": 15, "max_features": 0.25}
 HERE = Path(__file__).parent
-DOCUMENT = HERE.parent / "docs" / "judgements.md"
 
 
 @dataclass
@@ -239,22 +239,6 @@ MUST = {
 """What is asked for on unseen material; below zero: at most."""
 
 
-def as_table(tried: dict[str, dict[str, float]]) -> str:
-    """Return the table as Markdown."""
-    columns = list(tried)
-    lines = [f"| | must | {' | '.join(columns)} |", f"|---|---|{'---|' * len(columns)}"]
-    for row in tried[columns[0]]:
-        must = MUST.get(row)
-        cells = []
-        for column in columns:
-            value = tried[column][row]
-            unmet = must is not None and (value < must if must > 0 else value > -must)
-            cells.append(f"**{value:.3f}**" if unmet and column.startswith("kept apart") else f"{value:.3f}")
-        asked = "" if must is None else f"≥ {must:g}" if must > 0 else f"≤ {-must:g}"
-        lines.append(f"| {row} | {asked} | {' | '.join(cells)} |")
-    return "\n".join(lines)
-
-
 def by_family(some: Set) -> str:
     """Return where it fails: for each family of sources how often dry is called reverb, and reverb found and missed."""
     wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
@@ -298,13 +282,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     tried = {name: measured(made, options.cache) for name, made in TRIED.items()}
     table = as_table(
         {name: figures_on(some) for name, some in tried.items()}
-        | {"kept apart, kind unsaid": figures_on(tried["kept apart"], says_kind=False)}
+        | {"kept apart, kind unsaid": figures_on(tried["kept apart"], says_kind=False)},
+        MUST,
     )
-    text = DOCUMENT.read_text(encoding="utf-8")
-    for mark, made in (("reverb", table), ("reverb by source", by_family(tried["kept apart"]))):
-        head, _, rest = text.partition(f"<!-- {mark}: made by `make weights` -->\n")
-        text = f"{head}<!-- {mark}: made by `make weights` -->\n{made}\n<!-- end -->{rest.partition('<!-- end -->')[2]}"
-    DOCUMENT.write_text(text, encoding="utf-8")
+    write_tables({"reverb": table, "reverb by source": by_family(tried["kept apart"])})
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,25 @@ WINDOW_FRAMES = 4_096
 BLACKMAN_HARRIS = (0.35875, -0.48829, 0.14128, -0.01168)  # leaks less than -92 dB, so the 80 dB below are seen
 BELOW_PEAK = 1e-8  # 80 dB under the strongest bin a part of the spectrum counts no more
 ABOVE_NOISE = 16.0  # 12 dB over the mean of the dither: its largest bin of a single window stays below
+
+
+@dataclass(frozen=True)
+class MeanSpectrum:
+    """The mean power spectrum of a whole sound, all channels together.
+
+    Attributes
+    ----------
+    sample_rate_hz : int
+        Of the sound.
+    levels_db : ndarray, shape (bins,)
+        From 0 Hz to Nyquist, full scale being ±1.0: white noise of RMS r has 20·log10(r) in each; -inf for silence.
+    dither_db : float
+        What the dither of the file's bit depth would have at most; -inf for float.
+    """
+
+    sample_rate_hz: int
+    levels_db: NDArray[np.float64]
+    dither_db: float
 
 
 class Spectrum:
@@ -24,7 +44,7 @@ class Spectrum:
         The smallest step of the file's bit depth; 0 for float.
     """
 
-    FIGURES = ("bandwidth_hz",)
+    FIGURES = ("bandwidth_hz", "mean_spectrum")
 
     def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float = 0.0) -> None:
         self._rate = sample_rate_hz
@@ -52,7 +72,7 @@ class Spectrum:
         self._kept, self._next = kept[:, done:], self._next - done
 
     def result(self) -> dict[str, Any]:
-        """Return `bandwidth_hz`, the highest frequency that stands out; 0 for silence.
+        """Return `bandwidth_hz`, the highest frequency that stands out; 0 for silence; and `mean_spectrum`.
 
         It stands out of the dither that the bit depth has at most, and of what lies 80 dB under the
         strongest frequency.
@@ -63,7 +83,17 @@ class Spectrum:
         dither = self._step**2 / 4 * float(np.square(self._window).sum()) * self._windows * self._channels
         floor = max(float(self._power.max()) * BELOW_PEAK, dither * ABOVE_NOISE)
         above = np.flatnonzero(self._power > floor)
-        return {"bandwidth_hz": float(above[-1] * self._rate / self._length) if len(above) else 0.0}
+        return {
+            "bandwidth_hz": float(above[-1] * self._rate / self._length) if len(above) else 0.0,
+            "mean_spectrum": self._mean(),
+        }
+
+    def _mean(self) -> MeanSpectrum:
+        whole = float(np.square(self._window).sum()) * max(1, self._windows) * self._channels
+        with np.errstate(divide="ignore"):  # silence has no level
+            levels = 10 * np.log10(self._power / whole)
+            dither = 10 * np.log10(np.float64(self._step**2 / 4))
+        return MeanSpectrum(self._rate, levels, float(dither))
 
     def _read(self, kept: NDArray[np.float64], count: int) -> None:
         """Add the power of `count` windows from the start of `kept`."""

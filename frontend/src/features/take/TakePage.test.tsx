@@ -82,6 +82,26 @@ describe('the judgement of reverb', () => {
   })
 })
 
+test('the judgement of direction shows how each octave rises and falls', async () => {
+  const bands = [
+    { hz: 500, rise_db_s: 1200, fall_db_s: 80 },
+    { hz: 4000, rise_db_s: 900, fall_db_s: 240 },
+  ]
+  server.on(
+    'GET /v1/takes/t1/check',
+    aCheck({ judgements: { reversed: { verdict: 'forwards', score: 0.03, evidence: { bands } } } }),
+  )
+  await opened()
+  const shown = await card('Is it played backwards?')
+  expect(shown).toHaveTextContent('forwards, score 0.03')
+  const rows = within(within(shown).getByRole('table')).getAllByRole('row')
+  expect(rows.map((row) => row.textContent)).toEqual([
+    'OctaveRisesFalls',
+    '500 Hz1,200 dB/s80 dB/s',
+    '4 kHz900 dB/s240 dB/s',
+  ])
+})
+
 describe('findings', () => {
   test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
     await opened()

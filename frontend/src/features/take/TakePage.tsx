@@ -23,6 +23,7 @@ import { FitCard } from './FitCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
 import { ReverbCard } from './ReverbCard'
+import { ReversedCard } from './ReversedCard'
 import { SpectrumCard } from './SpectrumCard'
 import classes from './Take.module.css'
 
@@ -170,6 +171,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           )}
           <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
           <ReverbCard check={check} />
+          <ReversedCard check={check} />
           {project?.part === 'team' && <FitCard take={take} />}
         </div>
         <aside className="stack" aria-label="Figures of this version">

@@ -1,3 +1,5 @@
+import { isTable, numberOf } from './judged'
+
 type Values = Record<string, unknown>
 
 /** How one octave dies away after it was last loud. */
@@ -21,10 +23,6 @@ export interface ReverbEvidence {
   bands: readonly DecayBand[]
   isStereo: boolean
 }
-
-const isTable = (value: unknown): value is Values =>
-  typeof value === 'object' && value !== null && !Array.isArray(value)
-const numberOf = (value: unknown): number | null => (typeof value === 'number' ? value : null)
 
 /** The evidence as a check's report holds it; null where nothing was judged or nothing dies away. */
 export function reverbOf(judgements: Values): ReverbEvidence | null {

@@ -1,0 +1,125 @@
+"""Where a spectrum ends, and how steeply: what tells a sound that was brought up from a lower sample rate."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.spectrum import MeanSpectrum
+
+Floats = NDArray[np.float64]
+RATES_HZ = (8_000, 11_025, 16_000, 22_050, 24_000, 32_000, 44_100, 48_000, 88_200, 96_000)
+LOWEST_HZ = 2_500.0  # below, a cliff is a filter of the designer's
+GAP, SPAN = 0.04, 0.06  # of the edge's frequency: what the cliff itself takes, and what is looked at on either side
+COMES_BACK_DB = 6.0  # over the shelf above the edge: then it is a notch, and no end
+FEWEST_BINS = 256
+SHOWN_POINTS = 192
+# A resampler's pass band ends between 0.86 and just over 1 of the lower Nyquist frequency.
+PASS_BAND = (0.86, 1.02)
+
+
+@dataclass(frozen=True)
+class Cliff:
+    """The steepest end that a spectrum has.
+
+    Attributes
+    ----------
+    edge_hz : float
+        Where it is.
+    drop_db : float
+        From what lies just below it to what lies just above.
+    """
+
+    edge_hz: float
+    drop_db: float
+    features: Floats
+
+
+def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
+    """Return the steepest end of a spectrum; None for silence, and for what is too short for 256 bins.
+
+    Its features, in this order: the drop in dB; how far the edge lies below the file's own Nyquist frequency; how much
+    the spectrum falls on its own just below the edge; how uneven the shelf above is; how far the shelf lies over the
+    dither, and what lies below the edge; how near the edge is to where a common rate would put it.
+    """
+    levels = _smooth(spectrum.levels_db)
+    if len(levels) < FEWEST_BINS or not np.isfinite(levels).any():
+        return None
+    nyquist_hz = spectrum.sample_rate_hz / 2
+    bin_hz = nyquist_hz / (len(levels) - 1)
+    best: tuple[float, int] = (-math.inf, 0)
+    rest = np.maximum.accumulate(levels[::-1])[::-1]  # the most that any higher bin has
+    for place in range(math.ceil(LOWEST_HZ / bin_hz), int(len(levels) / (1 + GAP + SPAN))):
+        below, above = _beside(levels, place)
+        drop = below - above
+        if drop > best[0] and rest[place + _reach(place, GAP)] <= above + COMES_BACK_DB:
+            best = drop, place
+    drop_db, place = best
+    if not math.isfinite(drop_db):
+        return None
+    below, above = _beside(levels, place)
+    edge_hz = place * bin_hz
+    further = _mean(levels, place - _reach(place, 0.3), place - _reach(place, 0.2))
+    shelf = levels[place + _reach(place, GAP) :]
+    features = np.array(
+        [
+            drop_db,
+            edge_hz / nyquist_hz,
+            further - below,
+            float(shelf.std()),
+            above - spectrum.dither_db,
+            below - spectrum.dither_db,
+            _off_a_rate(edge_hz, spectrum.sample_rate_hz),
+            float(levels.max()) - above,
+        ]
+    )
+    return Cliff(edge_hz, drop_db, features)
+
+
+def rate_of(edge_hz: float, sample_rate_hz: int) -> int | None:
+    """Return the lowest common rate, below the file's own, whose resampler would end where a spectrum does."""
+    for rate_hz in RATES_HZ:
+        if rate_hz < sample_rate_hz * 0.95 and PASS_BAND[0] <= edge_hz / (rate_hz / 2) <= PASS_BAND[1]:
+            return rate_hz
+    return None
+
+
+def points_of(spectrum: MeanSpectrum) -> dict[str, Any]:
+    """Return a spectrum as a picture shows it: the level of equal steps of frequency, from 0 Hz to Nyquist."""
+    parts = np.array_split(spectrum.levels_db, min(SHOWN_POINTS, len(spectrum.levels_db)))
+    levels = [float(part.max()) for part in parts]
+    step_hz = spectrum.sample_rate_hz / 2 / len(parts)
+    return {"step_hz": round(step_hz, 2), "dbfs": [round(max(level, -160.0), 1) for level in levels]}
+
+
+def _smooth(levels: Floats) -> Floats:
+    """Return levels without the ripple of single bins."""
+    power = np.convolve(10 ** (np.maximum(levels, -300.0) / 10), np.ones(5) / 5, mode="same")
+    smooth: Floats = 10 * np.log10(power + 1e-30)
+    return smooth
+
+
+def _reach(place: int, share: float) -> int:
+    return max(1, round(place * share))
+
+
+def _beside(levels: Floats, place: int) -> tuple[float, float]:
+    """Return the mean levels just below and just above a place."""
+    gap, span = _reach(place, GAP / 2), _reach(place, SPAN)
+    below = _mean(levels, place - gap - span, place - gap)
+    above = _mean(levels, place + gap, place + gap + span)
+    return below, above
+
+
+def _mean(levels: Floats, start: int, stop: int) -> float:
+    return float(levels[max(0, start) : max(stop, start + 1)].mean())
+
+
+def _off_a_rate(edge_hz: float, sample_rate_hz: int) -> float:
+    """Return how far an edge lies from 0.95 of the nearest lower Nyquist frequency, as a share."""
+    lower = [rate / 2 for rate in RATES_HZ if rate < sample_rate_hz * 0.95]
+    return min((abs(edge_hz / nyquist - 0.95) for nyquist in lower), default=1.0)

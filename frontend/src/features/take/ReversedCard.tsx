@@ -1,0 +1,54 @@
+import { Card, CardHead } from '@/ui/Card'
+import { figure } from '@/ui/format'
+
+import type { Check } from './api'
+import { isTable, judgedOf } from './judged'
+import classes from './Take.module.css'
+
+/** What the judgement of direction goes by: how fast each octave rises, and falls. */
+export function ReversedCard({ check }: { check: Check | null | undefined }) {
+  const judged = check ? judgedOf(check.judgements, 'reversed') : null
+  const bands = Array.isArray(judged?.evidence.bands) ? judged.evidence.bands.filter(isTable) : []
+  if (!judged || bands.length === 0) return null
+  const most = Math.max(1, ...bands.flatMap(({ rise_db_s: rise, fall_db_s: fall }) => [Number(rise), Number(fall)]))
+  return (
+    <Card aria-labelledby="reversed">
+      <CardHead
+        id="reversed"
+        title="Is it played backwards?"
+        end={`${judged.verdict}${judged.score === null ? '' : `, score ${figure(judged.score, 2)}`}`}
+      />
+      <div className={classes.inside}>
+        <p className="small mid">
+          How fast each octave rises at its fastest, and falls. What is struck, shot or spoken rises faster than it
+          falls; turned round it falls faster. <span className="nowrap">Press v to hear it the other way.</span>
+        </p>
+        <table className={`small ${classes.decayTable}`} aria-label="How each octave rises and falls">
+          <thead>
+            <tr>
+              <th scope="col">Octave</th>
+              <th scope="col">Rises</th>
+              <th scope="col">Falls</th>
+              <td className={classes.lean} />
+            </tr>
+          </thead>
+          <tbody>
+            {bands.map(({ hz, rise_db_s: rise, fall_db_s: fall }) => (
+              <tr key={Number(hz)}>
+                <th scope="row">
+                  {Number(hz) >= 1000 ? `${figure(Number(hz) / 1000)} kHz` : `${figure(Number(hz))} Hz`}
+                </th>
+                <td>{figure(Number(rise))} dB/s</td>
+                <td>{figure(Number(fall))} dB/s</td>
+                <td className={classes.lean} aria-hidden="true">
+                  <i data-rise style={{ width: `${(100 * Number(rise)) / most}%` }} />
+                  <i data-fall style={{ width: `${(100 * Number(fall)) / most}%` }} />
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </Card>
+  )
+}
