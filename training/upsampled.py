@@ -54,7 +54,7 @@ class Known:
 
 
 LEARNING = Made(1600, 71)
-TRIED = {"development": Made(400, 72), "kept apart": Made(800, 73, is_kept_apart=True)}
+TRIED = {"development": Made(300, 72), "kept apart": Made(700, 73, is_kept_apart=True)}
 
 
 @dataclass

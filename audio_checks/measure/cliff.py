@@ -19,7 +19,7 @@ COMES_BACK_DB = 6.0  # over the shelf above the edge: then it is a notch, and no
 FEWEST_BINS = 256
 SHOWN_POINTS = 192
 # A resampler's pass band ends between 0.86 and just over 1 of the lower Nyquist frequency.
-PASS_BAND = (0.86, 1.02)
+PASS_BAND, USUAL_END = (0.86, 1.02), 0.99
 
 
 @dataclass(frozen=True)
@@ -46,9 +46,9 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
     the spectrum falls on its own just below the edge; how uneven the shelf above is; how far the shelf lies over the
     dither, and what lies below the edge; how near the edge is to where a common rate would put it.
     """
-    levels = _smooth(spectrum.levels_db)
-    if len(levels) < FEWEST_BINS or not np.isfinite(levels).any():
+    if len(spectrum.levels_db) < FEWEST_BINS or not np.isfinite(spectrum.levels_db).any():
         return None
+    levels = _smooth(spectrum.levels_db)
     nyquist_hz = spectrum.sample_rate_hz / 2
     bin_hz = nyquist_hz / (len(levels) - 1)
     best: tuple[float, int] = (-math.inf, 0)
@@ -77,15 +77,17 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
             float(levels.max()) - above,
         ]
     )
-    return Cliff(edge_hz, drop_db, features)
+    return Cliff(_half_way(levels, place, (below + above) / 2) * bin_hz, drop_db, features)
 
 
 def rate_of(edge_hz: float, sample_rate_hz: int) -> int | None:
-    """Return the lowest common rate, below the file's own, whose resampler would end where a spectrum does."""
-    for rate_hz in RATES_HZ:
-        if rate_hz < sample_rate_hz * 0.95 and PASS_BAND[0] <= edge_hz / (rate_hz / 2) <= PASS_BAND[1]:
-            return rate_hz
-    return None
+    """Return the common rate, below the file's own, whose resampler would end nearest to where a spectrum does."""
+    fitting = {
+        abs(edge_hz / (rate_hz / 2) - USUAL_END): rate_hz
+        for rate_hz in RATES_HZ
+        if rate_hz < sample_rate_hz * 0.95 and PASS_BAND[0] <= edge_hz / (rate_hz / 2) <= PASS_BAND[1]
+    }
+    return fitting[min(fitting)] if fitting else None
 
 
 def points_of(spectrum: MeanSpectrum) -> dict[str, Any]:
@@ -113,6 +115,14 @@ def _beside(levels: Floats, place: int) -> tuple[float, float]:
     below = _mean(levels, place - gap - span, place - gap)
     above = _mean(levels, place + gap, place + gap + span)
     return below, above
+
+
+def _half_way(levels: Floats, place: int, middle_db: float) -> int:
+    """Return the last bin around a cliff that is above its middle."""
+    start = place - _reach(place, GAP)
+    around = levels[start : place + _reach(place, GAP) + 1]
+    above = np.flatnonzero(around > middle_db)
+    return start + int(above[-1]) if len(above) else place
 
 
 def _mean(levels: Floats, start: int, stop: int) -> float:

@@ -129,7 +129,7 @@ class TestExitCodes:
             (["measure", "nowhere.wav"], "no such file"),
             (["render", "--out", "out", "laser.wav"], "--spec"),
             (["explain", "true-peek"], '"true-peak"'),
-            (["explain", "reversed"], "this version lacks"),
+            (["explain", "lossy"], "this version lacks"),
             (["schema", "sounds"], "sounds"),
             (["new-spec", "--preset", "96k"], "96k"),
         ],
@@ -183,10 +183,10 @@ class TestSpecs:
 
     def test_a_check_that_is_lacking_is_said(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
-        (folder / "mine.toml").write_text("format = 1\nchecks.reversed = 'warning'\n", encoding="utf-8")
+        (folder / "mine.toml").write_text("format = 1\nchecks.lossy = 'warning'\n", encoding="utf-8")
         code, out, err = run("check", "--spec", "mine.toml", "--format", "json", ".")
-        assert (code, json.loads(out)["not_run"]) == (0, ["reversed"])
-        assert "reversed" in err
+        assert (code, json.loads(out)["not_run"]) == (0, ["lossy"])
+        assert "lossy" in err
 
     def test_a_doubtful_spec_is_said(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)

@@ -300,9 +300,9 @@ class TestRefusals:
         assert refused(text, where="categories.ui.targets.handheld.dither")
 
     def test_a_check_this_version_lacks_may_warn_but_not_fail(self):
-        spec = parse_spec("format = 1\n[checks]\nreversed = 'warning'\nhum = 'off'")
-        assert spec.not_run == ("reversed",)
-        assert refused("format = 1\n[checks]\nreversed = 'error'", where="checks.reversed")
+        spec = parse_spec("format = 1\n[checks]\nlossy = 'warning'\nhum = 'off'")
+        assert spec.not_run == ("lossy",)
+        assert refused("format = 1\n[checks]\nlossy = 'error'", where="checks.lossy")
 
 
 class TestIdentity:

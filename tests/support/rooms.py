@@ -1,4 +1,4 @@
-"""Dry hits and a plain room to put them in, for judgements of reverb."""
+"""Struck sounds and a plain room to put them in, for judgements."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,14 @@ def hits(*, seconds: float = 2.0, rate: int = 48_000, channels: int = 1, seed: i
         start = round(at * rate)
         out[start : start + len(knock)] += knock[: len(out) - start]
     return np.repeat((out / 6)[:, np.newaxis], channels, axis=1)
+
+
+def knell(*, rate: int = 48_000, channels: int = 1) -> Samples:
+    """Three partials, struck at once, the highest dying first."""
+    times = np.arange(rate)[:, np.newaxis] / rate
+    falls = ((220, 0.25), (910, 0.15), (2_700, 0.08))
+    partials = [np.sin(2 * np.pi * hz * times) * np.exp(-times / fall) / 6 for hz, fall in falls]
+    return np.repeat(np.sum(partials, axis=0), channels, axis=1)
 
 
 def in_a_room(dry: Samples, *, rt60_s: float = 1.5, wet_db: float = -6.0, rate: int = 48_000, seed: int = 2) -> Samples:

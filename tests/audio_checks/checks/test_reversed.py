@@ -3,12 +3,12 @@
 import pytest
 
 from audio_checks.spec import CueFacts
-from tests.support.rooms import hits
+from tests.support.rooms import knell
 from tests.support.waves import noise, silence
 
 ASKED = "checks.reversed = 'warning'"
 HEARD = ["reversed:heard"]
-FORWARDS, BACKWARDS = hits(), hits()[::-1]
+FORWARDS, BACKWARDS = knell(), knell()[::-1]
 
 
 @pytest.mark.parametrize(
@@ -16,7 +16,7 @@ FORWARDS, BACKWARDS = hits(), hits()[::-1]
     [
         (BACKWARDS, HEARD),
         (FORWARDS, []),
-        (hits(channels=2)[::-1], HEARD),
+        (knell(channels=2)[::-1], HEARD),
         (noise(), []),
         (silence(), []),
         (silence(seconds=1 / 48_000) + 0.5, []),

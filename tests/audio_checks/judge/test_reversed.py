@@ -6,7 +6,7 @@ import pytest
 from audio_checks.audio import AudioFile
 from audio_checks.judge import CANNOT_TELL, judge
 from audio_checks.judge.reversed import weights
-from tests.support.rooms import hits, in_a_room
+from tests.support.rooms import hits, in_a_room, knell
 from tests.support.waves import noise, silence, sine, swelling, write_wav
 
 
@@ -20,19 +20,10 @@ def judged(tmp_path):
     return judged
 
 
-def knell(rate=48_000):
-    """Three partials, struck at once, the highest dying first."""
-    times = np.arange(rate)[:, np.newaxis] / rate
-    return sum(
-        np.sin(2 * np.pi * hz * times) * np.exp(-times / fall) / 6
-        for hz, fall in ((220, 0.25), (910, 0.15), (2_700, 0.08))
-    )
-
-
 @pytest.mark.parametrize("rate", [44_100, 48_000, 96_000])
 @pytest.mark.parametrize("kind", ["event", "natural-decay", None])
 def test_a_struck_sound_and_the_same_turned_round(judged, kind, rate):
-    struck = knell(rate)
+    struck = knell(rate=rate)
     assert judged(struck, kind, rate).score < 0.1
     turned = judged(struck[::-1], kind, rate)
     assert turned.verdict == "reversed"

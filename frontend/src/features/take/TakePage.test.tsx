@@ -102,6 +102,20 @@ test('the judgement of direction shows how each octave rises and falls', async (
   ])
 })
 
+test('the judgement of a lower rate shows the spectrum, and asks', async () => {
+  const spectrum = { step_hz: 6_000, dbfs: [-40, -60, -130, -131] }
+  const judged = { verdict: 'upsampled', score: 0.99, from_hz: 24_000, edge_hz: 11_900, drop_db: 71.5 }
+  server.on('GET /v1/takes/t1/check', aCheck({ judgements: { upsampled: { ...judged, evidence: { spectrum } } } }))
+  await opened()
+  const shown = await card('Was it brought up from a lower rate?')
+  expect(shown).toHaveTextContent('upsampled, score 0.99')
+  expect(shown).toHaveTextContent('A resampler from 24 kHz ends there.')
+  expect(within(shown).getByRole('img')).toHaveAccessibleName(
+    'Mean spectrum from 0 Hz to 24.0 kHz. Its steepest end lies at 11.9 kHz, where it drops by 71.5 dB.',
+  )
+  expect(shown.querySelector('polyline')?.getAttribute('points')?.split(' ')).toHaveLength(4)
+})
+
 describe('findings', () => {
   test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
     await opened()

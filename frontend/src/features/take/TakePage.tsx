@@ -25,6 +25,7 @@ import { SoundCard } from './SoundCard'
 import { ReverbCard } from './ReverbCard'
 import { ReversedCard } from './ReversedCard'
 import { SpectrumCard } from './SpectrumCard'
+import { UpsampledCard } from './UpsampledCard'
 import classes from './Take.module.css'
 
 /** Everything that is known of one version: what was found, what was measured, what it looks and sounds like. */
@@ -172,6 +173,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
           <ReverbCard check={check} />
           <ReversedCard check={check} />
+          <UpsampledCard check={check} />
           {project?.part === 'team' && <FitCard take={take} />}
         </div>
         <aside className="stack" aria-label="Figures of this version">
