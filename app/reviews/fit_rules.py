@@ -6,6 +6,7 @@ rest.
 """
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -127,11 +128,20 @@ def _apart(
     known = [one for one in others if one]
     if not own or len(known) < FEWEST:
         return None, []
-    theirs = [
-        distance(one, _middle([rest for at, rest in enumerate(others) if rest and at != place])) if one else None
-        for place, one in enumerate(others)
-    ]
-    return distance(own, _middle(known)), theirs
+    middles = iter(_middles_without_each(known))
+    return distance(own, _middle(known)), [distance(one, next(middles)) if one else None for one in others]
+
+
+def _middles_without_each(lists: Sequence[Numbers]) -> list[list[float]]:
+    """Return for each of some lists the middle of the others; each column is sorted once."""
+    columns = [sorted(values) for values in zip(*lists, strict=False)]
+    return [[_median_without(column, value) for column, value in zip(columns, one, strict=False)] for one in lists]
+
+
+def _median_without(ordered: Sequence[float], value: float) -> float:
+    gone = bisect_left(ordered, value)
+    below, above = (len(ordered) - 2) // 2, (len(ordered) - 1) // 2
+    return (ordered[below + (below >= gone)] + ordered[above + (above >= gone)]) / 2
 
 
 def _middle(lists: Sequence[Numbers]) -> list[float]:

@@ -1,6 +1,10 @@
 """How far a sound stands from others, by hand-made figures."""
 
+from statistics import median
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from app.reviews.fit_rules import (
     Likeness,
@@ -62,6 +66,17 @@ def test_timbres_are_compared_alike() -> None:
     others = [Likeness(timbre=[place, 0.0]) for place in (0.0, 1.0, 2.0)]
     assert fit_of(Likeness(timbre=[1.0, 2.0]), others)[Measure.TIMBRE].stands is Stands.WITHIN  # 2 dB; theirs 1.5
     assert fit_of(Likeness(timbre=[1.0, 2.6]), others)[Measure.TIMBRE].stands is Stands.ABOVE
+
+
+@given(st.lists(st.lists(st.integers(-9, 0), min_size=2, max_size=2), min_size=3, max_size=9))
+def test_each_other_has_its_distance_from_the_middle_of_all_but_itself(spectra: list[list[int]]) -> None:
+    others = [Likeness(bands_db=bands) for bands in spectra]
+    found = fit_of(Likeness(bands_db=[0.0, 0.0]), others)[Measure.SPECTRUM].others
+    wanted = []
+    for place, bands in enumerate(spectra):
+        rest = [one for at, one in enumerate(spectra) if at != place]
+        wanted.append(distance_db(bands, [median(values) for values in zip(*rest, strict=True)]))
+    assert found == pytest.approx(wanted)
 
 
 def test_distances() -> None:
