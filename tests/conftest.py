@@ -4,12 +4,16 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from hypothesis import settings
 
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.s3 import S3Server, run_s3
 
 SQLITE, POSTGRES = "sqlite", "postgres"
 FOLDER, S3 = "folder", "s3"
+
+settings.register_profile("unhurried", deadline=None)  # how long an example takes says how busy the machine is
+settings.load_profile("unhurried")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

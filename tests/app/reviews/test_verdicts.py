@@ -338,9 +338,7 @@ def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
 ACTIONS = ("approve", "request_change", "set_aside", "undo", "send", "accept_set", "new_take")
 
 
-@settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
-)
+@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(actions=st.lists(st.tuples(st.sampled_from(ACTIONS), st.integers(0, 7)), min_size=1, max_size=14))
 def test_whatever_is_decided_at_most_one_take_is_approved(stage: Stage, actions: Sequence[tuple[str, int]]) -> None:
     with stage.world.server.runtime.database.writing() as session:

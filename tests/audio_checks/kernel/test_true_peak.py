@@ -26,7 +26,7 @@ def measured(blocks: list[Samples], channels: int, frames: int) -> dict[str, flo
     return meter.result()
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(signals(most_frames=500, most_channels=3), st.integers(0, 99))
 def test_skipping_changes_nothing(samples: Samples, seed: int):
     figures = measured(cut(samples, np.random.default_rng(seed)), samples.shape[1], len(samples))
