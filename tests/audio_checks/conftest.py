@@ -1,6 +1,10 @@
 """Every test has its own memory of verdicts: one test's files are never another's."""
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("any machine", deadline=None)  # a busy one is no fault of what is tested
+settings.load_profile("any machine")
 
 
 @pytest.fixture(autouse=True)
