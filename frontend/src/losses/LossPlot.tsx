@@ -1,50 +1,38 @@
 import { useCallback } from 'react'
 
-import { Drawing, type Surface } from '@/audio'
-import { figure } from '@/ui/format'
+import { FLOOR_DB, LevelPlot, LINES_DB, LINES_HZ, type Surface } from '@/audio'
 
 import type { Loss } from './api'
 import classes from './Losses.module.css'
 
 type Spectra = Loss['spectra']
 
-const FLOOR_DB = -96
-const LINES_DB = [-24, -48, -72]
-const LINES_HZ = [100, 1_000, 10_000]
-
 /** Master and game file over each other: what the master had and the file lacks stays pale. */
 export function LossPlot({ spectra }: { spectra: Spectra }) {
   const draw = useCallback((surface: Surface) => drawSpectra(surface, spectra), [spectra])
   const from = spectra.hz[0] ?? 20
   const to = spectra.hz.at(-1) ?? 20_000
-  const across = (hz: number) => Math.log(hz / from) / Math.log(to / from)
+  const named = LINES_HZ.filter((hz) => hz > from && hz < to).map((hz) => ({
+    hz,
+    at: Math.log(hz / from) / Math.log(to / from),
+    label: hz >= 1000 ? `${hz / 1000} kHz` : `${hz} Hz`,
+  }))
   return (
-    <figure className={classes.plot}>
-      <div className={classes.well}>
-        <Drawing draw={draw} />
-        {LINES_DB.map((db) => (
-          <span key={db} className={classes.db} style={{ top: `${(db / FLOOR_DB) * 100}%` }} aria-hidden="true">
-            {figure(db)}
+    <LevelPlot
+      draw={draw}
+      frequencies={named}
+      caption={
+        <span className={classes.legend}>
+          <span>
+            <i data-of="master" /> master
           </span>
-        ))}
-      </div>
-      <div className={classes.hz} aria-hidden="true">
-        {LINES_HZ.filter((hz) => hz > from && hz < to).map((hz) => (
-          <span key={hz} style={{ left: `${across(hz) * 100}%` }}>
-            {hz >= 1000 ? `${hz / 1000} kHz` : `${hz} Hz`}
+          <span>
+            <i data-of="file" /> game file
           </span>
-        ))}
-      </div>
-      <figcaption className={`small mid ${classes.legend}`}>
-        <span>
-          <i data-of="master" /> master
+          <span>RMS over the whole sound, dBFS</span>
         </span>
-        <span>
-          <i data-of="file" /> game file
-        </span>
-        <span>RMS over the whole sound, dBFS</span>
-      </figcaption>
-    </figure>
+      }
+    />
   )
 }
 

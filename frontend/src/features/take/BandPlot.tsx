@@ -1,15 +1,12 @@
 import { useCallback } from 'react'
 
-import { Drawing, type Surface } from '@/audio'
+import { FLOOR_DB, LevelPlot, LINES_DB, LINES_HZ, type Surface } from '@/audio'
 import { figure } from '@/ui/format'
 
 import type { Bands } from './api'
 import classes from './Take.module.css'
 
 const FROM_HZ = 20
-const FLOOR_DB = -96
-const LINES_HZ = [100, 1_000, 10_000]
-const LINES_DB = [-24, -48, -72]
 
 interface BandPlotProps {
   bands: Bands
@@ -30,39 +27,36 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
     (most, db, at) => ((db ?? -999) > (bands.dbfs[most] ?? -999) ? at : most),
     0,
   )
+  const named = [
+    { hz: FROM_HZ, at: 0, label: `${FROM_HZ} Hz` },
+    ...LINES_HZ.filter((hz) => hz < toHz / 1.6).map((hz) => ({
+      hz,
+      at: across(hz),
+      label: said(hz),
+      wideOnly: hz > toHz / 3,
+    })),
+    { hz: toHz, at: 1, label: said(toHz) },
+  ]
+  const loudestDb = bands.dbfs[loudest] ?? null
   return (
-    <figure className={classes.bands}>
-      <div className={classes.bandsWell}>
-        <Drawing draw={draw} />
-        {LINES_DB.map((db) => (
-          <span key={db} className={classes.bandsDb} style={{ top: `${(db / FLOOR_DB) * 100}%` }} aria-hidden="true">
-            {figure(db)}
-          </span>
-        ))}
-        {bandwidthHz !== null && bandwidthHz > FROM_HZ && (
-          <span
-            className={classes.bandwidth}
-            data-left={across(bandwidthHz) > 0.6 || undefined}
-            style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
-          >
-            ends at {said(bandwidthHz)}
-          </span>
-        )}
-      </div>
-      <div className={classes.bandsHz} aria-hidden="true">
-        <span data-edge="start">{FROM_HZ} Hz</span>
-        {LINES_HZ.filter((hz) => hz < toHz / 1.6).map((hz) => (
-          <span key={hz} className={hz > toHz / 3 ? 'wide-only' : undefined} style={{ left: `${across(hz) * 100}%` }}>
-            {said(hz)}
-          </span>
-        ))}
-        <span data-edge="end">{said(toHz)}</span>
-      </div>
-      <figcaption className="small mid">
-        RMS in each sixth of an octave over the whole sound, dBFS. Loudest near {said(bands.hz[loudest] ?? 0)}
-        {bands.dbfs[loudest] === null ? '; all of it is silence' : `, ${figure(bands.dbfs[loudest] ?? 0, 1)} dBFS`}.
-      </figcaption>
-    </figure>
+    <LevelPlot
+      draw={draw}
+      frequencies={named}
+      tall
+      caption={`RMS in each sixth of an octave over the whole sound, dBFS. Loudest near ${said(bands.hz[loudest] ?? 0)}${
+        loudestDb === null ? '; all of it is silence' : `, ${figure(loudestDb, 1)} dBFS`
+      }.`}
+    >
+      {bandwidthHz !== null && bandwidthHz > FROM_HZ && (
+        <span
+          className={classes.bandwidth}
+          data-left={across(bandwidthHz) > 0.6 || undefined}
+          style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
+        >
+          ends at {said(bandwidthHz)}
+        </span>
+      )}
+    </LevelPlot>
   )
 }
 

@@ -1,3 +1,4 @@
+import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
 import { figure } from '@/ui/format'
 
@@ -51,7 +52,7 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
   const line = ({ curveDb }: DecayBand) =>
     curveDb.map((db, at) => `${((WIDTH * at) / (points - 1)).toFixed(1)},${y(db).toFixed(1)}`).join(' ')
   return (
-    <div className={classes.bandsWell}>
+    <LevelWell linesDb={LINES_DB} floorDb={FLOOR_DB} tall>
       <svg
         className={classes.decay}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
@@ -66,15 +67,10 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
           <polyline key={band.hz} points={line(band)} style={{ opacity: 1 - (0.65 * at) / bands.length }} />
         ))}
       </svg>
-      {LINES_DB.map((db) => (
-        <span key={db} className={classes.bandsDb} style={{ top: `${(db / FLOOR_DB) * 100}%` }} aria-hidden="true">
-          {figure(db)}
-        </span>
-      ))}
       <span className={classes.decayEnd} aria-hidden="true">
         {figure(lengthS, 2)} s
       </span>
-    </div>
+    </LevelWell>
   )
 }
 
