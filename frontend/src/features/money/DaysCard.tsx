@@ -123,6 +123,7 @@ function LogForm({ contract }: { contract: ContractMoney }) {
         error={lacksDay ? 'Give the day.' : undefined}
       />
       <NativeSelect
+        size="xs"
         label="How much of it"
         description="Counted in quarters."
         data={CHOICES}

@@ -80,7 +80,7 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           </Link>
         </p>
       </div>
-      <p className="figure">{money(milestone.left_minor, sheet.currency)}</p>
+      <p className="title">{money(milestone.left_minor, sheet.currency)}</p>
     </header>
   )
 }
@@ -327,6 +327,7 @@ function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id
   return (
     <form className={classes.form} onSubmit={send} noValidate aria-label="Log time">
       <NativeSelect
+        size="xs"
         label="Cue"
         data={cues.map(({ id, name }) => ({ value: id, label: name }))}
         value={cue}

@@ -189,7 +189,7 @@ function modeInWords({ version, currency }: Contract): string {
   }
   return mode === 'per_cue'
     ? 'Per cue: a milestone pays what its cues’ prices add up to.'
-    : 'A milestone’s amount is shared by its cues: by their prices where they have some, else equally.'
+    : 'A milestone’s amount is shared by its cues: by their prices where they have some, else equally. Without an amount, it pays what their prices add up to.'
 }
 
 function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof planOf>['plan']['milestones'] }) {

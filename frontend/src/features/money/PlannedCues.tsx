@@ -58,6 +58,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
           onChange={({ currentTarget: { value } }) => setFilter(value)}
         />
         <NativeSelect
+          size="xs"
           label={`Put the ${shown.length} shown into`}
           data={[{ value: 'choose', label: 'Choose a milestone' }, ...choices]}
           value="choose"
@@ -83,6 +84,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
                 <span className="small dim"> {cue.category}</span>
               </span>
               <NativeSelect
+                size="xs"
                 aria-label={`Milestone of ${cue.name}`}
                 data={choices}
                 value={isIn ? said.milestone : ''}

@@ -88,7 +88,6 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
         type="date"
         value={one.isDeposit ? '' : one.dueOn}
         disabled={one.isDeposit}
-        description={one.isDeposit ? 'At signing.' : undefined}
         onChange={({ currentTarget: { value } }) => onChange({ dueOn: value })}
       />
       <TextInput
@@ -96,7 +95,6 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
         value={one.amount}
         inputMode="decimal"
         placeholder={one.isDeposit ? undefined : money(paysMinor, currency)}
-        description={one.amount === '' && !one.isDeposit ? 'Empty: its cues’ prices.' : undefined}
         onChange={({ currentTarget: { value } }) => onChange({ amount: value })}
       />
       <TextInput
