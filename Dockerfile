@@ -29,7 +29,8 @@ RUN printf '#!/bin/sh\ncd /srv/soundlist && exec python -m app "$@"\n' > /usr/lo
     && useradd --system --uid 10001 --create-home soundlist \
     && mkdir /data /backups && chown soundlist /data /backups
 USER 10001
-ENV SOUNDLIST_DATA_DIR=/data PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
+# librosa's compiled loops must be written somewhere: without a place for them it cannot even be imported.
+ENV SOUNDLIST_DATA_DIR=/data PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 NUMBA_CACHE_DIR=/tmp/numba
 VOLUME /data
 EXPOSE 8000
 HEALTHCHECK --interval=10s --timeout=5s --start-period=30s --retries=3 \

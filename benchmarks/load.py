@@ -101,10 +101,12 @@ class People:
     async def deliver(self, content: bytes, until: float) -> None:
         """Send files, one after the other, each in many pieces over its time."""
         await asyncio.sleep(self._dice.random() * UPLOAD_S)
-        opened = await self.designer.post(f"{self._project}/deliveries", json={"note": "load"})
-        delivery_id = str(opened.raise_for_status().json()["id"])
+        delivery_id = ""
         while time.perf_counter() < until:
             try:
+                if not delivery_id:
+                    opened = await self.designer.post(f"{self._project}/deliveries", json={"note": "load"})
+                    delivery_id = str(opened.raise_for_status().json()["id"])
                 await self._deliver_one(delivery_id, f"load_{next(self._names)}.wav", unlike(content, self._dice))
             except httpx.HTTPError as error:
                 self._told.wrong.append(f"upload: {error!r}")
