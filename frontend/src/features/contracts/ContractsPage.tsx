@@ -118,7 +118,10 @@ function Begin({ project, contracts }: { project: Project; contracts: readonly C
   const [framework, setFramework] = useState<string | null>(null)
   const [music, setMusic] = useState(false)
   const chosen = engagement ?? designers[0]?.id ?? null
-  const frameworks = contracts.filter((each) => each.kind === 'framework' && each.state === 'agreed')
+  const agreesWith = designers.find(({ id }) => id === chosen)?.designer.id
+  const frameworks = contracts.filter(
+    (each) => each.kind === 'framework' && each.state === 'agreed' && each.designer.id === agreesWith,
+  )
   const own = (templates ?? []).filter((each) => each.kind === kind)
   const send = (event: FormEvent) => {
     event.preventDefault()
@@ -159,7 +162,10 @@ function Begin({ project, contracts }: { project: Project; contracts: readonly C
             data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
             value={chosen}
             allowDeselect={false}
-            onChange={setEngagement}
+            onChange={(id) => {
+              setEngagement(id)
+              setFramework(null)
+            }}
           />
           <Select
             label="Kind"

@@ -1,4 +1,4 @@
-import { Checkbox, NumberInput, Select, Textarea, TextInput } from '@mantine/core'
+import { Select, TextInput } from '@mantine/core'
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useEffect, useState } from 'react'
@@ -9,20 +9,14 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import {
-  type Clause,
-  type Contract,
-  contractQuery,
-  type Draft,
-  type LibraryClause,
-  libraryQuery,
-  previewQuery,
-  useDeed,
-} from './api'
+import { AddClause } from './AddClause'
+import { type Clause, type Contract, contractQuery, type Draft, libraryQuery, previewQuery, useDeed } from './api'
+import { ClauseFields, Percent } from './ClauseFields'
+import { moveButtonId, movedClause, withClauseBack, withoutClause } from './clauses'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
-import { inWords, sentence } from './words'
+import { sentence } from './words'
 
 const SETTLED_MS = 400 // after the last key, the text beside is asked for
 const RELEASES = [
@@ -91,6 +85,23 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
       ...now,
       clauses: now.clauses.map((clause) => (clause.key === key ? { ...clause, ...changes } : clause)),
     }))
+  const [placed, setPlaced] = useState('')
+  const move = (clause: Clause, by: -1 | 1) => {
+    const changed = movedClause(draft, clause.key, by)
+    const place = changed.clauses.findIndex(({ key }) => key === clause.key) + 1
+    setDraft(changed)
+    setPlaced(`${clause.title} is clause ${place} of ${changed.clauses.length}.`)
+    // The browser lets go of a button that moves, or that is at the end of its way.
+    requestAnimationFrame(() => {
+      const isAtEnd = place === (by < 0 ? 1 : changed.clauses.length)
+      document.getElementById(moveButtonId(clause.key, isAtEnd ? (by < 0 ? 1 : -1) : by))?.focus()
+    })
+  }
+  const remove = (clause: Clause) => {
+    const place = draft.clauses.findIndex(({ key }) => key === clause.key)
+    setDraft((now) => withoutClause(now, clause.key))
+    showToast(`${clause.title} removed.`, () => setDraft((now) => withClauseBack(now, clause, place)))
+  }
   const keep = () =>
     save.mutate(
       { does: 'save', body: { ...draft, note, based_on_version: contract.version.number } },
@@ -184,17 +195,25 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
               count={draft.clauses.filter(({ stands }) => stands).length}
               note="that stand"
             />
-            {draft.clauses.map((clause) => (
+            <p role="status" className="visually-hidden">
+              {placed}
+            </p>
+            {draft.clauses.map((clause, at) => (
               <ClauseFields
                 key={clause.key}
                 clause={clause}
                 known={library?.clauses.find(({ key }) => key === clause.key)}
                 terms={draft.terms}
                 currency={draft.currency}
+                place={at + 1}
+                places={draft.clauses.length}
+                onMove={(by) => move(clause, by)}
+                onRemove={() => remove(clause)}
                 onChange={(changes) => change(clause.key, changes)}
                 onTerm={(name, value) => setDraft((now) => ({ ...now, terms: { ...now.terms, [name]: value } }))}
               />
             ))}
+            <AddClause library={library?.clauses ?? []} draft={draft} onAdd={setDraft} />
           </Card>
         </div>
         <Card aria-label="The text" className={`${classes.sheet} ${classes.live}`} aria-busy={shown.isFetching}>
@@ -203,156 +222,5 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
         </Card>
       </div>
     </div>
-  )
-}
-
-/** What a clause leaves open: the terms that its text names, and those that the choice taken there names. */
-function termsOf(clause: Clause, known: LibraryClause | undefined, terms: Draft['terms']): string[] {
-  const chosen = known?.terms.flatMap(({ name, choices }) => choices.filter(({ value }) => value === terms[name])) ?? []
-  const said = [clause.text, ...chosen.map(({ words }) => words)].join(' ')
-  return Object.keys(terms).filter((name) => said.includes(`{${name}}`))
-}
-
-interface ClauseFieldsProps {
-  clause: Clause
-  known: LibraryClause | undefined
-  terms: Draft['terms']
-  currency: string
-  onChange: (changes: Partial<Clause>) => void
-  onTerm: (name: string, value: number | string) => void
-}
-
-function ClauseFields({ clause, known, terms, currency, onChange, onTerm }: ClauseFieldsProps) {
-  const [open, setOpen] = useState(false)
-  const used = termsOf(clause, known, terms)
-  return (
-    <div className={classes.clause}>
-      <div className={classes.clauseHead}>
-        <Checkbox
-          label={clause.title}
-          description={known?.why}
-          checked={clause.stands}
-          onChange={({ currentTarget: { checked } }) => onChange({ stands: checked })}
-        />
-        <Button
-          variant="quiet"
-          icon="pencil"
-          aria-expanded={open}
-          aria-label={`Edit ${clause.title}`}
-          onClick={() => setOpen(!open)}
-        >
-          Edit
-        </Button>
-      </div>
-      {clause.stands && used.length > 0 && (
-        <div className={classes.terms}>
-          {used.map((name) => (
-            <TermField
-              key={name}
-              name={name}
-              known={known?.terms.find((term) => term.name === name)}
-              value={terms[name] ?? ''}
-              currency={currency}
-              onChange={(value) => onTerm(name, value)}
-            />
-          ))}
-        </div>
-      )}
-      {open && (
-        <div className={classes.inner}>
-          <TextInput
-            label="Title of the clause"
-            value={clause.title}
-            maxLength={120}
-            onChange={({ currentTarget: { value } }) => onChange({ title: value })}
-          />
-          <Textarea
-            label="Text"
-            description="Words in braces are filled in: {studio}, {designer}, {milestones}. **Bold**, *italic*, “- ” for a list."
-            autosize
-            minRows={4}
-            value={clause.text}
-            onChange={({ currentTarget: { value } }) => onChange({ text: value })}
-          />
-        </div>
-      )}
-    </div>
-  )
-}
-
-interface TermFieldProps {
-  name: string
-  known: LibraryClause['terms'][number] | undefined
-  value: number | string
-  currency: string
-  onChange: (value: number | string) => void
-}
-
-function TermField({ name, known, value, currency, onChange }: TermFieldProps) {
-  const label = known?.label ?? inWords(name)
-  const choices = known?.choices ?? []
-  if (choices.length > 0) {
-    return (
-      <Select
-        label={label}
-        data={choices.map((choice) => ({ value: String(choice.value), label: choice.label }))}
-        value={String(value)}
-        allowDeselect={false}
-        onChange={(taken) => onChange(choices.find((choice) => String(choice.value) === taken)?.value ?? value)}
-      />
-    )
-  }
-  if (typeof value === 'string') {
-    return <TextInput label={label} value={value} onChange={({ currentTarget }) => onChange(currentTarget.value)} />
-  }
-  if (name.endsWith('_bp')) return <Percent label={label} value={value} onChange={onChange} />
-  if (name.endsWith('_minor')) {
-    const digits =
-      new Intl.NumberFormat('en', {
-        style: 'currency',
-        currency: isCurrency(currency) ? currency : 'USD',
-      }).resolvedOptions().maximumFractionDigits ?? 2
-    const scale = 10 ** digits
-    return (
-      <NumberInput
-        label={`${label}, ${currency}`}
-        value={value / scale}
-        min={0}
-        decimalScale={digits}
-        onChange={(given) => onChange(Math.round(Number(given) * scale))}
-      />
-    )
-  }
-  return (
-    <NumberInput
-      label={label}
-      value={value}
-      min={0}
-      allowDecimal={false}
-      onChange={(given) => onChange(Math.round(Number(given)))}
-    />
-  )
-}
-
-const isCurrency = (code: string): boolean => /^[A-Z]{3}$/.test(code)
-
-interface PercentProps {
-  label: string
-  value: number
-  max?: number
-  onChange: (basisPoints: number) => void
-}
-
-function Percent({ label, value, max, onChange }: PercentProps) {
-  return (
-    <NumberInput
-      label={label}
-      suffix=" %"
-      value={value / 100}
-      min={0}
-      max={max === undefined ? undefined : max / 100}
-      decimalScale={2}
-      onChange={(given) => onChange(Math.round(Number.parseFloat(String(given) || '0') * 100))}
-    />
   )
 }

@@ -258,6 +258,48 @@ describe('a producer', () => {
     expect(body).toMatchObject({ based_on_version: 2, clauses: [{ stands: true }, { key: 'bonus', stands: true }] })
   })
 
+  test('adds, moves, removes and takes back clauses, by keyboard alone', async () => {
+    const library = {
+      ...{ key: 'reel', title: 'Showing the work', text: 'From {reel_from} on.', stands: true },
+      ...{ why: 'A reel is how designers find the next work.', music: false, instead_of: null },
+      terms: [{ name: 'reel_from', default: 'release', label: 'From when', min: null, max: null, choices: [] }],
+    }
+    const { asked } = serve(
+      given({
+        'GET /v1/contracts/c1': draft,
+        'POST /v1/contracts/c1/preview': shown,
+        'PUT /v1/contracts/c1/draft': { ...draft, version: { ...VERSION, number: 3 } },
+        'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: [library], variables: {} },
+      }),
+    )
+    openApp(`${PAGE}/draft`)
+    // A text field that grows asks when fonts are there, which jsdom does not know.
+    Object.defineProperty(document, 'fonts', { value: new EventTarget(), configurable: true })
+    const press = async (name: string) => {
+      screen.getByRole('button', { name }).focus()
+      await userEvent.keyboard('{Enter}')
+    }
+    await screen.findByRole('button', { name: 'Add from the library' })
+    await press('Add from the library')
+    expect(screen.getByLabelText('From when')).toHaveValue('release')
+    expect(screen.queryByRole('button', { name: 'Add from the library' })).not.toBeInTheDocument()
+    await userEvent.type(screen.getByLabelText('Title of a clause of your own'), 'Tea{Enter}')
+    await userEvent.type(screen.getByLabelText('Text'), 'At four.')
+    await press('Move Tea up')
+    expect(screen.getByText('Tea is clause 3 of 4.')).toBeInTheDocument()
+    await vi.waitFor(() => expect(screen.getByRole('button', { name: 'Move Tea up' })).toHaveFocus())
+    await press('Move Rounds down')
+    await press('Remove Bonus')
+    await press('Remove Rounds')
+    await userEvent.click(screen.getByRole('button', { name: /^Undo/ }))
+    await userEvent.click(screen.getByRole('button', { name: 'Save as a version' }))
+    await screen.findByText('Kept as version 3.')
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toMatchObject({
+      clauses: [{ key: 'rounds' }, { key: 'own_tea', title: 'Tea', text: 'At four.' }, { key: 'reel', stands: true }],
+      terms: { reel_from: 'release', rounds_included: 2 },
+    })
+  })
+
   test('cannot save what has a fault, and is told which', async () => {
     const problems = [{ where: 'clauses.rounds', message: 'there is no variable {round}; is it {rounds_included}?' }]
     serve(given({ 'GET /v1/contracts/c1': draft, 'POST /v1/contracts/c1/preview': { ...shown, problems } }))

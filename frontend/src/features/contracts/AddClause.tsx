@@ -1,0 +1,62 @@
+import { TextInput } from '@mantine/core'
+import { type FormEvent, useId, useState } from 'react'
+
+import { Button } from '@/ui/Button'
+
+import type { Draft, LibraryClause } from './api'
+import { withLibraryClause, withOwnClause } from './clauses'
+import classes from './Contracts.module.css'
+
+interface AddClauseProps {
+  library: readonly LibraryClause[]
+  draft: Draft
+  onAdd: (draft: Draft) => void
+}
+
+/** Adds a clause to a draft: one of the library that it lacks, or one of the studio's own. */
+export function AddClause({ library, draft, onAdd }: AddClauseProps) {
+  const [chosen, setChosen] = useState('')
+  const [title, setTitle] = useState('')
+  const selectId = useId()
+  const missing = library.filter(({ key }) => draft.clauses.every((clause) => clause.key !== key))
+  const key = missing.some((each) => each.key === chosen) ? chosen : (missing[0]?.key ?? '')
+  const write = (event: FormEvent) => {
+    event.preventDefault()
+    if (title.trim() === '') return
+    onAdd(withOwnClause(draft, title.trim()))
+    setTitle('')
+  }
+  return (
+    <div className={classes.form}>
+      {missing.length > 0 && (
+        <div className={classes.select}>
+          <label htmlFor={selectId}>A clause of the library</label>
+          <select id={selectId} value={key} onChange={({ currentTarget }) => setChosen(currentTarget.value)}>
+            {missing.map((each) => (
+              <option key={each.key} value={each.key}>
+                {each.title}
+              </option>
+            ))}
+          </select>
+          <p className="small mid">{missing.find((each) => each.key === key)?.why}</p>
+          <div>
+            <Button icon="plus" onClick={() => onAdd(withLibraryClause(draft, library, key))}>
+              Add from the library
+            </Button>
+          </div>
+        </div>
+      )}
+      <form onSubmit={write} className={classes.inner} aria-label="A clause of your own">
+        <TextInput
+          label="Title of a clause of your own"
+          value={title}
+          maxLength={120}
+          onChange={({ currentTarget }) => setTitle(currentTarget.value)}
+        />
+        <Button type="submit" icon="plus" disabled={title.trim() === ''}>
+          Write it
+        </Button>
+      </form>
+    </div>
+  )
+}
