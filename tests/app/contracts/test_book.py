@@ -241,7 +241,7 @@ class Contract(RuleBasedStateMachine):
                     assert standing[LineKind.ACCEPTED].invoice_id
 
 
-Contract.TestCase.settings = settings(max_examples=40, stateful_step_count=25, deadline=None)
+Contract.TestCase.settings = settings(max_examples=40, stateful_step_count=25)
 TestContract = Contract.TestCase
 
 

@@ -257,7 +257,7 @@ BEGINNINGS = st.sampled_from([b"", b"adtlltxt\x40\0\0\0", struct.pack("<I", 9), 
 
 
 @given(name=CHUNKS_OF_STRANGERS, beginning=BEGINNINGS, rest=st.binary(max_size=700))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_no_chunk_of_a_stranger_stops_a_render(name, beginning, rest):
     told = chunk(name.encode(), beginning + rest)
     file = io.BytesIO(wav_bytes(SHORT, rate=RATE, before=[told]))
