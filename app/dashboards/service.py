@@ -14,10 +14,10 @@ from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
 from app.builds.models import Build
 from app.conformance.models import CheckRun
-from app.dashboards import queries, schemas
-from app.dashboards.queries import ListRow
+from app.dashboards import queries, schemas, standing_queries
 from app.dashboards.rules import CueStatus
 from app.dashboards.standing import WholeList, counted, preview_url, worst_in
+from app.dashboards.standing_queries import ListRow
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief
@@ -184,7 +184,7 @@ def _came_back(
         if the_list.status[cue.id] is not CueStatus.ACCEPTED
     ]
     ids = [take.id for take, _ in back]
-    pictures = queries.pictures(session, project.studio_id, [take.master_sha256 for take, _ in back])
+    pictures = standing_queries.pictures(session, project.studio_id, [take.master_sha256 for take, _ in back])
     runs = queries.current_runs(session, ids)
     changes: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
     rounds: dict[UUID, int | None] = {}
@@ -223,14 +223,14 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
     standing = standing_in(session, actor, project_id)
     project, the_list = standing.project, WholeList(session, standing)
     palette = [row for row in the_list.rows if row.palette]
-    shown = queries.shown_takes(
+    shown = standing_queries.shown_takes(
         session,
         [row.id for row in palette],
         standing.only_designer_id,
         accepted=[row.id for row in palette if the_list.status[row.id] is CueStatus.ACCEPTED],
     )
     loops = queries.loops(session, [row.id for row in palette])
-    pictures = queries.pictures(session, project.studio_id, [take.master_sha256 for take in shown.values()])
+    pictures = standing_queries.pictures(session, project.studio_id, [take.master_sha256 for take in shown.values()])
     runs = queries.current_runs(session, [take.id for take in shown.values()])
     builds = queries.builds(session, project_id) if standing.is_team else []
     return schemas.Overview(

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.conformance.models import CheckRun
 from app.conformance.sets import words_on_sets
-from app.dashboards import queries, schemas
+from app.dashboards import schemas, standing_queries
 from app.dashboards.rules import CueStatus, VariationFact, cue_status, statuses_of, variation_status
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
@@ -33,8 +33,8 @@ class WholeList:
 
     def __init__(self, session: Session, standing: Standing) -> None:
         self.project = standing.project
-        self.rows = queries.list_rows(session, self.project.id, standing.only_designer_id)
-        asked = queries.asked_cues(session, self.project.id)
+        self.rows = standing_queries.list_rows(session, self.project.id, standing.only_designer_id)
+        asked = standing_queries.asked_cues(session, self.project.id)
         self.variations = {row.id: statuses_of(row.facts or "", row.variations) for row in self.rows}
         self.status = {
             row.id: cue_status(
@@ -52,7 +52,7 @@ class WholeList:
 def counted(session: Session, standing: Standing) -> dict[CueStatus, int]:
     """Return how many cues of the whole list each word stands for."""
     counts: Counter[CueStatus] = Counter()
-    for like in queries.like_cues(session, standing.project.id, standing.only_designer_id):
+    for like in standing_queries.like_cues(session, standing.project.id, standing.only_designer_id):
         variations = statuses_of(like.facts or "", like.variations)
         status = cue_status(like.state, variations, is_asked=like.is_asked, placeholder=like.placeholder)
         counts[status] += like.cues
@@ -64,7 +64,7 @@ def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.Lis
     standing = standing_in(session, actor, project_id)
     return schemas.ListCounts(
         counts=counted(session, standing),
-        files_to_review=queries.waiting_files(session, project_id, standing.only_designer_id),
+        files_to_review=standing_queries.waiting_files(session, project_id, standing.only_designer_id),
     )
 
 
@@ -82,7 +82,7 @@ def judged_lately(session: Session, actor: Actor, project_id: UUID) -> list[sche
     """Return the cues that were decided upon within a week and stand as decided, the newest first."""
     standing = standing_in(session, actor, project_id)
     standing.ensure_team()
-    decided = queries.decided_cues(session, project_id, since=clock.now() - LATELY)
+    decided = standing_queries.decided_cues(session, project_id, since=clock.now() - LATELY)
     status = Statuses(session, standing, [cue for cue, _ in decided]).status
     return [
         schemas.Judged(
@@ -101,10 +101,10 @@ class Statuses:
     def __init__(self, session: Session, standing: Standing, cues: Sequence[Cue]) -> None:
         self._ids = [cue.id for cue in cues]
         self._designer_id = standing.only_designer_id
-        self._facts: dict[UUID, dict[int, queries.VariationRow]] = defaultdict(dict)
-        for row in queries.variation_rows(session, self._ids, self._designer_id):
+        self._facts: dict[UUID, dict[int, standing_queries.VariationRow]] = defaultdict(dict)
+        for row in standing_queries.variation_rows(session, self._ids, self._designer_id):
             self._facts[row.cue_id][row.variation] = row
-        self._questions = queries.first_open_questions(session, standing.project.id, self._ids)
+        self._questions = standing_queries.first_open_questions(session, standing.project.id, self._ids)
         self.status = {cue.id: self._status_of(cue) for cue in cues}
 
     def _variations(self, cue: Cue) -> list[CueStatus]:
@@ -126,19 +126,19 @@ class _Page(Statuses):
         super().__init__(session, standing, cues)
         ids, designer_id, project = self._ids, self._designer_id, standing.project
         accepted = {id_ for id_ in ids if self.status[id_] is CueStatus.ACCEPTED}
-        self._shown = queries.shown_takes(session, ids, designer_id, accepted=accepted)
+        self._shown = standing_queries.shown_takes(session, ids, designer_id, accepted=accepted)
         sounds = {take.master_sha256 for take in self._shown.values()}
-        self._pictures = queries.pictures(session, project.studio_id, sounds)
+        self._pictures = standing_queries.pictures(session, project.studio_id, sounds)
         undecided = [id_ for id_ in ids if id_ not in accepted]
-        self._findings = queries.standing_findings(session, undecided, designer_id)
+        self._findings = standing_queries.standing_findings(session, undecided, designer_id)
         spec = current_spec(session, project.id)
         sets = [cue.id for cue in cues if cue.variations > 1 and cue.id not in accepted]
         self._of_sets: dict[UUID, list[Finding]] = defaultdict(list)
         for word in words_on_sets(session, sets, {project.id: spec}, designer_id=designer_id).values():
             self._of_sets[word.cue_id] += word.findings
-        self._waived = queries.waived_cues(session, ids, designer_id)
-        self._elsewhere = queries.cues_of_other_specs(session, ids, designer_id, spec.id)
-        self._rounds = queries.rounds_by_cue(session, ids)
+        self._waived = standing_queries.waived_cues(session, ids, designer_id)
+        self._elsewhere = standing_queries.cues_of_other_specs(session, ids, designer_id, spec.id)
+        self._rounds = standing_queries.rounds_by_cue(session, ids)
 
     def standing_of(self, cue: Cue) -> schemas.Standing:
         """Return where one cue of the page stands."""

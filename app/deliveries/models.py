@@ -58,7 +58,8 @@ class Take(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
-    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    # Without an index: SQLite would go through all that a designer ever made, where a few cues are asked for.
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     upload_id: Mapped[UUID | None] = mapped_column(ForeignKey(Upload.id), unique=True)  # an upload is one take
     archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
     archive_entry: Mapped[int | None]  # its place in there

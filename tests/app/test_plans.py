@@ -65,6 +65,19 @@ def test_a_whole_read_would_be_noticed(server: RunningServer, made: Made, asked:
         assert whole == {"deliveries_takes"}
 
 
+def test_a_designers_takes_of_a_page_are_found_by_its_cues(server: RunningServer, made: Made):
+    """And not by going through all that the designer ever made."""
+    screen, engine = SCREENS["where a designer's cues stand"], server.runtime.database.engine
+    asking = sign_in(server.browser(), server.runtime.settings, screen.secret(made))
+    with heard(engine) as statements:
+        assert asking.get(screen.address(made)).status_code == 200
+    with planning(engine) as connection:
+        selects = [each for each in statements if "FROM deliveries_takes" in each[0]]
+        lines = [line for each in selects for line in plan_of(connection, each)]
+    assert len(selects) >= 5
+    assert not [line for line in lines if re.search(r"\(designer_id ?=", line) and "Filter" not in line]
+
+
 def test_jobs_that_are_done_are_not_read_to_tell_of_the_others(server: RunningServer, made: Made):
     """They are kept for a month: only an index that holds none of them will do."""
     jobs, engine, studio_id = server.runtime.queue, server.runtime.database.engine, made.project_id
