@@ -111,7 +111,7 @@ def begin_contract(
     ensure_needs_contract(is_in_house=engagement.kind is EngagementKind.IN_HOUSE)
     ensure_under_framework(kind, has_framework=framework_id is not None)
     if framework_id is not None:
-        _ensure_framework(session, actor, framework_id, engagement.designer_id)
+        _ensure_framework(session, actor, framework_id, standing.project.studio_id, engagement.designer_id)
     clauses, terms = clause_rules.begin(kind, with_music=with_music)
     if template_id is not None:
         template = queries.template_by_id(session, standing.project.studio_id, template_id)
@@ -138,12 +138,13 @@ def begin_contract(
     return whole
 
 
-def _ensure_framework(session: Session, actor: Actor, framework_id: UUID, designer_id: UUID) -> None:
+def _ensure_framework(session: Session, actor: Actor, framework_id: UUID, studio_id: UUID, designer_id: UUID) -> None:
     framework = queries.contract_for(session, actor, framework_id)
     fits = (
         framework is not None
         and framework.kind is ContractKind.FRAMEWORK
         and framework.state is ContractState.AGREED
+        and framework.studio_id == studio_id
         and framework.designer_id == designer_id
     )
     if not fits:

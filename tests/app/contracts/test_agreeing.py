@@ -6,7 +6,8 @@ from uuid import UUID
 
 import pytest
 
-from app.accounts.models import Person
+from app.accounts.models import Membership, Person
+from app.accounts.rules import Role
 from app.contracts.documents import pdf_of
 from app.contracts.models import ContractVersion
 from app.projects.models import Engagement
@@ -227,6 +228,26 @@ def test_a_framework_once_then_a_batch(world: World, contracts: Contracts):
     assert "a batch under Sound design framework, agreed on " in words_of(batch)
     assert len(words_of(batch)) < len(words_of(framework)) / 2
     assert contracts.agree(batch)["state"] == "agreed"
+
+
+def test_a_framework_with_another_studio_carries_nothing(world: World, contracts: Contracts):
+    framework = contracts.agree(contracts.begin("framework", title="Sound design framework"))
+    elsewhere = World(world.server)
+
+    def both_work_there_too(session: Any) -> None:
+        of = {"studio_id": elsewhere.studio_id}
+        session.add(Membership(**of, person_id=world.producer_id, roles=[Role.PRODUCER]))
+        engagement = Engagement(
+            **of, project_id=elsewhere.project_id, designer_id=world.designer_id, kind=EngagementKind.CONTRACT
+        )
+        session.add(engagement)
+
+    world.server.in_database(both_work_there_too)
+    project = world.producer.get(f"/v1/projects/{elsewhere.project_id}").json()
+    (tie,) = [each for each in project["engagements"] if each["designer"]["id"] == str(world.designer_id)]
+    body = {"engagement_id": tie["id"], "kind": "statement_of_work", "title": "Alpha", "framework_id": framework["id"]}
+    refused = world.producer.post(f"/v1/projects/{elsewhere.project_id}/contracts", json=body)
+    assert (refused.status_code, refused.json()["code"]) == (422, "framework-needed")
 
 
 @pytest.mark.parametrize("kind", ["single", "nda"])
