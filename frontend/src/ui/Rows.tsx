@@ -9,8 +9,8 @@ interface RowProps extends ComponentPropsWithRef<'li'> {
 }
 
 /** A list of lines with hairlines between them. */
-export function Rows({ className, ...rest }: ComponentPropsWithRef<'ul'>) {
-  return <ul {...rest} className={[classes.rows, className].filter(Boolean).join(' ')} />
+export function Rows(props: ComponentPropsWithRef<'ul'>) {
+  return <ul {...props} />
 }
 
 export function Row({ selected = false, dense = false, className, ...rest }: RowProps) {

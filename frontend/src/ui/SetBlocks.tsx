@@ -23,11 +23,7 @@ export function SetBlocks({ blocks, words }: SetBlocksProps) {
     <span className={classes.set}>
       <span className={classes.blocks} aria-hidden="true">
         {blocks.map(({ tone, odd }, index) => (
-          <i
-            key={index}
-            className={`tone-${tone} ${tone === LEFT ? classes.empty : classes.full}`}
-            data-odd={odd || undefined}
-          />
+          <i key={index} className={`tone-${tone} ${tone === LEFT ? '' : classes.full}`} data-odd={odd || undefined} />
         ))}
       </span>
       <span className="small mid">{words ?? countOf(here, blocks.length)}</span>

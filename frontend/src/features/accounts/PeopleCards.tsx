@@ -72,7 +72,7 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
       <CardProblem error={error ?? setRoles.error ?? remove.error} />
       <Rows aria-labelledby="people">
         {people?.map((member) => (
-          <Row key={member.person.id} className={classes.person}>
+          <Row key={member.person.id}>
             <Face name={member.person.name} />
             <span className="grow">
               <span className="strong">{member.person.name}</span>

@@ -138,7 +138,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
 
   const { mend } = mending
   return (
-    <div className={`page ${classes.page}`}>
+    <div className="page">
       <Head take={take} check={check} isTeam={project?.part === 'team'} mend={mending} />
       {children}
       <div className={`columns ${classes.columns}`}>

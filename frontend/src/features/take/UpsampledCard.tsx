@@ -1,3 +1,4 @@
+import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
 import { figure, rate } from '@/ui/format'
 
@@ -35,7 +36,7 @@ export function UpsampledCard({ check }: { check: Check | null | undefined }) {
       <CardHead id="upsampled" title="Was it brought up from a lower rate?" end={`${judged.verdict}${score}`} />
       <div className={classes.inside}>
         <figure className={classes.bands}>
-          <div className={classes.bandsWell}>
+          <LevelWell linesDb={LINES_DB} floorDb={FLOOR_DB} tall>
             <svg
               className={classes.decay}
               viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
@@ -49,20 +50,10 @@ export function UpsampledCard({ check }: { check: Check | null | undefined }) {
               {edgeHz !== null && <line data-grid x1={x(edgeHz)} x2={x(edgeHz)} y1={0} y2={HEIGHT} />}
               <polyline points={line} />
             </svg>
-            {LINES_DB.map((db) => (
-              <span
-                key={db}
-                className={classes.bandsDb}
-                style={{ top: `${(db / FLOOR_DB) * 100}%` }}
-                aria-hidden="true"
-              >
-                {figure(db)}
-              </span>
-            ))}
             <span className={classes.decayEnd} aria-hidden="true">
               {figure(topHz / 1000, 1)} kHz
             </span>
-          </div>
+          </LevelWell>
           <figcaption className="small mid">
             {end}{' '}
             {fromHz !== null &&
