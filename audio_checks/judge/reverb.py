@@ -2,7 +2,7 @@
 
 Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
 beside its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
-Boosted trees weigh these; they were learned from sounds and rooms made by our own code (`make weights`).
+Boosted trees and small nets weigh these; both were learned from sounds and rooms made by our own code (`make weights`).
 How sure they must be is set for each kind of sound, and for mono and stereo.
 
 A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from audio_checks.judge import CANNOT_TELL, Judgement
 from audio_checks.measure.decay import DecayFigures
 from audio_checks.measure.tails import decay_curves, features_of, likeness_of_sides
+from audio_checks.nets import Nets
 from audio_checks.trees import Trees
 
 if TYPE_CHECKING:
@@ -56,7 +57,12 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
 
 def score_of(features: NDArray[np.float64]) -> float:
     """Return how certainly a sound of these features has reverb, 0..1."""
-    return 1 / (1 + math.exp(-_trees("reverb").sum(features)))
+    return score_by(_trees("reverb"), _nets(), weights()["nets_share"], features)
+
+
+def score_by(trees: Trees, nets: Nets, nets_share: float, features: NDArray[np.float64]) -> float:
+    """Return the score, 0..1, to which the nets add their share (0..1) and the trees the rest."""
+    return 1 / (1 + math.exp(-(1 - nets_share) * trees.sum(features) - nets_share * nets.mean(features)))
 
 
 def rt60_of(features: NDArray[np.float64]) -> float:
@@ -71,7 +77,7 @@ def evidence_of(decay: DecayFigures) -> dict[str, Any]:
 
 @cache
 def weights() -> dict[str, Any]:
-    """Return what was learned: trees and thresholds."""
+    """Return what was learned: trees, nets and thresholds."""
     learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
     return learned
 
@@ -79,3 +85,8 @@ def weights() -> dict[str, Any]:
 @cache
 def _trees(name: str) -> Trees:
     return Trees(weights()[name])
+
+
+@cache
+def _nets() -> Nets:
+    return Nets(weights()["nets"])
