@@ -21,8 +21,8 @@ from tests.support.server import RunningServer, World
 
 @pytest.fixture(scope="module")
 def own_postgres() -> Iterator[Postgres]:
-    """A server that may be stopped without disturbing anybody."""
-    with running_postgres() as server:
+    """A server that may be killed without disturbing anybody, and still knows then who is signed in."""
+    with running_postgres(durable=True) as server:
         yield server
 
 
