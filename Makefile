@@ -38,7 +38,7 @@ unit: setup .make/postgresql .make/s3  ## Python tests; those of rooms and journ
 frontend-test: setup  ## Tests of the frontend's parts
 	@cd frontend && npm run --silent test
 
-e2e: setup .make/browser  ## Walk the product in a real browser as its users
+e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
 
 kill: setup .make/postgresql  ## Kill real processes at every named point, 20 times each

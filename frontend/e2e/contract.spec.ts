@@ -1,7 +1,8 @@
-import { type BrowserContext, expect, type Page } from '@playwright/test'
+import { type Browser, type BrowserContext, expect, type Page } from '@playwright/test'
 
 import { ask } from './api'
 import { test } from './fixtures'
+import type { Server } from './server'
 import { wav } from './sounds'
 
 const PASSWORD = 'quiet reactor hum'
@@ -42,7 +43,13 @@ class Party {
   }
 }
 
-test('a contract from the template to the last payment, in two browsers', async ({ server, browser }) => {
+const JOURNEY = 'a contract from the template to the last payment, in two browsers'
+
+test(JOURNEY, ({ server, browser }) => journey(server, browser))
+
+test(`${JOURNEY}, on PostgreSQL`, ({ onPostgres, browser }) => journey(onPostgres, browser))
+
+async function journey(server: Server, browser: Browser): Promise<void> {
   test.setTimeout(240_000) // five sounds are checked and rendered meanwhile
   const viewport = { width: 1440, height: 900 }
   const producer = await Party.arrive(server.url, await browser.newContext({ baseURL: server.url, viewport }))
@@ -150,4 +157,4 @@ test('a contract from the template to the last payment, in two browsers', async 
     expect(theirs).toEqual(ours)
     expect(ours.faults).toEqual([])
   })
-})
+}

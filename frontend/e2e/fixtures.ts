@@ -1,11 +1,13 @@
 import { test as base } from '@playwright/test'
 
 import { Bucket } from './bucket'
+import { Database } from './database'
 import { Line } from './line'
 import { type Demo, demoReady, freePort, Server } from './server'
 
 interface Fixtures {
   server: Server
+  onPostgres: Server
   behindLine: { line: Line; server: Server }
   withBucket: { bucket: Bucket; server: Server }
 }
@@ -17,6 +19,15 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
     const server = await Server.start()
     await use(server)
     await server.stop()
+  },
+  /** Such a server on PostgreSQL. */
+  // eslint-disable-next-line no-empty-pattern
+  onPostgres: async ({}, use) => {
+    const database = await Database.start()
+    const server = await Server.start({ more: { SOUNDLIST_DATABASE_URL: database.url } })
+    await use(server)
+    await server.stop()
+    await database.stop()
   },
   /** Such a server at the far end of a line that the test has in its hand. */
   // eslint-disable-next-line no-empty-pattern

@@ -10,7 +10,7 @@ import { setTimeout as wait } from 'node:timers/promises'
 import { fileURLToPath } from 'node:url'
 
 export const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const PYTHON = join(ROOT, '.venv/bin/python')
+export const PYTHON = join(ROOT, '.venv/bin/python')
 const POLL_MS = 100
 
 /** A port of 127.0.0.1 that nobody listens on. */

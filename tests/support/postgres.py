@@ -5,6 +5,7 @@ import pwd
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -176,3 +177,11 @@ def running_postgres(*, durable: bool = False) -> Iterator[Postgres]:
             server.stop()
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    # For whoever is not Python: the URL of an empty database, which is there until standard input ends.
+    with running_postgres() as started:
+        sys.stdout.write(started.new_database("soundlist") + "\n")
+        sys.stdout.flush()
+        sys.stdin.read()
