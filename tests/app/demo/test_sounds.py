@@ -9,6 +9,7 @@ import pytest
 
 from app.demo.sounds import demo_sounds
 from audio_checks import AudioFile
+from audio_checks.judge.reverb import judge_decay
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.faults import Faults
 from audio_checks.measure.levels import Levels
@@ -129,15 +130,18 @@ def test_the_airlock_starts_late_and_is_too_loud(figures):
 
 
 def test_only_the_arrival_comes_with_reverb(files, tmp_path):
-    judged = {}
+    found = {}
     for key, content in files.items():
         path = tmp_path / f"{key}.wav"
         path.write_bytes(content)
         with AudioFile(path) as file:
             file.prepare(["decay"])
-            judged[key] = file.judgement("reverb")
-    assert [key for key, one in judged.items() if one.verdict == "reverb"] == ["warp_in"]
-    assert judged["warp_in"].figures["rt60_s"] == pytest.approx(1.8, rel=0.2)
+            decay = file.measurements.decay
+        for kind in (None, "event"):  # as their categories say
+            judged = judge_decay(decay, kind)
+            if judged.verdict == "reverb":
+                found[key, kind] = judged.figures["rt60_s"]
+    assert found == {("warp_in", kind): pytest.approx(1.8, rel=0.2) for kind in (None, "event")}
 
 
 def test_the_third_thruster_stands_out_of_its_set(figures):
