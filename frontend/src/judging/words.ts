@@ -148,3 +148,8 @@ export const happened = ({ kind, by_silence: bySilence }: { kind: string; by_sil
 
 /** Until when a cue waits under its contract's clause on silence. */
 export const unlessJudged = (after: string): string => `accepted after ${day(after)} without a verdict`
+
+const SOON_MS = 4 * 86_400_000
+
+/** Whether a day is so near that every line in a queue should say it. */
+export const isSoon = (on: string, now: Date = new Date()): boolean => Date.parse(on) - now.getTime() < SOON_MS

@@ -5,7 +5,7 @@ import { WaveThumb } from '@/audio'
 import { isNoted } from '@/judging/afterVerdict'
 import type { QueueItem } from '@/judging/api'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
-import { capital, heardTakes, unlessJudged, whatWaits } from '@/judging/words'
+import { capital, heardTakes, isSoon, unlessJudged, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age } from '@/ui/format'
@@ -113,7 +113,7 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
           <span className="small mid cut-text">{waits.before}</span>
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
-        {item.accepted_after && (
+        {item.accepted_after && (current || isSoon(item.accepted_after)) && (
           <span className={`small mid ${classes.silence}`}>{capital(unlessJudged(item.accepted_after))}</span>
         )}
       </Link>

@@ -32,10 +32,11 @@ const shield = anItem(
   [aTake('a', { number: 1, findings: [aFinding()] }), aTake('b', { number: 2 })],
   { accepted_after: '2030-03-15' },
 )
-const walk = anItem({ id: 'walk', name: 'foot_deck_walk', label: 'SW-008', variations: 2 }, [
-  aTake('w1', { variation: 1 }),
-  aTake('w2', { variation: 2 }),
-])
+const walk = anItem(
+  { id: 'walk', name: 'foot_deck_walk', label: 'SW-008', variations: 2 },
+  [aTake('w1', { variation: 1 }), aTake('w2', { variation: 2 })],
+  { accepted_after: '2030-03-15' },
+)
 
 let server: ReturnType<typeof aServer>
 let queue: QueueItem[]
@@ -84,6 +85,7 @@ describe('the queue', () => {
     expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveTextContent(
       'Accepted after Friday 15 March 2030 without a verdict',
     )
+    expect(waiting.getByRole('link', { name: /foot_deck_walk/ })).not.toHaveTextContent(/without a verdict/)
     expect(await waiting.findByRole('link', { name: /dock_clamp Approved/ })).toBeVisible()
   })
 
