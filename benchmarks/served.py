@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -113,14 +113,21 @@ def own_cpu_seconds(pid: int) -> float:
 
 def cpu_seconds(pid: int) -> float:
     """Return what a process and all below it have used, those that ended included."""
-    below = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
-    return sum(map(int, _stat(pid)[11:15])) / TICKS_A_SECOND + sum(_cpu_seconds_if_there(int(child)) for child in below)
+    return sum(map(int, _stat(pid)[11:15])) / TICKS_A_SECOND + sum(map(_cpu_seconds_if_there, _children(pid)))
 
 
 def memory_bytes(pid: int) -> int:
     """Return what a process and those directly below it hold in memory; pages that they share count in each."""
-    below = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
-    return sum(_resident_bytes(one) for one in (pid, *map(int, below)))
+    return sum(_resident_bytes(one) for one in (pid, *_children(pid)))
+
+
+def _children(pid: int) -> list[int]:
+    """Return the processes that any thread of a process started and that are still there."""
+    children: list[int] = []
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        with suppress(FileNotFoundError, ProcessLookupError):  # a thread that has just ended
+            children += map(int, (task / "children").read_text().split())
+    return children
 
 
 def _resident_bytes(pid: int) -> int:

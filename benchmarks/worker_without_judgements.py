@@ -1,18 +1,10 @@
 """The worker of the server, but for the judgements: what they cost is measured by leaving them out."""
 
-import os
-from typing import Any
-
 import audio_checks
 from app.cli import cli
-from audio_checks import FileReport, check_file
+from benchmarks.without_judgements import check_without_judgements
 
-COMMAND = ("-c", f"from {__name__} import work; work()")  # so that a child finds the function below by its name
-
-
-def check_without_judgements(path: str | os.PathLike[str], *spec: Any, **more: Any) -> FileReport:
-    """Check as the server does, and compute only the figures that the spec asks for."""
-    return check_file(path, *spec, **more | {"all_figures": False})
+COMMAND = ("-c", f"from {__name__} import work; work()")
 
 
 def work() -> None:
