@@ -10,7 +10,7 @@ import json
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
@@ -234,6 +234,8 @@ class DeliverySpec:
     checks: dict[str, Level] = field(default_factory=dict)
     categories: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+    # Views made so far: whoever reads many files asks for the same few again and again.
+    _views: dict[str, "DeliverySpec"] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @cached_property
     def sha256(self) -> str:
@@ -253,7 +255,14 @@ class DeliverySpec:
         """Return the view for one category; a category without tables of its own gets the base tables."""
         if name is None:
             return self
-        return _view(_category_tables(self.tables, name), self.folder, category=name)
+        if name not in self.tables.get("categories", {}):
+            return replace(self._made_view(""), category=name)
+        return self._made_view(name)
+
+    def _made_view(self, name: str) -> "DeliverySpec":
+        if name not in self._views:
+            self._views[name] = _view(_category_tables(self.tables, name), self.folder, category=name)
+        return self._views[name]
 
     def for_target(self, name: str, category: str | None = None) -> "DeliverySpec":
         """Return the view that judges renders made to a target; SpecError when the spec names no such target.

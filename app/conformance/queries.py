@@ -1,10 +1,10 @@
 """Check runs and waivers, read from the database; callers have checked who looks."""
 
-from collections.abc import Collection, Iterable, Sequence
-from typing import Any
+from collections.abc import Collection, Sequence
+from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import Row, Select, and_, exists, select, tuple_, update
+from sqlalchemy import ColumnElement, and_, exists, select, tuple_, update
 from sqlalchemy.orm import Session, aliased, joinedload
 
 import audio_checks
@@ -64,68 +64,78 @@ def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] 
     return session.scalars(query.order_by(Take.id)).all()
 
 
-def _of_takes() -> Select[Any]:
-    """Return the SELECT of takes, cues loaded, with what checks over files together read of their newest reports."""
+class HeardTake(NamedTuple):
+    """A take with what checks over files together read of its newest report."""
+
+    id: UUID
+    cue_id: UUID | None
+    variation: int
+    alternate: int | None
+    number: int | None
+    state: TakeState
+    file_name: str
+    category: str | None  # of its cue; None, or empty, where there is none
+    pcm_sha256: str | None
+    facts: dict[str, Any] | None
+    findings: list[dict[str, Any]]
+    likeness_print: str | None
+    integrated_lufs: float | None
+    short_loudness_lufs: float | None
+
+    @property
+    def report(self) -> audio_checks.FileReport:
+        """The report, as far as those checks read it."""
+        return audio_checks.FileReport(
+            path=self.file_name,
+            verdict="conforming",
+            pcm_sha256=self.pcm_sha256,
+            facts=self.facts,
+            measurements={"integrated_lufs": self.integrated_lufs, "short_loudness_lufs": self.short_loudness_lufs},
+            findings=tuple(audio_checks.Finding.from_dict(one) for one in self.findings),
+            likeness_print=self.likeness_print,
+        )
+
+
+def _heard_takes(session: Session, *where: ColumnElement[bool]) -> list[HeardTake]:
+    """Return takes in the order in which they came; a few columns, for a page of the queue reads hundreds of them."""
     told = CheckRun.report
-    return (
+    query = (
         select(
-            Take,
+            *(Take.id, Take.cue_id, Take.variation, Take.alternate, Take.number, Take.state, Take.file_name),
+            Cue.category,
             CheckRun.pcm_sha256,
-            told["facts"].label("facts"),
-            told["findings"].label("findings"),
-            told["likeness_print"].as_string().label("likeness_print"),
-            told[("measurements", "integrated_lufs")].as_float().label("integrated_lufs"),
-            told[("measurements", "short_loudness_lufs")].as_float().label("short_loudness_lufs"),
+            told["facts"],
+            told["findings"],
+            told["likeness_print"].as_string(),
+            told[("measurements", "integrated_lufs")].as_float(),
+            told[("measurements", "short_loudness_lufs")].as_float(),
         )
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .options(joinedload(Take.cue))
+        .join(Cue, Cue.id == Take.cue_id, isouter=True)
+        .where(*where)
         .order_by(Take.received_at, Take.id)
     )
+    return [HeardTake._make(row) for row in session.execute(query)]
 
 
-def _read(rows: Iterable[Row[Any]]) -> list[tuple[Take, audio_checks.FileReport]]:
-    return [
-        (
-            row.Take,
-            audio_checks.FileReport(
-                path=row.Take.file_name,
-                verdict="conforming",
-                pcm_sha256=row.pcm_sha256,
-                facts=row.facts,
-                measurements={
-                    "integrated_lufs": row.integrated_lufs,
-                    "short_loudness_lufs": row.short_loudness_lufs,
-                },
-                findings=tuple(audio_checks.Finding.from_dict(one) for one in row.findings),
-                likeness_print=row.likeness_print,
-            ),
-        )
-        for row in rows
-    ]
-
-
-def takes_in_sets(
-    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
-) -> list[tuple[Take, audio_checks.FileReport]]:
-    """Return the takes that stand in the sets among some cues, with what matters of their newest checks."""
-    query = _of_takes().join(Cue, Cue.id == Take.cue_id)
-    query = query.where(Take.cue_id.in_(list(cue_ids)), Cue.variations > 1, Take.state.in_(STANDING))
+def takes_in_sets(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> list[HeardTake]:
+    """Return the takes that stand in the sets of some cues."""
+    where: list[ColumnElement[bool]] = [Take.cue_id.in_(list(cue_ids)), Take.state.in_(STANDING)]
     if designer_id is not None:
-        query = query.where(Take.designer_id == designer_id)
-    return _read(session.execute(query))
+        where.append(Take.designer_id == designer_id)
+    return _heard_takes(session, *where)
 
 
-def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[tuple[Take, audio_checks.FileReport]]:
+def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[HeardTake]:
     """Return a take after those of its delivery that came before with the same samples, and are for another place."""
-    query = _of_takes().where(Take.delivery_id == take.delivery_id, CheckRun.pcm_sha256 == pcm_sha256)
-    query = query.where(tuple_(Take.received_at, Take.id) <= tuple_(take.received_at, take.id))
+    found = _heard_takes(
+        session,
+        Take.delivery_id == take.delivery_id,
+        CheckRun.pcm_sha256 == pcm_sha256,
+        tuple_(Take.received_at, Take.id) <= tuple_(take.received_at, take.id),
+    )
     here = (take.cue_id, take.variation)
-    found = _read(session.execute(query))
-    return [
-        (one, told)
-        for one, told in found
-        if one.id == take.id or one.cue_id is None or (one.cue_id, one.variation) != here
-    ]
+    return [one for one in found if one.id == take.id or one.cue_id is None or (one.cue_id, one.variation) != here]
 
 
 def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, CheckRun, Take]]:

@@ -187,9 +187,8 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
         waiver = None
     spec, newest = queries.spec_of(session, run), current_spec(session, take.project_id)
     resolved = resolved_spec(spec, take)
-    cue_ids = [take.cue_id] if take.cue_id else []
     specs = {take.project_id: newest}
-    word = words_on_sets(session, cue_ids, specs, designer_id=designer_id).get(take.id)
+    word = words_on_sets(session, [take.cue] if take.cue else [], specs, designer_id=designer_id).get(take.id)
     same = same_sounds(session, take, run.pcm_sha256, newest)
     report = with_set_word(run.report, word.findings if word else (), same)
     return CheckRead(

@@ -1,18 +1,20 @@
 """What is found over files together: looked up when it is shown. It informs the decider, and returns no take."""
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 import audio_checks
 from app.conformance import queries
+from app.conformance.queries import HeardTake
 from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.projects.models import Spec
+from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts
 
 Findings = tuple[dict[str, object], ...]
@@ -29,46 +31,45 @@ class SetWord:
 
 
 def words_on_sets(
-    session: Session, cue_ids: Collection[UUID], specs: Mapping[UUID, Spec], *, designer_id: UUID | None = None
+    session: Session, cues: Iterable[Cue], specs: Mapping[UUID, Spec], *, designer_id: UUID | None = None
 ) -> dict[UUID, SetWord]:
     """Return what the sets of some cues say of the takes that stand in them, by the newest specs of their projects.
 
     Of one designer's takes alone, where one is given.
     """
-    if not cue_ids:
+    sets = {cue.id: cue for cue in cues if cue.variations > 1}
+    if not sets:
         return {}
-    by_cue: dict[UUID, list[tuple[Take, audio_checks.FileReport]]] = defaultdict(list)
-    for take, told in queries.takes_in_sets(session, cue_ids, designer_id):
+    by_cue: dict[Cue, list[HeardTake]] = defaultdict(list)
+    for take in queries.takes_in_sets(session, sets, designer_id):
         if take.cue_id is not None:
-            by_cue[take.cue_id].append((take, told))
+            by_cue[sets[take.cue_id]].append(take)
     words: dict[UUID, SetWord] = {}
-    for cue_id, rows in by_cue.items():
-        words |= _of_one_set(cue_id, rows, parsed_spec(specs[rows[0][0].project_id].toml))
+    for cue, takes in by_cue.items():
+        words |= _of_one_set(cue, takes, parsed_spec(specs[cue.project_id].toml))
     return words
 
 
-def _of_one_set(
-    cue_id: UUID, rows: Sequence[tuple[Take, audio_checks.FileReport]], spec: audio_checks.DeliverySpec
-) -> dict[UUID, SetWord]:
-    facts = [
-        MemberFact(take.id, take.variation, take.alternate, take.number or 0, take.state is TakeState.APPROVED)
-        for take, _ in rows
-    ]
-    chosen = set(members_of_set(facts))
-    members = [(take, told) for take, told in rows if take.id in chosen]
-    judged = [_judged(take, told, spec) for take, told in members]
+def _of_one_set(cue: Cue, takes: Sequence[HeardTake], spec: audio_checks.DeliverySpec) -> dict[UUID, SetWord]:
+    chosen = set(
+        members_of_set(
+            MemberFact(take.id, take.variation, take.alternate, take.number or 0, take.state is TakeState.APPROVED)
+            for take in takes
+        )
+    )
+    members = [take for take in takes if take.id in chosen]
+    facts = cue_facts(cue)
+    judged = [_judged(take, spec, facts) for take in members]
     found, away = audio_checks.set_findings(judged), audio_checks.off_its_set_lu(judged)
     return {
-        take.id: SetWord(cue_id, _plain(findings), off)
-        for (take, _), findings, off in zip(members, found, away, strict=True)
+        take.id: SetWord(cue.id, _plain(findings), off)
+        for take, findings, off in zip(members, found, away, strict=True)
     }
 
 
-def _judged(take: Take, told: audio_checks.FileReport, spec: audio_checks.DeliverySpec) -> audio_checks.Judged:
-    cue = cue_facts(take.cue) if take.cue else None
-    view = spec.for_category((cue.category if cue else None) or spec.category_of(take.file_name))
-    alternate = take.alternate is not None
-    return audio_checks.Judged(told, view, cue, take.variation, is_alternate=alternate)
+def _judged(take: HeardTake, spec: audio_checks.DeliverySpec, cue: audio_checks.CueFacts | None) -> audio_checks.Judged:
+    view = spec.for_category(take.category or spec.category_of(take.file_name))
+    return audio_checks.Judged(take.report, view, cue, take.variation, is_alternate=take.alternate is not None)
 
 
 def _plain(findings: Iterable[audio_checks.Finding]) -> Findings:
@@ -80,9 +81,7 @@ def same_sounds(session: Session, take: Take, pcm_sha256: str | None, spec: Spec
     if pcm_sha256 is None:
         return ()
     whole = parsed_spec(spec.toml)
-    judged = [
-        replace(_judged(one, told, whole), cue=None) for one, told in queries.same_sounds(session, take, pcm_sha256)
-    ]
+    judged = [_judged(one, whole, None) for one in queries.same_sounds(session, take, pcm_sha256)]
     found = audio_checks.set_findings(judged)
     return _plain(found[-1]) if found else ()
 

@@ -132,7 +132,7 @@ class _Page(Statuses):
         undecided = [id_ for id_ in ids if id_ not in accepted]
         self._findings = standing_queries.standing_findings(session, undecided, designer_id)
         spec = current_spec(session, project.id)
-        sets = [cue.id for cue in cues if cue.variations > 1 and cue.id not in accepted]
+        sets = [cue for cue in cues if cue.id not in accepted]
         self._of_sets: dict[UUID, list[Finding]] = defaultdict(list)
         for word in words_on_sets(session, sets, {project.id: spec}, designer_id=designer_id).values():
             self._of_sets[word.cue_id] += word.findings

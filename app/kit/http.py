@@ -3,12 +3,14 @@
 import hashlib
 import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import AsyncIterator, Iterator, Sequence
 from datetime import datetime
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
+import anyio
 import structlog
+from anyio.lowlevel import RunVar
 from fastapi import Depends, FastAPI, HTTPException, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
@@ -34,6 +36,11 @@ METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
+# Requests with a session of their own that run at once; others wait their turn before they take a thread or a
+# connection. One keeps its connection while it waits for a thread, so that connections (30, or 40 on SQLite) and
+# threads (40) must be more: else all threads wait for connections whose owners wait for a thread.
+SEATS = 16
+_SEATS: RunVar[anyio.Semaphore] = RunVar("seats")  # of one event loop
 AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
@@ -110,7 +117,16 @@ def come_in(request: Request, reach: Reach) -> None:
         reach_further(session, reach)
 
 
-def _session(request: Request) -> Iterator[Session]:
+async def _seat() -> AsyncIterator[None]:
+    try:
+        seats = _SEATS.get()
+    except LookupError:
+        _SEATS.set(seats := anyio.Semaphore(SEATS))
+    async with seats:
+        yield
+
+
+def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Iterator[Session]:
     database = database_of(request)
     reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
@@ -216,7 +232,7 @@ def _replay(saved: SavedAnswer, request_sha256: str) -> Response:
 class Page(BaseModel, Generic[Item]):
     """One page of a list; `next` is the cursor of the following page, null at the end."""
 
-    items: Sequence[Item]
+    items: list[Item]  # a sequence would be made into Python values before it is made into JSON
     next: str | None = None
 
 

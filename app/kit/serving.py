@@ -13,6 +13,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 READY = "/readyz"
 STARTUP_FAILED = 3
+IDLE_LINE_S = 150  # longer than proxies keep one (Caddy 120 s, nginx 60 s): whoever sends last must not lose a request
 
 
 def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) -> None:
@@ -23,7 +24,7 @@ def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) 
     stopping = threading.Event()
     config = uvicorn.Config(
         _Leaving(app, stopping.is_set), host=host, port=port, log_config=None, access_log=False, proxy_headers=False,
-        server_header=False, timeout_graceful_shutdown=finish_s,
+        server_header=False, timeout_graceful_shutdown=finish_s, timeout_keep_alive=IDLE_LINE_S,
     )  # fmt: skip
     server = _Server(config, stopping, drain_s)
     with contextlib.suppress(KeyboardInterrupt):  # the signal that ended it, raised once more

@@ -31,8 +31,13 @@ def wanted_recipes(spec: Spec, take: Take) -> dict[str, Recipe]:
     """Return what a spec wants made of a take (its cue loaded), by target; nothing while it is unmatched."""
     if take.cue is None:
         return {}
-    whole = parsed_spec(spec.toml)
-    return recipes(whole, category=take.cue.category or whole.category_of(take.file_name), loop=take.cue.loop)
+    category = take.cue.category or parsed_spec(spec.toml).category_of(take.file_name)
+    return _recipes(spec.toml, category, loop=take.cue.loop)
+
+
+@lru_cache(maxsize=512)
+def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe]:
+    return recipes(parsed_spec(toml), category=category, loop=loop)
 
 
 def _renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:

@@ -4,10 +4,10 @@ from collections import defaultdict
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any
+from functools import cache
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, select, tuple_
+from sqlalchemy import ColumnElement, Row, ScalarSelect, Select, and_, exists, func, select, tuple_
 from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
@@ -37,7 +37,7 @@ def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
     return Take.studio_id.in_(list(studio_ids))
 
 
-def _newest_spec_id(take: type[Take]) -> Any:
+def _newest_spec_id(take: type[Take]) -> ScalarSelect[UUID]:
     newer = aliased(Spec)
     return (
         select(newer.id)
@@ -49,6 +49,7 @@ def _newest_spec_id(take: type[Take]) -> Any:
     )
 
 
+@cache
 def _waits(take: type[Take] = Take) -> ColumnElement[bool]:
     """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
     rendered = exists().where(
@@ -107,13 +108,14 @@ def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Remind
 
 def _first_of_their_cues(session: Session, take_ids: Collection[UUID]) -> set[UUID]:
     """Return those of the takes that wait, and longer than any other of their cue."""
+    return set(session.scalars(select(Take.id).where(Take.id.in_(list(take_ids)), _waits(), _is_first_of_its_cue())))
+
+
+@cache
+def _is_first_of_its_cue() -> ColumnElement[bool]:
     earlier = aliased(Take)
-    is_first = ~exists().where(
-        earlier.cue_id == Take.cue_id,
-        tuple_(earlier.state_since, earlier.id) < tuple_(Take.state_since, Take.id),
-        _waits(earlier),
-    ).correlate(Take)
-    return set(session.scalars(select(Take.id).where(Take.id.in_(list(take_ids)), _waits(), is_first)))
+    longer = tuple_(earlier.state_since, earlier.id) < tuple_(Take.state_since, Take.id)
+    return ~exists().where(earlier.cue_id == Take.cue_id, longer, _waits(earlier)).correlate(Take)
 
 
 @dataclass(frozen=True)

@@ -56,14 +56,16 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     waiting = queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
     shown = waiting[:PAGE_CUES]
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
+    cues: list[Cue] = []
     for one in queries.waiting_takes(session, [cue_id for cue_id, _ in shown]):
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
+            cues.append(one.take.cue)
     prefixes = queries.cue_prefixes(session, {one.take.project_id for takes in by_cue.values() for one in takes})
     rounds = queries.round_counts(session, by_cue)
     approved = queries.approved_variations(session, by_cue)
     changes = queries.last_changes(session, by_cue)
-    words = words_on_sets(session, by_cue, _specs_of(one for takes in by_cue.values() for one in takes))
+    words = words_on_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
     last = last_days(session, by_cue)
     items = [
         _queue_item(
@@ -237,7 +239,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     standing.ensure_team()
     prefix = standing.project.cue_prefix
     shown = queries.takes_of_cue(session, cue.id)
-    words = words_on_sets(session, [cue.id], _specs_of(shown))
+    words = words_on_sets(session, [cue], _specs_of(shown))
     takes = [review_take(one, prefix, words) for one in shown]
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-from dataclasses import asdict
 
 from audio_checks.render.render import RENDERER_VERSION
 from audio_checks.spec import Target
@@ -30,7 +29,7 @@ def render_key(
     str
         64 hexadecimal digits. What a target says of memory and its name make no other file.
     """
-    how = {key: value for key, value in asdict(target).items() if key not in NO_PART_OF_A_FILE}
+    how = {key: value for key, value in vars(target).items() if key not in NO_PART_OF_A_FILE}
     limits = [sample_peak_limit_dbfs, true_peak_limit_dbtp, tolerance_db]
     facts = [master_sha256, RENDERER_VERSION, how, loop, loop_points, limits]
     return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()

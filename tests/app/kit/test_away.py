@@ -1,6 +1,8 @@
 """While the database is away requests are told so in words, and nothing needs a restart when it is back."""
 
+import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 
 import psycopg
 import pytest
@@ -17,6 +19,9 @@ from app.projects import queries
 from app.settings import Settings
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.server import RunningServer, World
+
+CROWD = 90
+WITHIN_S = 30.0
 
 
 @pytest.fixture(scope="module")
@@ -108,3 +113,15 @@ def test_a_locked_sqlite_database_is_away_too(tmp_path):
     assert is_away(busy.value)
     one.dispose()
     other.dispose()
+
+
+def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
+    # More than there are threads and connections, all for one row: each needs a thread again while it has a connection.
+    def open_one(_number: int) -> int:
+        return world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={}).status_code
+
+    begun = time.monotonic()
+    with ThreadPoolExecutor(CROWD) as crowd:
+        statuses = list(crowd.map(open_one, range(CROWD)))
+    assert statuses == [201] * CROWD
+    assert time.monotonic() - begun < WITHIN_S, "requests waited until the pool of connections gave up"
