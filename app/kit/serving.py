@@ -1,8 +1,11 @@
 """Serves the web application, and lets a proxy turn away before a process that is told to stop closes its door."""
 
+import asyncio
 import contextlib
 import gc
+import socket
 import threading
+import time
 from collections.abc import Callable
 from types import FrameType
 
@@ -11,13 +14,20 @@ from starlette.datastructures import MutableHeaders
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.kit.handshakes import stop_handshakes
+
 READY = "/readyz"
 STARTUP_FAILED = 3
 IDLE_LINE_S = 150  # longer than proxies keep one (Caddy 120 s, nginx 60 s): whoever sends last must not lose a request
+ACCEPT_S = 0.1  # the event loop comes round many times
+LINGER_S = 2.0  # a proxy uses up the lines it has, or has seen that no new one opens
 
 
 def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) -> None:
-    """Serve until SIGTERM or SIGINT; then go on for `drain_s` as not ready, and give open answers `finish_s` more."""
+    """Serve until SIGTERM or SIGINT; then go on for `drain_s` as not ready, and give open answers `finish_s` more.
+
+    Without a `drain_s` lines on which nothing is being answered close at once.
+    """
     # What the imports made lives for ever; looking through it again would hold up every few answers.
     gc.collect()
     gc.freeze()
@@ -34,21 +44,39 @@ def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) 
 
 
 class _Server(uvicorn.Server):
-    """Stops in two steps; a second signal means now."""
+    """Stops in steps: is not ready, takes no new line, closes those it has; a second signal means now."""
 
     def __init__(self, config: uvicorn.Config, stopping: threading.Event, drain_s: float) -> None:
         super().__init__(config)
         self._stopping = stopping
         self._drain_s = drain_s
+        self._hurries = not drain_s
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
-        if self._stopping.is_set() or not self._drain_s:
+        self._hurries = self._hurries or self._stopping.is_set()
+        self._stopping.set()
+        if self._hurries:
             super().handle_exit(sig, frame)
             return
-        self._stopping.set()
         closing = threading.Timer(self._drain_s, super().handle_exit, (sig, frame))
         closing.daemon = True
         closing.start()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """Answer what may be on its way on an open line before the lines close."""
+        for server in self.servers:
+            for listening in server.sockets:
+                stop_handshakes(listening)
+        await self._until(lambda: False, ACCEPT_S)
+        for server in self.servers:
+            server.close()
+        await self._until(lambda: not self.server_state.connections, LINGER_S)
+        await super().shutdown(sockets)
+
+    async def _until(self, done: Callable[[], bool], longest_s: float) -> None:
+        deadline = time.monotonic() + longest_s
+        while not (self._hurries or done()) and time.monotonic() < deadline:
+            await asyncio.sleep(0.02)
 
 
 class _Leaving:

@@ -18,7 +18,8 @@ import pytest
 import yaml
 from typer.testing import CliRunner
 
-from app.cli import cli
+from app.cli import STOP_WITHIN_S, cli
+from app.kit import serving
 from app.settings import Settings, bucket_address
 from tests.support.s3 import KEY, free_port, run_program, s3_program
 from tests.support.server import RunningServer
@@ -240,11 +241,25 @@ class TestProxy:
         assert "reverse_proxy s3:7070" in text
         assert ":7070" in compose["services"]["s3"]["command"]
 
+    def test_it_gives_an_unused_line_up_before_a_web_process_closes_it(self):
+        [kept_s] = re.findall(r"keepalive ([0-9]+)s", (DEPLOY / "Caddyfile").read_text())
+        assert int(kept_s) < serving.IDLE_LINE_S
+
     def test_caddy_itself_takes_it_where_there_is_one(self):
         caddy = shutil.which("caddy")
         if caddy is not None:
             command = [caddy, "validate", "--adapter", "caddyfile", "--config", str(DEPLOY / "Caddyfile")]
             subprocess.run(command, env=os.environ | SET, check=True)
+
+
+def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dict[str, Any]]):
+    longest_s = serving.ACCEPT_S + serving.LINGER_S + STOP_WITHIN_S
+    web = ours["web"]
+    assert float(web["environment"]["SOUNDLIST_DRAIN_S"]) + longest_s < float(web["stop_grace_period"].rstrip("s"))
+    unit = (DEPLOY / "systemd" / "soundlist-web.service").read_text()
+    [drain_s], [within_s] = re.findall(r"DRAIN_S=(.+)", unit), re.findall(r"TimeoutStopSec=(.+)", unit)
+    assert float(drain_s) > 0
+    assert float(drain_s) + longest_s < float(within_s)
 
 
 class TestUnits:

@@ -16,6 +16,7 @@ from tests.kill.processes import answers, free_port, wait_until
 
 CHECK_EVERY_S = 0.2
 TRY_FOR_S = 20.0
+UNUSED_FOR_S = 30.0
 METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE"]
 
 
@@ -27,7 +28,8 @@ class Proxy:
         self._checks_health = checks_health
         self._healthy = set(ports)
         self._turn = 0
-        self._client = httpx.AsyncClient(timeout=30, limits=httpx.Limits(max_keepalive_connections=20))
+        lines = httpx.Limits(max_keepalive_connections=20, keepalive_expiry=UNUSED_FOR_S)
+        self._client = httpx.AsyncClient(timeout=30, limits=lines)
 
     async def forward(self, request: Request) -> Response:
         """Hand a request on; to another only where no line could be opened, since then nothing was sent."""
