@@ -25,6 +25,7 @@ from app.settings import Settings
 ROOT = Path(__file__).resolve().parents[2]
 SECRET_KEY = "only for tests, nowhere else"
 PATIENCE_S = 60.0  # nothing may be stuck for longer
+IMPORTED_WITHIN_S = 300.0  # seconds of processor time, once, before anything is promised: minutes where others want it
 SomeOf = Callable[[Sequence[str], int], Sequence[str]]
 
 
@@ -61,14 +62,14 @@ class Zygote:
             [sys.executable, "-m", "tests.kill.zygote"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             text=True,
         )  # fmt: skip
-        assert self._line() == "ready"
+        assert self._line(IMPORTED_WITHIN_S) == "ready"
 
     def ask(self, request: dict[str, Any]) -> Any:
         """Send one request, and return its answer."""
         assert self._process.stdin is not None
         self._process.stdin.write(json.dumps(request) + "\n")
         self._process.stdin.flush()
-        return json.loads(self._line())
+        return json.loads(self._line(PATIENCE_S))
 
     def start(self, arguments: list[str], environment: dict[str, str], log: Path) -> Process:
         """Start `soundlist` with these arguments."""
@@ -80,10 +81,10 @@ class Zygote:
         self._process.stdin.close()
         self._process.wait(PATIENCE_S)
 
-    def _line(self) -> str:
+    def _line(self, within_s: float) -> str:
         assert self._process.stdout is not None
-        ready, _, _ = select.select([self._process.stdout], [], [], PATIENCE_S)
-        assert ready, f"what the processes are forked from said nothing for {PATIENCE_S:.0f} s"
+        ready, _, _ = select.select([self._process.stdout], [], [], within_s)
+        assert ready, f"what the processes are forked from said nothing for {within_s:.0f} s"
         return self._process.stdout.readline().strip()
 
 

@@ -5,6 +5,8 @@ import os
 import random
 import signal
 import socket
+from collections.abc import Iterator
+from pathlib import Path
 from typing import cast
 
 import httpx
@@ -12,9 +14,10 @@ import pytest
 
 from app.accounts.endpoints import SESSION_COOKIE
 from app.kit.uploads import Uploads
-from tests.kill.processes import ProcessServer, wait_until
+from tests.kill.processes import ProcessServer, SomeOf, Zygote, wait_until
 from tests.support.deliver import BYTES, TUS, metadata, open_delivery
-from tests.support.server import World
+from tests.support.s3 import S3Server
+from tests.support.server import RunningServer, World
 
 pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
 CONTENT = random.Random(1).randbytes(3_000_000)
@@ -101,4 +104,37 @@ def test_killed_while_bytes_stream_in(server: ProcessServer, world: World) -> No
     here = offset_of(world, location)
     assert 1_000_000 < here <= sent
     assert send(world, location, here, CONTENT[here:]).status_code == 204
+    assert server.runtime.store.read(world.studio_id, SHA256) == CONTENT
+
+
+@pytest.fixture
+def server_with_bucket(zygote: Zygote, tmp_path: Path, database_to_kill: str, s3: S3Server) -> Iterator[ProcessServer]:
+    server = ProcessServer(zygote, tmp_path, database_url=database_to_kill, **s3.settings(store_direct=True))
+    yield server
+    server.close()
+
+
+@pytest.mark.killed_on("sqlite")
+def test_killed_while_it_finishes_what_is_in_the_bucket(
+    server_with_bucket: ProcessServer, s3: S3Server, some_of: SomeOf
+) -> None:
+    """A file that went to the bucket in parts is whole in the end, whoever died of finishing it."""
+    server = server_with_bucket
+    world = World(cast(RunningServer, server))
+    delivery_id, location = begin(world)
+    part = {"number": 1, "sha256": SHA256}
+    (link,) = world.designer.post(f"{location}/parts", json={"parts": [part]}).json()["links"]
+    assert s3.client.put(link["url"], content=CONTENT, headers=link["headers"]).status_code == 200
+    for point in some_of(("made_whole", "before_store", "after_store", "finished"), 3):
+        web = server.serve(f"uploads.{point}")
+        with pytest.raises(httpx.TransportError):
+            world.signed_in(world.designer_id).post(f"{location}/finish")
+        server.wait_for_death(web, f"uploads.{point}")
+    server.serve()
+    designer = world.signed_in(world.designer_id)
+    assert designer.post(f"{location}/finish").json()["sha256"] == SHA256
+    body = {"upload_id": location.rpartition("/")[2], "file_name": "laser.wav"}
+    made = [designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body) for _ in range(2)]
+    assert [answer.status_code for answer in made] == [201, 201]
+    assert made[0].json()["id"] == made[1].json()["id"]
     assert server.runtime.store.read(world.studio_id, SHA256) == CONTENT

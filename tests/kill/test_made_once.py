@@ -1,0 +1,86 @@
+"""What a worker makes because somebody asked for it, with a kill before each is put on record."""
+
+import hashlib
+from collections.abc import Sequence
+from typing import Any
+from uuid import UUID
+
+import pytest
+
+from app.builds.models import PackedFile, SealedPack, StandIn
+from app.conformance.models import Mend
+from app.renders.models import MasterExport, Reel
+from tests.app.builds.approved import sound
+from tests.app.conformance.test_mends import loud
+from tests.kill.effects import is_idle, nothing_failed, rows, told
+from tests.kill.processes import ProcessServer, SomeOf, wait_until
+from tests.support.deliver import add_cues, deliver, open_delivery
+from tests.support.server import World
+
+pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+POINTS = (
+    "conformance.before_mend",
+    "conformance.after_mend",
+    "renders.before_reel",
+    "renders.before_export",
+    "builds.before_stand_in",
+    "builds.before_seal",
+)
+STAND_INS = 3  # a set of two that nobody delivered, and one sound that came back
+
+
+@pytest.mark.killed_on("sqlite")
+def test_what_was_asked_for_is_made_once(server: ProcessServer, world: World, some_of: SomeOf) -> None:
+    points = some_of(POINTS, len(POINTS))
+    laser, *_ = add_cues(world, {"name": "laser"}, {"name": "airlock"}, {"name": "siren", "variations": 2})
+    delivery_id = open_delivery(world)
+    approved = deliver(world, "laser.wav", sound(1), delivery_id=delivery_id)
+    returned = deliver(world, "airlock.wav", loud(), delivery_id=delivery_id)
+    work(server, points, "conformance")
+    assert world.decider.post(f"/v1/takes/{approved['id']}/verdict", json={"kind": "approve"}).status_code == 200
+
+    project = f"/v1/projects/{world.project_id}"
+    reel = asked(world, f"/v1/cues/{laser['id']}/reels", slates="none")
+    export = asked(world, f"/v1/takes/{approved['id']}/master-exports")
+    assert world.producer.post(f"{project}/placeholders", json={"target": "game"}).status_code == 202
+    work(server, points, "renders", "builds.before_stand_in")
+    pack = asked(world, f"{project}/packs", target="game", placeholders=True)
+    work(server, points, "builds.before_seal")
+
+    assert rows(server, Mend, take_id=UUID(returned["id"]), state="made") == rows(server, Mend) == 1
+    assert told(server, "renders.draw_mend") == 1
+    assert fetched(world, f"/v1/reels/{reel}")["state"] == "made"
+    assert fetched(world, f"/v1/master-exports/{export}")["state"] == "made"
+    assert (rows(server, Reel), rows(server, MasterExport)) == (1, 1)
+    assert rows(server, StandIn, refusal=None) == rows(server, StandIn) == STAND_INS
+    sealed = fetched(world, f"/v1/packs/{pack}")
+    assert (sealed["number"], sealed["state"], sealed["placeholder_files"]) == (1, "sealed", STAND_INS)
+    assert rows(server, SealedPack) == rows(server, PackedFile, kind="game") == 1
+    assert rows(server, PackedFile, kind="placeholder") == STAND_INS
+    zips = [world.producer.get(f"/v1/packs/{pack}/pack.zip").content for _ in range(2)]
+    assert len({hashlib.sha256(content).digest() for content in zips}) == 1
+    assert nothing_failed(server)
+
+
+def work(server: ProcessServer, points: Sequence[str], *of: str) -> None:
+    """Let a worker die at each of the points that begin so, and one that does not die do what is left."""
+    deadly = [point for point in points if point.startswith(of)]
+    if deadly:
+        server.stop()
+        for point in deadly:
+            server.wait_for_death(server.work(point), point)
+        server.work()
+    wait_until(lambda: is_idle(server))
+
+
+def asked(world: World, path: str, **how: Any) -> str:
+    """Ask for something, and return its id."""
+    answer = world.producer.post(path, json=how)
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["id"])
+
+
+def fetched(world: World, path: str) -> dict[str, Any]:
+    answer = world.producer.get(path)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
