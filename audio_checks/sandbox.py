@@ -11,6 +11,7 @@ import contextlib
 import ctypes
 import dataclasses
 import enum
+import gc
 import io
 import os
 import pickle
@@ -48,7 +49,15 @@ START_S = 60.0  # for the server to import what calls need, on a busy machine
 GRACE_S = 5.0  # for the server to tell how a child ended
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
-ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+ENVIRONMENT = {
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",
+    # glibc would give a block of samples back to the system when it is let go of, and take and clear the same pages
+    # for the next one. A child ends soon, and all of it goes back.
+    "MALLOC_MMAP_THRESHOLD_": str(32 << 20),
+    "MALLOC_TRIM_THRESHOLD_": str(256 << 20),
+}
 
 # What may be made from a child's answer, beside classes that carry data: a child whose decoder was
 # taken over must not run code here.
@@ -222,7 +231,7 @@ class _Server:
 
 
 def _environment() -> dict[str, str]:
-    """Return this process's environment and import path, with libraries held to one thread."""
+    """Return this process's environment and import path, and what libraries in a child are told."""
     path = os.pathsep.join(entry or os.getcwd() for entry in sys.path)
     return {**os.environ, **ENVIRONMENT, "PYTHONPATH": path}
 
@@ -385,6 +394,9 @@ def serve(control_descriptor: int, preload: Sequence[str], rehearsal: tuple[str,
     if rehearsal:
         with contextlib.suppress(Exception):  # calls fail with words of their own, if they fail too
             getattr(import_module(rehearsal[0]), rehearsal[1])()
+    # A collection in a child would write to all that it shares with this process, and so copy it.
+    gc.collect()
+    gc.freeze()
     control = socket.socket(fileno=control_descriptor)
     _prctl(PR_SET_CHILD_SUBREAPER, 1)
     wake_reader, wake_writer = socket.socketpair()

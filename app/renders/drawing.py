@@ -15,6 +15,7 @@ from app.renders.spectrum import spectrum_png
 from audio_checks import (
     AudioFile,
     Target,
+    WaveShape,
     average_spectrum,
     preview,
     render_master,
@@ -53,7 +54,7 @@ def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
             "channels": facts.channels,
             "frames": facts.frames,
         },
-        "thumb": _thumb(small.to_dict()),
+        "thumb": _thumb(small),
         "plays_itself": plays_itself,
     }
 
@@ -77,14 +78,11 @@ def _plays_itself(path: str) -> bool:
         return False
 
 
-def _thumb(shape: dict[str, Any]) -> dict[str, Any]:
+def _thumb(shape: WaveShape) -> dict[str, Any]:
     """Return a shape in integers; ±127 is full scale."""
-    whole = {name: [round(_held(value) * THUMB_FULL_SCALE) for value in shape[name]] for name in ("min", "max", "rms")}
-    return {"points": len(whole["rms"]), **whole}
-
-
-def _held(value: float) -> float:
-    return max(-1.0, min(1.0, value))
+    lines = {"min": shape.lowest, "max": shape.highest, "rms": shape.rms}
+    whole = {name: np.rint(np.clip(line, -1, 1) * THUMB_FULL_SCALE) for name, line in lines.items()}
+    return {"points": shape.points, **{name: line.astype(int).tolist() for name, line in whole.items()}}
 
 
 def render(

@@ -314,9 +314,45 @@ CLONES static void split_powers(const double *RESTRICT z, length n, length bins,
     }
 }
 
-CLONES static void fade(double *RESTRICT x, const double *RESTRICT window, length n) {
-    for (length i = 0; i < n; i++, x += VALUE)
-        for (int v = 0; v < VALUE; v++) x[v] *= window[i];
+typedef struct {
+    planar signal;
+    const double *shape, *turns; /* of a window of n frames */
+    length n, first, hop, count; /* windows of each channel start `hop` apart */
+} windows;
+
+/* Open what powers() and power_sums() are both given. */
+static int take_windows(holding *held, PyObject *signal, PyObject *shape, PyObject *turns, windows *w) {
+    if (take_planar(held, signal, &w->signal, 0) < 0 || !(w->shape = TAKE_DOUBLES(held, shape, -1, 0))) return -1;
+    w->n = items(held, sizeof(double));
+    return (w->turns = take_row(held, turns, w->n, TURN, 0)) ? 0 : -1;
+}
+
+static int lie_inside(const windows *w) {
+    return w->n >= 1 && transforms(w->n) && w->first >= 0 && w->hop >= 0 && w->count >= 0 &&
+           (!w->count || w->first + (w->count - 1) * w->hop + w->n <= w->signal.frames);
+}
+
+CLONES static void gather_faded(double *RESTRICT x, const double *const *window, const double *RESTRICT shape, length n) {
+    const double *a = window[0], *b = window[1], *c = window[2], *d = window[3];
+    const double *e = window[4], *f = window[5], *g = window[6], *h = window[7];
+    for (length i = 0; i < n; i++, x += VALUE) {
+        const double weight = shape[i];
+        x[0] = a[i] * weight, x[1] = b[i] * weight, x[2] = c[i] * weight, x[3] = d[i] * weight;
+        x[4] = e[i] * weight, x[5] = f[i] * weight, x[6] = g[i] * weight, x[7] = h[i] * weight;
+    }
+}
+
+/* Find the powers of the next windows, numbers `done` on, side by side; `x` is room for two transforms. */
+static const double *next_powers(const windows *w, length done, length here, length bins, double *x) {
+    const double *from[VALUE];
+    for (length v = 0; v < VALUE; v++) { /* where fewer are left, the last one comes again and is not looked at */
+        const length number = done + (v < here ? v : here - 1), channel = number % w->signal.channels;
+        from[v] = w->signal.samples + channel * w->signal.row + w->first + number / w->signal.channels * w->hop;
+    }
+    gather_faded(x, from, w->shape, w->n);
+    double *spectrum = transform(x, x + VALUE * w->n, w->turns, w->n), *room = spectrum == x ? x + VALUE * w->n : x;
+    split_powers(spectrum, w->n, bins, room);
+    return room;
 }
 
 /* signal, window, first start, distance of starts, turns, powers to fill: (windows of all channels, bins), the channels
@@ -324,40 +360,66 @@ CLONES static void fade(double *RESTRICT x, const double *RESTRICT window, lengt
 PyObject *powers(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    planar signal, out;
-    const double *window, *turns;
+    windows w;
+    planar out;
     double *x = NULL;
     if (arguments("powers", count, 6) < 0) return NULL;
-    const length first = PyLong_AsSsize_t(args[2]), hop = PyLong_AsSsize_t(args[3]);
-    if (PyErr_Occurred() || take_planar(&held, args[0], &signal, 0) < 0 || !(window = TAKE_DOUBLES(&held, args[1], -1, 0))) {
+    w.first = PyLong_AsSsize_t(args[2]), w.hop = PyLong_AsSsize_t(args[3]);
+    if (PyErr_Occurred() || take_windows(&held, args[0], args[1], args[4], &w) < 0 || take_planar(&held, args[5], &out, 1) < 0) {
         goto refused;
     }
-    const length n = items(&held, sizeof(double));
-    if (!(turns = take_row(&held, args[4], n, TURN, 0)) || take_planar(&held, args[5], &out, 1) < 0) goto refused;
-    const length windows = signal.channels ? out.channels / signal.channels : 0;
-    if (n < 1 || !transforms(n) || first < 0 || hop < 0 || out.frames > n || windows * signal.channels != out.channels ||
-        (windows && first + (windows - 1) * hop + n > signal.frames)) {
+    w.count = w.signal.channels ? out.channels / w.signal.channels : 0;
+    if (!lie_inside(&w) || out.frames > w.n || w.count * w.signal.channels != out.channels) {
         PyErr_SetString(PyExc_ValueError, "windows inside the signal and a row of bins for each channel of each are wanted");
         goto refused;
     }
-    if (!(x = PyMem_Malloc((size_t)n * 2 * VALUE * sizeof(double)))) {
+    if (!(x = PyMem_Malloc((size_t)w.n * 2 * VALUE * sizeof(double)))) {
         PyErr_NoMemory();
         goto refused;
     }
     Py_BEGIN_ALLOW_THREADS
     for (length done = 0; done < out.channels; done += VALUE) {
-        const double *from[VALUE] = {0};
         const length here = out.channels - done < VALUE ? out.channels - done : VALUE;
-        for (length v = 0; v < here; v++) {
-            const length number = (done + v) / signal.channels, channel = (done + v) % signal.channels;
-            from[v] = signal.samples + channel * signal.row + first + number * hop;
-        }
-        gather(x, from, n);
-        fade(x, window, n);
-        double *spectrum = transform(x, x + VALUE * n, turns, n), *room = spectrum == x ? x + VALUE * n : x;
-        split_powers(spectrum, n, out.frames, room);
+        const double *found = next_powers(&w, done, here, out.frames, x);
         for (length v = 0; v < here; v++)
-            for (length k = 0; k < out.frames; k++) out.samples[(done + v) * out.row + k] = room[VALUE * k + v];
+            for (length k = 0; k < out.frames; k++) out.samples[(done + v) * out.row + k] = found[VALUE * k + v];
+    }
+    Py_END_ALLOW_THREADS
+    PyMem_Free(x);
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
+}
+
+/* signal, window, first start, distance of starts, how many windows, turns, sums to add to, one for each bin */
+PyObject *power_sums(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    windows w;
+    double *sums, *x = NULL;
+    if (arguments("power_sums", count, 7) < 0) return NULL;
+    w.first = PyLong_AsSsize_t(args[2]), w.hop = PyLong_AsSsize_t(args[3]), w.count = PyLong_AsSsize_t(args[4]);
+    if (PyErr_Occurred() || take_windows(&held, args[0], args[1], args[5], &w) < 0 ||
+        !(sums = TAKE_DOUBLES(&held, args[6], -1, 1))) {
+        goto refused;
+    }
+    const length bins = items(&held, sizeof(double)), all = w.count * w.signal.channels;
+    if (!lie_inside(&w) || bins > w.n) {
+        PyErr_SetString(PyExc_ValueError, "windows inside the signal and sums for their bins are wanted");
+        goto refused;
+    }
+    if (!(x = PyMem_Malloc((size_t)w.n * 2 * VALUE * sizeof(double)))) {
+        PyErr_NoMemory();
+        goto refused;
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (length done = 0; done < all; done += VALUE) {
+        const length here = all - done < VALUE ? all - done : VALUE;
+        const double *found = next_powers(&w, done, here, bins, x);
+        for (length k = 0; k < bins; k++)
+            for (length v = 0; v < here; v++) sums[k] += found[VALUE * k + v];
     }
     Py_END_ALLOW_THREADS
     PyMem_Free(x);

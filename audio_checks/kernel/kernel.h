@@ -145,6 +145,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(crests, "Measure the shape of each crest that rises high enough; return how many there are.") \
     EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0.") \
     EACH(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together.") \
+    EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
     EACH(extremes, "Raise the highest and the deepest sample known to those of a signal.") \
     EACH(fourier, "Transform rows of complex numbers in place.") \
     EACH(hash_add, "Take bytes into one stream of SHA-256, or the same bytes into two.") \
@@ -159,11 +160,14 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(means_beside, "Return the mean of the values before a place, and of those after it.") \
     EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
+    EACH(power_sums, "Add the power of each bin over windows of real signals.") \
     EACH(powers, "Find the power of the bins of windows of real signals.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
+    EACH(rounded_steps, "Round samples to whole steps, with noise or without; return the energy of what that added.") \
     EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
+    EACH(silent_runs, "Mark the zeros that stand in long runs.") \
     EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \

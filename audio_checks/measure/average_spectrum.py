@@ -15,7 +15,6 @@ from audio_checks.measure.window_powers import WindowPowers
 WINDOW_FRAMES = 8_192
 BANDS_AN_OCTAVE = 6
 LOWEST_HZ = 20.0
-WINDOWS_AT_ONCE = 16  # bounds the memory of one step
 
 
 @dataclass(frozen=True)
@@ -67,10 +66,7 @@ class AverageSpectrum:
         """Take in the next frames, shape (frames, channels)."""
         held = np.concatenate((self._held, block.T), axis=1)
         count = max(0, (held.shape[1] - self._size) // self._hop + 1)
-        for first in range(0, count, WINDOWS_AT_ONCE):
-            windows = min(WINDOWS_AT_ONCE, count - first)
-            powers = self._powers.of(held, first=first * self._hop, hop=self._hop, count=windows)
-            self._power += powers.sum(axis=(0, 1))
+        self._powers.add_to(self._power, held, hop=self._hop, count=count)
         self._held = held[:, count * self._hop :]
 
     def result(self) -> BandLevels:

@@ -14,7 +14,7 @@ MOST_COLUMNS = 1000
 TOP_HZ = 20_000.0
 BOTTOM_HZ = 60.0
 WINDOW_S = 0.043  # 23 Hz between bins: a semitone at 400 Hz
-COLUMNS_A_WINDOW = 6  # finer ones tell nothing new: a window blurs what is closer
+COLUMNS_A_WINDOW = 4  # finer ones tell little new: a window blurs what is closer
 WINDOWS_AT_ONCE = 64  # bounds the memory of one step
 
 

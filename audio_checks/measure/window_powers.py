@@ -61,6 +61,23 @@ class WindowPowers:
         kernel.powers(signal, self._window, first, hop, self._turns, powers)
         return powers.reshape(count, len(signal), bins)
 
+    def add_to(self, sums: NDArray[np.float64], signal: NDArray[np.float64], *, hop: int, count: int) -> None:
+        """Add the squared magnitudes of each bin over all channels and windows.
+
+        Parameters
+        ----------
+        sums : ndarray, shape (length // 2 + 1,)
+            What is added to; silence adds 0.
+        signal : ndarray, shape (channels, frames)
+            Each channel contiguous.
+        hop, count : int
+            Frames between two starts, the first at the signal's first frame, and how many windows there are.
+        """
+        if self._turns is None:
+            sums += self.of(signal, first=0, hop=hop, count=count).sum(axis=(0, 1))
+        else:
+            kernel.power_sums(signal, self._window, 0, hop, count, self._turns, sums)
+
 
 @lru_cache(maxsize=16)
 def hann_powers(length: int) -> WindowPowers:

@@ -47,10 +47,10 @@ class Attempt:
         """Pass whole numbers through, measured before they are held to the range that can be written."""
         full = 1 << (self.bit_depth - 1)
         for block in blocks:
-            self._lowest = min(self._lowest, int(block.min(initial=0)))
-            self._highest = max(self._highest, int(block.max(initial=0)))
+            lowest, highest = int(block.min(initial=0)), int(block.max(initial=0))
+            self._lowest, self._highest = min(self._lowest, lowest), max(self._highest, highest)
             self._measure(block / full)
-            yield np.clip(block, -full, full - 1)
+            yield np.clip(block, -full, full - 1) if lowest < -full or highest >= full else block
 
     def watched_floats(
         self, blocks: Iterator[NDArray[np.float64]], dtype: type[np.float32] | type[np.float64]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
-from audio_checks.kernel import shaped_steps
+from audio_checks.kernel import by_channel, rounded_steps, shaped_steps, silent_runs
 from audio_checks.measure.decibels import power_decibels
 
 Dither = Literal["tpdf", "shaped", "none"]
@@ -47,8 +47,12 @@ class Requantisation:
 
     def add(self, error: NDArray[np.float64]) -> None:
         """Take differences, full scale ±1.0."""
-        self._energy += float(np.square(error).sum())
-        self._samples += error.size
+        self.add_energy(float(np.square(error).sum()), error.size)
+
+    def add_energy(self, energy: float, samples: int) -> None:
+        """Take the sum of their squares, and how many they are."""
+        self._energy += energy
+        self._samples += samples
 
     def level_dbfs(self) -> float:
         """Return their RMS; −inf where every sample is exact, and for none."""
@@ -87,42 +91,28 @@ def quantised(
         Not clipped: what lies beyond full scale is for the caller to refuse or to lower.
     """
     scale = float(1 << (bit_depth - 1))
+    noise = Requantisation() if noise is None else noise
     if dither == "none":
         for block in blocks:
-            wanted = block * scale
-            whole = _rounded(wanted)
-            if noise is not None:
-                noise.add((whole - wanted) / scale)
-            yield whole
+            yield _rounded(by_channel(block), scale, None, None, noise)
         return
-    triangular = _TriangularNoise(seed, channels)
-    shaper = _Shaper(channels) if dither == "shaped" else None
-    for block, silent in _with_silence(blocks, channels):
-        wanted, added = block * scale, triangular.draw(len(block))
-        whole = shaper.rounded(wanted, added, silent) if shaper else _rounded(wanted + added)
-        whole[silent] = 0
-        if noise is not None:
-            noise.add((whole - wanted) / scale)
-        yield whole
+    words = np.random.Philox(key=int.from_bytes(seed[:16], "little"))
+    rounded = _Shaper(channels).rounded if dither == "shaped" else _rounded
+    for rows, silent in _with_silence(blocks, channels):
+        yield rounded(rows, scale, words.random_raw(rows.size), silent, noise)
 
 
-def _rounded(values: NDArray[np.float64]) -> NDArray[np.int64]:
-    return np.floor(values + 0.5).astype(np.int64)
-
-
-class _TriangularNoise:
-    """Differences of two even random numbers, in steps: between −1 and 1, most often near 0."""
-
-    def __init__(self, seed: bytes, channels: int) -> None:
-        self._words = np.random.Philox(key=int.from_bytes(seed[:16], "little"))
-        self._channels = channels
-
-    def draw(self, frames: int) -> NDArray[np.float64]:
-        words = self._words.random_raw(frames * self._channels).astype("<u8", copy=False).view("<u4")
-        noise = words[1::2].astype(np.float64)
-        noise -= words[::2]  # in place: copies of whole blocks cost more than the sums
-        noise *= 2.0**-32
-        return noise.reshape(frames, self._channels)
+def _rounded(
+    rows: NDArray[np.float64],
+    scale: float,
+    words: NDArray[np.uint64] | None,
+    silent: NDArray[np.uint8] | None,
+    noise: Requantisation,
+) -> NDArray[np.int64]:
+    """Round channels to steps, with the noise in words of two even random numbers each, frame after frame."""
+    steps = np.empty(rows.shape, dtype=np.int64)
+    noise.add_energy(rounded_steps(rows, scale, words, silent, steps) / scale**2, steps.size)
+    return steps.T
 
 
 class _Shaper:
@@ -132,45 +122,42 @@ class _Shaper:
         self._errors = np.zeros((channels, len(SHAPE)))
 
     def rounded(
-        self, wanted: NDArray[np.float64], noise: NDArray[np.float64], silent: NDArray[np.bool_]
+        self,
+        rows: NDArray[np.float64],
+        scale: float,
+        words: NDArray[np.uint64],
+        silent: NDArray[np.uint8],
+        noise: Requantisation,
     ) -> NDArray[np.int64]:
-        steps = np.array(wanted.T, order="C")
-        quiet = np.ascontiguousarray(silent.T).view(np.uint8)
-        shaped_steps(steps, np.ascontiguousarray(noise.T), quiet, WEIGHTS, self._errors)
+        wanted = rows * scale
+        steps = wanted.copy()
+        triangular = ((words >> 32).astype(np.float64) - (words & 0xFFFFFFFF)) * 2.0**-32
+        shaped_steps(steps, np.ascontiguousarray(triangular.reshape(wanted.T.shape).T), silent, WEIGHTS, self._errors)
+        noise.add((steps - wanted) / scale)
         return steps.T.astype(np.int64)
 
 
 def _with_silence(
     blocks: Iterable[NDArray[np.float64]], channels: int
-) -> Iterator[tuple[NDArray[np.float64], NDArray[np.bool_]]]:
-    """Yield each block, held back a little, with a mask of the samples that are digital silence."""
+) -> Iterator[tuple[NDArray[np.float64], NDArray[np.uint8]]]:
+    """Yield each block by channel, held back a little, with marks of the samples that are digital silence."""
     margin = SILENCE_FRAMES - 1
-    edge = np.zeros((margin, channels))
+    edge = np.zeros((channels, margin))
     held, began = edge, False
     for block in blocks:
         began = began or len(block) > 0
-        held = np.concatenate([held, block])
-        if len(held) > 2 * margin:
-            yield held[margin:-margin], _in_silence(held)
-            held = held[-2 * margin :]
+        held = np.concatenate([held, block.T], axis=1)
+        if held.shape[1] > 2 * margin:
+            yield held[:, margin:-margin], _silence(held)
+            held = held[:, -2 * margin :]
     if began:
-        held = np.concatenate([held, edge])
-        yield held[margin:-margin], _in_silence(held)
+        held = np.concatenate([held, edge], axis=1)
+        yield held[:, margin:-margin], _silence(held)
 
 
-def _in_silence(held: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Tell of each sample between the two margins whether a whole run of silence around it is zeros."""
-    is_zero = held == 0.0
-    if not any(_has_run(np.flatnonzero(channel)) for channel in is_zero.T):  # most of a sound
-        return np.zeros((len(held) - 2 * (SILENCE_FRAMES - 1), held.shape[1]), dtype=bool)
-    zeros = np.concatenate([np.zeros((1, held.shape[1]), dtype=np.int64), np.cumsum(is_zero, axis=0)])
-    runs = zeros[SILENCE_FRAMES:] - zeros[:-SILENCE_FRAMES] == SILENCE_FRAMES
-    starts = np.concatenate([np.zeros((1, held.shape[1]), dtype=np.int64), np.cumsum(runs, axis=0)])
-    inside: NDArray[np.bool_] = starts[SILENCE_FRAMES:] > starts[:-SILENCE_FRAMES]
-    return inside
-
-
-def _has_run(zeros: NDArray[np.intp]) -> bool:
-    """Whether some of these places, in rising order, make a whole run of silence."""
-    last = SILENCE_FRAMES - 1
-    return bool((zeros[last:] - zeros[:-last] == last).any())
+def _silence(held: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Tell of each sample between the two margins whether it stands in a whole run of silence."""
+    margin = SILENCE_FRAMES - 1
+    marks = np.empty((len(held), held.shape[1] - 2 * margin), dtype=np.uint8)
+    silent_runs(held, margin, SILENCE_FRAMES, marks)
+    return marks

@@ -1,12 +1,14 @@
 """What became of a master on its way to a game file: the file's facts, and what was lost."""
 
 import math
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, is_dataclass
 from pathlib import Path
 from typing import Any, Literal
 
 from audio_checks.findings import Finding
 from audio_checks.render.dither import Dither
+
+APART = frozenset({"path", "loss", "warnings"})  # of a game file's facts: left out, or told in its own way
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,7 @@ class Loss:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the report as plain values, −inf as None, levels of spectra to a tenth of a dB."""
-        plain: dict[str, Any] = without_infinity(asdict(self))
+        plain: dict[str, Any] = _plain(self)
         spectra = plain["spectra"]
         for key, levels in spectra.items():
             spectra[key] = [None if level is None else round(level, 1) for level in levels]
@@ -140,17 +142,21 @@ class Rendered:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything but the path as plain values, −inf as None."""
-        plain: dict[str, Any] = without_infinity(asdict(self) | {"duration_s": self.duration_s})
-        del plain["path"]
-        plain["loss"] = None if self.loss is None else self.loss.to_dict()
-        plain["warnings"] = [warning.to_dict() for warning in self.warnings]
-        return plain
+        facts = {name: value for name, value in vars(self).items() if name not in APART}
+        return {
+            **_plain(facts),
+            "loss": None if self.loss is None else self.loss.to_dict(),
+            "warnings": [warning.to_dict() for warning in self.warnings],
+            "duration_s": self.duration_s,
+        }
 
 
-def without_infinity(value: Any) -> Any:
-    """Return a value of plain values with every infinity as None, as JSON has it."""
+def _plain(value: Any) -> Any:
+    """Return data classes and plain values as plain values, every infinity as None, as JSON has it."""
+    if isinstance(value, float):
+        return None if math.isinf(value) else value
     if isinstance(value, dict):
-        return {key: without_infinity(held) for key, held in value.items()}
+        return {key: _plain(held) for key, held in value.items()}
     if isinstance(value, (list, tuple)):
-        return [without_infinity(held) for held in value]
-    return None if isinstance(value, float) and math.isinf(value) else value
+        return [_plain(held) for held in value]
+    return _plain(vars(value)) if is_dataclass(value) else value

@@ -12,6 +12,7 @@ from typing import BinaryIO, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.wav.decoding import raw_blocks
 from audio_checks.wav.files import chunk_payload
 from audio_checks.wav.layout import EXTENSIBLE, FLOAT, GUID_TAIL, PCM, STREAM_SIZE, WavLayout
@@ -120,7 +121,7 @@ def _sync_directory(directory: Path) -> None:
             os.close(descriptor)
 
 
-def _write_all(file: BinaryIO, header: bytes, coded: Iterable[bytes], tail: bytes) -> None:
+def _write_all(file: BinaryIO, header: bytes, coded: Iterable[bytes | bytearray], tail: bytes) -> None:
     file.write(header)
     for block in coded:
         file.write(block)
@@ -178,7 +179,7 @@ def _opened(head: bytes, data_size: int, frames: int, after_bytes: int) -> bytes
 
 def _coded(
     blocks: Iterable[NDArray[np.integer] | NDArray[np.floating]], bits: int, encoding: str, channels: int, frames: int
-) -> Iterator[bytes]:
+) -> Iterator[bytes | bytearray]:
     """Yield the blocks as bytes of the data chunk; refuse what does not fit."""
     written = 0
     for block in blocks:
@@ -190,13 +191,9 @@ def _coded(
         if encoding == "float":
             yield np.ascontiguousarray(block, dtype=f"<f{bits // 8}").tobytes()
             continue
-        limit = 1 << (bits - 1)
-        if len(block) and not (-limit <= int(block.min()) and int(block.max()) < limit):
+        raw = bytearray(block.size * ((bits + 7) // 8))
+        if not kernel.encode_pcm(np.ascontiguousarray(block.T, dtype=np.int64), channels, bits, raw):
             raise ValueError(f"samples beyond the range of {bits} bits")
-        container = (bits + 7) // 8
-        whole = np.ascontiguousarray(block, dtype=np.int64) << (8 * container - bits)
-        if container == 1:
-            whole += 128
-        yield np.ascontiguousarray(whole, "<i8").view(np.uint8).reshape(-1, 8)[:, :container].tobytes()
+        yield raw
     if written != frames:
         raise ValueError(f"{frames} frames were announced, {written} came")

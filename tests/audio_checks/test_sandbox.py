@@ -2,9 +2,12 @@
 
 import contextlib
 import ctypes
+import gc
 import math
 import os
 import pickle
+import platform
+import resource
 import signal
 import subprocess
 import sys
@@ -302,3 +305,20 @@ def test_a_call_is_quick_once_the_server_is_warm(sandbox):
     for _ in range(20):
         sandbox.call(len, ())
     assert (time.monotonic() - started) / 20 < 0.1
+
+
+def faults_of_blocks(count):
+    """Take, fill and let go of so many blocks of 8 MiB; return the pages that the system had to give for it."""
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    for _ in range(count):
+        np.ones(1 << 20)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators are told nothing")
+def test_memory_that_was_let_go_of_is_used_again(sandbox):
+    assert sandbox.call(faults_of_blocks, 20) < 2 * (8 << 20) / resource.getpagesize()
+
+
+def test_a_child_collects_nothing_of_what_it_shares(sandbox):
+    assert sandbox.call(gc.get_freeze_count) > 10_000

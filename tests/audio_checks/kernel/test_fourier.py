@@ -23,6 +23,9 @@ def test_powers_of_windows(length: int, channels: int):
         start = first + number * hop
         wanted = np.abs(np.fft.rfft(signal[:, start : start + length] * window, axis=1)) ** 2
         np.testing.assert_allclose(powers[number * channels :][:channels], wanted, rtol=1e-9, atol=1e-9 * length)
+    sums = np.ones(bins)
+    kernel.power_sums(signal, window, first, hop, count, turns_of(length), sums)
+    np.testing.assert_allclose(sums, 1 + powers.sum(axis=0), rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -32,3 +35,5 @@ def test_powers_of_windows(length: int, channels: int):
 def test_what_would_reach_beyond_is_refused(frames: int, length: int, first: int, rows: int, bins: int):
     with pytest.raises(ValueError, match="wanted"):
         kernel.powers(np.zeros((1, frames)), np.ones(length), first, 30, turns_of(length), np.empty((rows, bins)))
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.power_sums(np.zeros((1, frames)), np.ones(length), first, 30, rows, turns_of(length), np.empty(bins))
