@@ -8,7 +8,6 @@ Filling comes first and takes minutes; what is filled once in a folder that is k
 """
 
 import argparse
-import contextlib
 import json
 import os
 import random
@@ -35,7 +34,7 @@ from benchmarks.bulk import analyse, bare, filling
 from benchmarks.growth import draw_growth
 from benchmarks.plans import heard, whole_reads
 from benchmarks.screens import SCREENS, WORDS, Screen, sign_in
-from benchmarks.served import Place, headers_for
+from benchmarks.served import Place, cpu_now_s, cpu_since_s, headers_for
 from benchmarks.studios import Made, ProjectMaker, Team, make_team, others
 from benchmarks.tables import DOCS, machine, table, write_between
 from tests.support.postgres import Postgres
@@ -154,29 +153,18 @@ class Server:
                 address = screen.address(made).format(words=dice.choice(WORDS))
                 if further and cursors:
                     address += f"{'&' if '?' in address else '?'}cursor={quote(dice.choice(cursors))}"
-                spent, begun = self._spent_s(), time.perf_counter()
+                spent, begun = cpu_now_s(self._web_pid, self._database_pid), time.perf_counter()
                 answer = client.get(address)
-                wall_s, now = time.perf_counter() - begun, self._spent_s()
+                wall_s = time.perf_counter() - begun
+                cpu_s = cpu_since_s(spent, self._web_pid, self._database_pid)
                 if answer.status_code != httpx.codes.OK:
                     raise SystemExit(f"{address}: {answer.status_code} {answer.text[:300]}")
                 if further and (following := answer.json().get("next")):
                     cursors.append(following)
                 if turn >= WARM_UP:
                     times.wall_s.append(wall_s)
-                    times.cpu_s.append(sum(now[pid] - before for pid, before in spent.items() if pid in now))
+                    times.cpu_s.append(cpu_s)
         return times
-
-    def _spent_s(self) -> dict[int, float]:
-        """Return the CPU time of the web process and of each process of its database."""
-        pids = [self._web_pid]
-        if self._database_pid is not None:
-            children = Path(f"/proc/{self._database_pid}/task/{self._database_pid}/children").read_text()
-            pids += map(int, children.split())
-        spent = {}
-        for pid in pids:
-            with contextlib.suppress(OSError):  # one that just ended
-                spent[pid] = time.clock_gettime(~pid << 3 | 2)  # clock_getcpuclockid(3)
-        return spent
 
 
 def ask_all(server: Server, made: Sequence[Made], names: Iterable[str]) -> dict[str, list[Asked]]:

@@ -130,8 +130,15 @@ class Database:
             event.listen(self.engine, "begin", _begin_sqlite)
         else:
             parsed = parsed.set(query={**CONNECTION, **parsed.query})
+            # The connection that was used last is used next: it has the statements prepared that are sent most.
             self.engine = sa.create_engine(
-                parsed, pool_size=10, max_overflow=20, pool_timeout=10, pool_pre_ping=True, hide_parameters=True
+                parsed,
+                pool_size=20,
+                max_overflow=10,
+                pool_timeout=10,
+                pool_use_lifo=True,
+                pool_pre_ping=True,
+                hide_parameters=True,
             )
         self._writer = self.engine.execution_options(**{WRITES: True})
         self._reader = (
