@@ -46,9 +46,9 @@ def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
     before = [one for one in approved if one.take.designer_id != delivery.designer_id]
     first = delivery.id if before and queries.is_first_delivery(session, delivery) else None
     if sound is None:
-        return TakeFitRead.nothing(take.id, NOT_CHECKED, first_delivery_id=first)
+        return TakeFitRead.nothing(take, NOT_CHECKED, first_delivery_id=first)
     if not has_palette(session, take.project_id):
-        return TakeFitRead.nothing(take.id, NO_PALETTE, first_delivery_id=first)
+        return TakeFitRead.nothing(take, NO_PALETTE, first_delivery_id=first)
     return _fit(standing.project, sound, approved, first_delivery_id=first)
 
 
@@ -89,10 +89,11 @@ def _fit(
     basis, others = (FitBasis.CATEGORY, of_category) if len(of_category) >= FEWEST else (FitBasis.PALETTE, of_palette)
     cue = _brief(project, sound.cue)
     if len(others) < FEWEST:
-        return TakeFitRead.nothing(sound.take.id, TOO_FEW, cue=cue, first_delivery_id=first_delivery_id)
+        return TakeFitRead.nothing(sound.take, TOO_FEW, cue=cue, first_delivery_id=first_delivery_id)
     fits = fit_of(sound.likeness, [likeness for _, likeness in others])
     return TakeFitRead(
         take_id=sound.take.id,
+        file_name=sound.take.file_name,
         cue=cue,
         basis=basis,
         category=sound.cue.category,

@@ -8,8 +8,9 @@ from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
 from app.conformance.schemas import FindingRead
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.schemas import CueBrief
+from app.deliveries.schemas import CueBrief, ShownName
 from app.kit.http import Schema
 from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief
@@ -317,6 +318,7 @@ class TakeFitRead(Schema):
     """How a take lies among the approved sounds of its category, or of the palette where those are too few."""
 
     take_id: UUID
+    file_name: ShownName
     cue: CueBrief | None
     basis: FitBasis | None = Field(description="What it is compared with; null where it is not.")
     category: str
@@ -329,11 +331,12 @@ class TakeFitRead(Schema):
 
     @classmethod
     def nothing(
-        cls, take_id: UUID, says: str, *, cue: CueBrief | None = None, first_delivery_id: UUID | None = None
+        cls, take: Take, says: str, *, cue: CueBrief | None = None, first_delivery_id: UUID | None = None
     ) -> Self:
         """Return that nothing can be compared, and why."""
         return cls(
-            take_id=take_id,
+            take_id=take.id,
+            file_name=take.file_name,
             cue=cue,
             basis=None,
             category="",

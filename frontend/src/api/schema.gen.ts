@@ -9183,6 +9183,8 @@ export interface components {
              * Format: uuid
              */
             take_id: string;
+            /** File Name */
+            file_name: string;
             cue: components["schemas"]["CueBrief"] | null;
             /** @description What it is compared with; null where it is not. */
             basis: components["schemas"]["FitBasis"] | null;

@@ -156,6 +156,7 @@ def test_a_replacement_designers_first_delivery_is_compared_with_the_work_before
     )
     (take,) = answer["takes"]
     assert (take["take_id"], take["cue"]["name"], take["is_apart"]) == (str(take_id), "ui_alert", True)
+    assert take["file_name"] == "shield_hit.wav"
     loudness = answer["shifts"][0]
     assert (loudness["measure"], loudness["compared"], loudness["apart"], loudness["shift"]) == ("loudness", 1, 1, 6.0)
 

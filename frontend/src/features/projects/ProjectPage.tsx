@@ -103,11 +103,11 @@ export function ProjectPage() {
             <StepsCard project={project} overview={overview} />
             <SpecCard project={project} />
             <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.steps.length} />
+            {isTeam && <PlaceholdersCard projectId={projectId} />}
           </div>
           <aside className="stack" aria-label="Builds, pack and what happened">
             {isTeam && <BuildsCard project={project} builds={overview.builds} />}
             {isTeam && <PackCard projectId={projectId} />}
-            {isTeam && <PlaceholdersCard projectId={projectId} />}
             <LatelyCard happened={overview.lately} />
           </aside>
         </div>

@@ -43,7 +43,7 @@ export function CuePage(): ReactNode {
   useTitle(cue?.name ?? 'Cue')
   if (cue === undefined) {
     return (
-      <div className="page">
+      <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This cue is not here.' : 'Cue'}</h1>
         {problem && (
           <ProblemNote

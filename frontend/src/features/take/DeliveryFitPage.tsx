@@ -2,6 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
+import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
 import { ended } from '@/judging/findings'
 import { Card, CardHead } from '@/ui/Card'
@@ -21,16 +22,26 @@ export function DeliveryFitPage() {
   if (fit === undefined) {
     const problem = error instanceof ApiProblem ? error : null
     return (
-      <div className="page">
+      <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>
           {problem ? 'This delivery is not here.' : 'Delivery'}
         </h1>
-        {problem && <ProblemNote detail={ended(problem.detail)} fix={ended(problem.fix)} />}
+        {problem && (
+          <ProblemNote
+            detail={ended(problem.detail)}
+            fix={ended(problem.fix)}
+            action={
+              <ShellLink path="/" className="link">
+                To the start
+              </ShellLink>
+            }
+          />
+        )}
       </div>
     )
   }
   return (
-    <div className="page">
+    <div className="page stack">
       <header>
         <h1>Delivery {fit.number} beside the work before</h1>
         <p className="mid">
@@ -42,10 +53,8 @@ export function DeliveryFitPage() {
           </Link>
         </p>
       </header>
-      <div className="stack">
-        {fit.shifts.length === 0 ? <Nothing fit={fit} /> : <Shifts fit={fit} />}
-        {fit.takes.length > 0 && <Takes fit={fit} />}
-      </div>
+      {fit.shifts.length === 0 ? <Nothing fit={fit} /> : <Shifts fit={fit} />}
+      {fit.takes.length > 0 && <Takes fit={fit} />}
     </div>
   )
 }
@@ -100,7 +109,8 @@ function Takes({ fit }: { fit: DeliveryFit }) {
           <li key={take.take_id}>
             <Link className="link strong" to="/takes/$takeId" params={{ takeId: take.take_id }}>
               {take.cue?.name ?? 'A version'}
-            </Link>
+            </Link>{' '}
+            <span className="mono small mid">{take.file_name}</span>
             <p className={`small ${take.is_apart ? '' : 'mid'}`}>{take.says}</p>
           </li>
         ))}

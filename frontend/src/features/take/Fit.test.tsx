@@ -31,6 +31,7 @@ const LOUDNESS: MeasureFit = {
 const TIMBRE: MeasureFit = { ...LOUDNESS, measure: 'timbre', unit: 'dB', value: 1, lowest: 1.5, highest: 2, middle: 2 }
 const aFit = (fit: object = {}) => ({
   take_id: 't1',
+  file_name: 'airlock_cycle_02.wav',
   cue: cue('airlock_cycle'),
   basis: 'category',
   category: 'ui',
@@ -112,6 +113,7 @@ describe('a delivery beside the work before', () => {
     const whole = screen.getByRole('table', { name: 'How the delivery lies as a whole' })
     expect(within(whole).getAllByRole('row')[1]).toHaveTextContent('Loudness+6.0 LU1 of 1')
     expect(screen.getByRole('link', { name: 'airlock_cycle' })).toHaveAttribute('href', '/takes/t1')
+    expect(screen.getByText('airlock_cycle_02.wav')).toBeInTheDocument()
     expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
   })
 
@@ -123,6 +125,7 @@ describe('a delivery beside the work before', () => {
   test('of somebody else is not here', async () => {
     opened(refusal(404, 'delivery-not-found', 'no delivery d1'))
     expect(await screen.findByText('This delivery is not here.')).toBeInTheDocument()
+    expect(screen.getByRole('link', { name: 'To the start' })).toBeInTheDocument()
   })
 })
 

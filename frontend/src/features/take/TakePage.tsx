@@ -5,6 +5,7 @@ import { type ReactNode, useMemo, useState } from 'react'
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { NdaFirst } from '@/app/shell/NdaFirst'
+import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
 import { meQuery, useMyProject } from '@/judging/api'
@@ -37,9 +38,19 @@ export function TakePage() {
     const problem = error instanceof ApiProblem ? error : null
     if (problem?.code === 'nda-needed') return <Closed />
     return (
-      <div className="page">
+      <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This version is not here.' : 'Version'}</h1>
-        {problem && <ProblemNote detail={ended(problem.detail)} fix={ended(problem.fix)} />}
+        {problem && (
+          <ProblemNote
+            detail={ended(problem.detail)}
+            fix={ended(problem.fix)}
+            action={
+              <ShellLink path="/" className="link">
+                To the start
+              </ShellLink>
+            }
+          />
+        )}
       </div>
     )
   }
