@@ -58,6 +58,7 @@ weights: setup  ## Learn the weights of judgements anew (SOUNDS_DIR= adds real r
 	$(BIN)/python -m training.reverb
 	$(BIN)/python -m training.reversed
 	$(BIN)/python -m training.upsampled
+	$(BIN)/python -m training.lossy
 	$(BIN)/python -m training.padded
 
 fix: setup  ## Format and mend what can be mended by itself

@@ -18,6 +18,7 @@ from audio_checks.hashes import Hashes
 from audio_checks.judge import Judgement, judge
 from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.clicks import Click
+from audio_checks.measure.codec_frames import CodecFrames, Trace
 from audio_checks.measure.cuts import Cuts, Edge
 from audio_checks.measure.decay import Decay, DecayFigures
 from audio_checks.measure.dropouts import Dropout
@@ -80,6 +81,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "spectrum": Spectrum.FIGURES,
     "decay": Decay.FIGURES,
     "seam": Seam.FIGURES,
+    "codec_frames": CodecFrames.FIGURES,
 }
 """Families of figures; each family has one accumulator, but all that look for faults share one."""
 
@@ -95,6 +97,7 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
     "decay": lambda layout, _: Decay(*_size(layout)),
     "seam": lambda layout, _: _seam(layout),
+    "codec_frames": lambda layout, _: CodecFrames(*_size(layout), step=_step(layout)),
 }
 """How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
 
@@ -116,6 +119,7 @@ PLACES = frozenset(
         "channel_peaks_dbfs",
         "clipped_spans",
         "click_places",
+        "codec_traces",
         "decay",
         "dropout_places",
         "edges",
@@ -584,6 +588,12 @@ class Measurements:
         """The mean power spectrum of all channels over the whole length."""
         spectrum: MeanSpectrum = self._file.figure("mean_spectrum")
         return spectrum
+
+    @property
+    def codec_traces(self) -> tuple[Trace, ...]:
+        """How silent the lines of lossy codecs are on their own frames, one for each codec and rate."""
+        traces: tuple[Trace, ...] = self._file.figure("codec_traces")
+        return traces
 
     @property
     def decay(self) -> DecayFigures:

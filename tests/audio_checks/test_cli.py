@@ -129,7 +129,6 @@ class TestExitCodes:
             (["measure", "nowhere.wav"], "no such file"),
             (["render", "--out", "out", "laser.wav"], "--spec"),
             (["explain", "true-peek"], '"true-peak"'),
-            (["explain", "lossy"], "this version lacks"),
             (["schema", "sounds"], "sounds"),
             (["new-spec", "--preset", "96k"], "96k"),
         ],
@@ -181,12 +180,15 @@ class TestSpecs:
         code, out, _ = run("check", "--fail-level", "warning", "--format", "jsonl", ".")
         assert (code, json.loads(out)["category"]) == (0, "vo")
 
+    @pytest.mark.usefixtures("without_lossy")
     def test_a_check_that_is_lacking_is_said(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
         (folder / "mine.toml").write_text("format = 1\nchecks.lossy = 'warning'\n", encoding="utf-8")
         code, out, err = run("check", "--spec", "mine.toml", "--format", "json", ".")
         assert (code, json.loads(out)["not_run"]) == (0, ["lossy"])
         assert "lossy" in err
+        code, _, err = run("explain", "lossy")
+        assert (code, "this version lacks" in err) == (2, True)
 
     def test_a_doubtful_spec_is_said(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)

@@ -299,6 +299,7 @@ class TestRefusals:
         text = GAME + "\n[categories.ui]\ntargets.handheld.dither = 'shaped'"
         assert refused(text, where="categories.ui.targets.handheld.dither")
 
+    @pytest.mark.usefixtures("without_lossy")
     def test_a_check_this_version_lacks_may_warn_but_not_fail(self):
         spec = parse_spec("format = 1\n[checks]\nlossy = 'warning'\nhum = 'off'")
         assert spec.not_run == ("lossy",)

@@ -116,6 +116,36 @@ test('the judgement of a lower rate shows the spectrum, and asks', async () => {
   expect(shown.querySelector('polyline')?.getAttribute('points')?.split(' ')).toHaveLength(4)
 })
 
+describe('the judgement of lossy coding', () => {
+  const spectrum = { step_hz: 6_000, dbfs: [-40, -60, -130, -131] }
+  const frames = { codec: 'MP3', rate_hz: 44_100, frame: 576, shares: [0.03, 0.04, 0.42, 0.03] }
+  const judged = { verdict: 'lossy', score: 0.99, codec: 'MP3', coded_at_hz: 44_100, silent_share: 0.42 }
+
+  test('shows the place where the codec’s frames stand and where the spectrum ends, and asks', async () => {
+    const figures = { ...judged, elsewhere_share: 0.04, low_pass_hz: 16_100 }
+    server.on(
+      'GET /v1/takes/t1/check',
+      aCheck({ judgements: { lossy: { ...figures, evidence: { spectrum, frames } } } }),
+    )
+    await opened()
+    const shown = await card('Was it ever a lossy file?')
+    expect(shown).toHaveTextContent('lossy, score 0.99')
+    expect(shown).toHaveTextContent('One place stands out, 42 % against 4 % anywhere else')
+    expect(within(shown).getByRole('img', { name: /lines of MP3 at 576 places, at most 42 %/ })).toBeInTheDocument()
+    expect(within(shown).getByRole('img', { name: /It ends steeply at 16.1 kHz/ })).toBeInTheDocument()
+    expect(shown.querySelectorAll('[data-most]')).toHaveLength(1)
+  })
+
+  test('of a clean sound shows that no place stands out', async () => {
+    const clean = { verdict: 'clean', score: 0.02, codec: null, low_pass_hz: null, elsewhere_share: null }
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { lossy: { ...clean, evidence: { spectrum, frames } } } }))
+    await opened()
+    const shown = await card('Was it ever a lossy file?')
+    expect(shown).toHaveTextContent('No place stands out')
+    expect(within(shown).getAllByRole('img')).toHaveLength(1)
+  })
+})
+
 describe('findings', () => {
   test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
     await opened()

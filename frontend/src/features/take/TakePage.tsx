@@ -21,6 +21,7 @@ import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery
 import { FindingsCard } from './FindingsCard'
 import { MasterCard } from './MasterCard'
 import { FitCard } from './FitCard'
+import { LossyCard } from './LossyCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
 import { ReverbCard } from './ReverbCard'
@@ -185,6 +186,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           <ReverbCard check={check} />
           <ReversedCard check={check} />
           <UpsampledCard check={check} />
+          <LossyCard check={check} />
           {project?.part === 'team' && <FitCard take={take} />}
         </div>
         <aside className="stack" aria-label="Figures of this version">
