@@ -50,9 +50,24 @@ def hush(stream: _Floats, out: _Floats, first: NDArray[np.int64], last: NDArray[
 def loud_rows(maxima: _Floats, level: float, /) -> tuple[int, int]: ...
 def made_from() -> str: ...
 def maxima(block: _Floats, rows: _Floats, /) -> None: ...
-def means_beside(values: _Floats, place: int, reach: int, core: int, /) -> tuple[float, float]: ...
 def outstanding(
     heights: _Floats, reach: int, core: int, times: float, least: float, places: NDArray[np.int64], /
+) -> int: ...
+def outstanding_amid(
+    heights: _Floats,
+    firsts: NDArray[np.int64],
+    times: _Floats,
+    reach: int,
+    core: int,
+    least: float,
+    above_mean: float,
+    squares: _Floats,
+    edges: _Floats,
+    level: int,
+    quietest: float,
+    goes_on: float,
+    out: _Floats,
+    /,
 ) -> int: ...
 def power_sums(
     signal: _Floats, window: _Floats, first: int, hop: int, count: int, turns: _Floats, sums: _Floats, /

@@ -146,29 +146,6 @@ static double mean_of(const double *values, Py_ssize_t count) {
     return count > 0 ? sum / (double)count : 0;
 }
 
-/* values, a place, reach, core -> the mean of those before it, and of those after it, out to the reach and beyond the core */
-PyObject *means_beside(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *values;
-    if (arguments("means_beside", count, 4) < 0) return NULL;
-    const Py_ssize_t place = PyLong_AsSsize_t(args[1]), reach = PyLong_AsSsize_t(args[2]), core = PyLong_AsSsize_t(args[3]);
-    if (PyErr_Occurred() || !(values = TAKE_DOUBLES(&held, args[0], -1, 0))) {
-        let_go(&held);
-        return NULL;
-    }
-    const Py_ssize_t given = held.views[0].len / (Py_ssize_t)sizeof(double);
-    if (core < 0 || reach < core || place < reach || place + reach >= given) {
-        let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "a place with values on either side, out to the reach, is wanted");
-        return NULL;
-    }
-    const double before = mean_of(values + place - reach, reach - core);
-    const double after = mean_of(values + place + core + 1, reach - core);
-    let_go(&held);
-    return Py_BuildValue("dd", before, after);
-}
-
 /* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
  * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
 enum { MOST_COEFFICIENTS = 64 };
@@ -329,6 +306,96 @@ PyObject *outstanding(PyObject *module, PyObject *const *args, Py_ssize_t count)
         find_outstanding(heights, heights_given, reach, heights_given - reach, reach, core, times, least, places);
     let_go(&held);
     return PyLong_FromSsize_t(found);
+}
+
+/* What lies beside a height in the sound: its power, and that of its sixth differences, cell by cell. */
+typedef struct {
+    const double *squares, *edges;
+    Py_ssize_t level, core;
+    double quietest, goes_on;
+} surroundings;
+
+/* The lower and the higher mean of the cells before a place and of those after it. */
+static void means_beside(const surroundings *sound, const double *values, Py_ssize_t place, double *lower, double *higher) {
+    const double before = mean_of(values + place - sound->level, sound->level - sound->core);
+    const double after = mean_of(values + place + sound->core + 1, sound->level - sound->core);
+    *lower = before < after ? before : after;
+    *higher = before < after ? after : before;
+}
+
+/* Whether there is sound on both sides of a place, about as loud or about as sharp; its power on the quieter side. */
+static int goes_on(const surroundings *sound, Py_ssize_t place, double *quieter) {
+    double louder, lower, higher;
+    means_beside(sound, sound->squares, place, quieter, &louder);
+    if (*quieter < sound->quietest) return 0;
+    if (louder <= *quieter * sound->goes_on) return 1;
+    means_beside(sound, sound->edges, place, &lower, &higher);
+    return higher <= lower * sound->goes_on;
+}
+
+enum { CLICK_FIGURES = 4 }; /* row, cell of it, height, power of the quieter side */
+
+/* rows of heights, the cell that each row's first one is, times for each row, cells that are compared on either side,
+ * those that may belong to what stands out, least height, times the mean of its row, power of cells, power of their
+ * sixth differences, cells that tell the level on either side, least power there, times that it may fall or rise,
+ * clicks to fill -> how many */
+PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar heights;
+    const int64_t *firsts;
+    const double *times;
+    double *out;
+    int64_t *places = NULL;
+    surroundings sound;
+    if (arguments("outstanding_amid", count, 13) < 0) return NULL;
+    const Py_ssize_t reach = PyLong_AsSsize_t(args[3]);
+    const double least = PyFloat_AsDouble(args[5]), above_mean = PyFloat_AsDouble(args[6]);
+    sound.core = PyLong_AsSsize_t(args[4]), sound.level = PyLong_AsSsize_t(args[9]);
+    sound.quietest = PyFloat_AsDouble(args[10]), sound.goes_on = PyFloat_AsDouble(args[11]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &heights, 0) < 0 ||
+        !(firsts = take_row(&held, args[1], heights.channels, sizeof(int64_t), 0)) ||
+        !(times = TAKE_DOUBLES(&held, args[2], heights.channels, 0)) || !(sound.squares = TAKE_DOUBLES(&held, args[7], -1, 0))) {
+        goto refused;
+    }
+    const Py_ssize_t cells_given = held.views[held.count - 1].len / (Py_ssize_t)sizeof(double);
+    if (!(sound.edges = TAKE_DOUBLES(&held, args[8], cells_given, 0)) || !(out = TAKE_DOUBLES(&held, args[12], -1, 1))) {
+        goto refused;
+    }
+    const Py_ssize_t most = held.views[held.count - 1].len / (Py_ssize_t)sizeof(double) / CLICK_FIGURES;
+    int fits = sound.core >= 0 && sound.level > sound.core && reach >= 0 && heights.frames >= 2 * reach;
+    for (Py_ssize_t at = 0; at < heights.channels && fits; at++) {
+        fits = firsts[at] + reach >= sound.level && firsts[at] + heights.frames - reach + sound.level <= cells_given;
+    }
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "cells on either side of every height that may stand out are wanted");
+        goto refused;
+    }
+    if (!(places = malloc((size_t)heights.frames * sizeof *places + 1))) {
+        let_go(&held);
+        return PyErr_NoMemory();
+    }
+    Py_ssize_t found = 0;
+    for (Py_ssize_t at = 0; at < heights.channels; at++) {
+        const double *row = heights.samples + at * heights.row;
+        const double level = above_mean * mean_of(row, heights.frames);
+        const Py_ssize_t standing =
+            find_outstanding(row, heights.frames, reach, heights.frames - reach, reach, sound.core, times[at], least, places);
+        if (standing && in_lanes()->highest(row + reach, heights.frames - 2 * reach) < level) continue;
+        for (Py_ssize_t which = 0; which < standing && found < most; which++) {
+            double quieter;
+            if (!goes_on(&sound, firsts[at] + places[which], &quieter)) continue;
+            double *figures = out + found++ * CLICK_FIGURES;
+            figures[0] = (double)at, figures[1] = (double)places[which];
+            figures[2] = row[places[which]], figures[3] = quieter;
+        }
+    }
+    free(places);
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
+refused:
+    let_go(&held);
+    return NULL;
 }
 
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */

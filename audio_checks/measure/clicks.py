@@ -30,6 +30,7 @@ CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: th
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
 MAX_KEPT = 1_000
+STANDS_OUT_ROW, STEPS_OUT_ROW = np.array([STANDS_OUT]), np.array([STEPS_OUT])
 
 
 class Click(NamedTuple):
@@ -65,7 +66,7 @@ class Clicks:
         self._doubtful: set[tuple[int, int]] = set()  # segment, channel
         self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
-        self._places = np.empty(0, np.int64)  # where the kernel writes
+        self._places, self._out = np.empty(0, np.int64), np.empty((MAX_KEPT, 4))  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -79,19 +80,18 @@ class Clicks:
         before = total - cells.sums.shape[1]  # the cell that the first of all is
         start = max(0, begun - REACH)
         if total - start > REACH:
+            near = slice(start - REACH - before, None)
+            starts = np.array([start - REACH])
             for channel in range(len(samples)):
-                near = slice(start - REACH - before, None)
-                sharpness = cells.sharpness[channel, near]
-                self._doubtful |= {
-                    ((start + cell - REACH) // SEGMENT, channel)
-                    for cell in self._outstanding(sharpness, DOUBTFUL, IMPULSE)
-                }
-                self._keep(cells, channel, start - before, start, sharpness, STANDS_OUT, IMPULSE)
-                self._keep(cells, channel, start - before, start, cells.steps[channel, near], STEPS_OUT)
+                sharpness, steps = cells.sharpness[channel, near], cells.steps[channel, near]
+                for cell in self._doubtful_places(sharpness):
+                    self._doubtful.add(((start + cell - REACH) // SEGMENT, channel))
+                self._keep(cells, channel, before, starts, sharpness[np.newaxis], STANDS_OUT_ROW, scale=IMPULSE)
+                self._keep(cells, channel, before, starts, steps[np.newaxis], STEPS_OUT_ROW)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
             at = first + (self._segment - begun) * self._cell
-            self._look_closer(cells, self._segment - before, count, samples, at)
+            self._look_closer(cells, before, count, samples, at)
             self._segment += count * SEGMENT
         self._seen = total
 
@@ -116,42 +116,53 @@ class Clicks:
         self,
         cells: Cells,
         channel: int,
-        index: int,
-        start: int,
-        sizes: NDArray[np.float64],
-        times: float,
+        before: int,
+        starts: NDArray[np.int64],
+        heights: NDArray[np.float64],
+        times: NDArray[np.float64],
+        *,
         scale: float = 1.0,
+        above_mean: float = 0.0,
     ) -> None:
-        """Keep what stands out, of all sizes but the first and the last REACH.
+        """Keep what stands out of each row of heights, of all but the first and the last REACH of it.
 
-        The first of the others is that of the cell `start`, which stands at an index of `cells`. A size is so many
-        times the height of the click that it stands for.
+        Rows start at the cells `starts`; `before` is the cell that the first of `cells` is. A height is `scale` times
+        that of the click that it stands for, and so many times as high as what lies around it.
         """
-        for cell in self._outstanding(sizes, times, scale):
-            place = index + cell - REACH
-            quieter, louder = sorted(kernel.means_beside(cells.squares[channel], place, LEVEL_CELLS, CORE))
-            if quieter < self._quietest or len(self._found) >= MAX_KEPT:
-                continue
-            if louder > quieter * GOES_ON:
-                lower, higher = sorted(kernel.means_beside(cells.edges[channel], place, LEVEL_CELLS, CORE))
-                if higher > lower * GOES_ON:
-                    continue
-            self._found.add((start + cell - REACH, channel, float(sizes[cell]) / scale, quieter))
+        found = kernel.outstanding_amid(
+            heights,
+            starts - before,
+            times,
+            REACH,
+            CORE,
+            self._lowest * scale,
+            above_mean,
+            cells.squares[channel],
+            cells.edges[channel],
+            LEVEL_CELLS,
+            self._quietest,
+            GOES_ON,
+            self._out,
+        )
+        for row, cell, height, power in self._out[:found].tolist():
+            if len(self._found) < MAX_KEPT:
+                self._found.add((int(starts[int(row)]) + int(cell), channel, height / scale, power))
 
-    def _outstanding(self, sizes: NDArray[np.float64], times: float, scale: float) -> list[int]:
-        """Return the places of what is so many times as large as all that lies around it."""
-        if len(self._places) < len(sizes):
-            self._places = np.empty(len(sizes), np.int64)
-        places = self._places[: len(sizes)]
-        found = kernel.outstanding(sizes, REACH, CORE, times, self._lowest * scale, places)
-        outstanding: list[int] = places[:found].tolist()
-        return outstanding
+    def _doubtful_places(self, sharpness: NDArray[np.float64]) -> list[int]:
+        """Return the places of what may be a click, as sharp as it is beside all that lies around it."""
+        if len(self._places) < len(sharpness):
+            self._places = np.empty(len(sharpness), np.int64)
+        places = self._places[: len(sharpness)]
+        found = kernel.outstanding(sharpness, REACH, CORE, DOUBTFUL, self._lowest * IMPULSE, places)
+        doubtful: list[int] = places[:found].tolist()
+        return doubtful
 
-    def _look_closer(self, cells: Cells, index: int, count: int, samples: NDArray[np.float64], at: int) -> None:
+    def _look_closer(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
         """Look at the next segments where they are steady, or may hide a click.
 
-        The first starts with the cell at an index, and at frame `at`.
+        The first starts at frame `at`; `before` is the cell that the first of `cells` is.
         """
+        index = self._segment - before
         inner = slice(index, index + count * SEGMENT)
         steady = np.empty((len(samples), count), np.bool_)
         most = STEADY**2 / self._cell
@@ -165,15 +176,15 @@ class Clicks:
         if not wanted.any():
             return
         wanted &= _loudest_nearby(cells.squares[:, inner]) >= self._quietest
-        starts = at + (np.arange(count) * SEGMENT - REACH) * self._cell
-        wanted &= starts >= ORDER  # of many channels less is kept
+        frames = at + (np.arange(count) * SEGMENT - REACH) * self._cell
+        wanted &= frames >= ORDER  # of many channels less is kept
         for channel in np.flatnonzero(wanted.any(axis=1)).tolist():
             numbers = np.flatnonzero(wanted[channel])
             heights = np.empty((len(numbers), SEGMENT + 2 * REACH))
             kept = np.empty(len(numbers), np.int64)
             found = kernel.unforeseen(
                 samples[channel],
-                starts[numbers],
+                frames[numbers],
                 self._window,
                 ORDER,
                 self._cell,
@@ -184,13 +195,10 @@ class Clicks:
                 heights,
                 kept,
             )
-            rows = heights[:found]
-            high = rows[:, REACH:-REACH].max(axis=1) >= ABOVE_MEAN * rows.mean(axis=1)
-            for place, row in zip(kept[:found][high].tolist(), rows[high], strict=True):
-                number = int(numbers[place])
-                times = STANDS_OUT if steady[channel, number] else FORETOLD_OUT
-                segment = number * SEGMENT
-                self._keep(cells, channel, index + segment, self._segment + segment, row, times)
+            numbers = numbers[kept[:found]]
+            times = np.where(steady[channel, numbers], STANDS_OUT, FORETOLD_OUT)
+            starts = self._segment + numbers * SEGMENT - REACH
+            self._keep(cells, channel, before, starts, heights[:found], times, above_mean=ABOVE_MEAN)
 
 
 def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:

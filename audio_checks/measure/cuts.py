@@ -70,7 +70,7 @@ class Cuts:
             return
         planar = block.T
         maxima = self._survey.maxima(block)
-        self._peak = max(self._peak, float(maxima.max()))
+        self._peak = max(self._peak, float(self._survey.peaks(block).max()))
         first_row, last_row = kernel.loud_rows(maxima, self._silent)
         if self._head_at < 0:
             if first_row >= 0:

@@ -153,27 +153,29 @@ class Faults:
                 figures |= detector.result()
         return figures
 
-    def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], int]:
-        """Return the maxima of all samples and, where a detector wants cells, how many are new."""
+    def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
+        """Return the maxima of all samples, the peaks of channels, and how many cells are new where one wants them."""
         before, rows = self._history // ROW_FRAMES, -(-self._end // ROW_FRAMES)
         if self._known is None:
-            self._maxima[:, before:rows] = maxima_of(samples[:, self._history :])
+            found = maxima_of(samples[:, self._history :])
+            peaks = found.max(axis=1)
         else:
-            found = self._survey.maxima(self._known[0])
-            self._maxima[:, before : before + found.shape[1]] = found
-            self._maxima[:, before + found.shape[1] : rows] = 0.0
+            found, peaks = self._survey.maxima(self._known[0]), self._survey.peaks(self._known[0])
+        self._maxima[:, before : before + found.shape[1]] = found
+        self._maxima[:, before + found.shape[1] : rows] = 0.0
+        peaks = np.maximum(peaks, self._maxima[:, :before].max(axis=1, initial=0.0))
         count = self._known[1] if self._known else 0
         if not self._known and (self._clicks or self._dropouts or self._hum or self._noise):
             count = self._cells.measure(samples, self._history)
         self._known = None
-        return self._maxima[:, :rows], count
+        return self._maxima[:, :rows], peaks, count
 
     def _look(self) -> None:
         """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
         samples = self._samples[:, : self._end]
         new = self._end - self._history
-        maxima, count = self._measure(samples)
-        self._peak = max(self._peak, float(maxima.max()))
+        maxima, peaks, count = self._measure(samples)
+        self._peak = max(self._peak, float(peaks.max()))
         if count:
             cells = self._cells.newest(count)
             if self._clicks:
@@ -183,9 +185,9 @@ class Faults:
                     by_cells.add(cells, count)
             self._cells.keep(count)
         if self._repeats:
-            self._repeats.add(samples, int(maxima.max(axis=1).argmax()), self._history, self._frame)
+            self._repeats.add(samples, int(peaks.argmax()), self._history, self._frame)
         if self._flat_tops:
-            self._flat_tops.add(samples, maxima, self._history, self._frame)
+            self._flat_tops.add(samples, maxima, peaks, self._history, self._frame)
         for whole, some in ((self._samples, self._history), (self._maxima, self._history // ROW_FRAMES)):
             kept = whole[:, new * some // self._history :][:, :some]
             whole[:, :some] = kept if new >= self._history else kept.copy()

@@ -61,13 +61,20 @@ class FlatTops:
         self._crests = np.empty((0, FIGURES_KEPT))
         self._found = np.empty((MAX_AT_ONCE, CHANNEL))
 
-    def add(self, samples: NDArray[np.float64], maxima: NDArray[np.float64], first: int, frame: int) -> None:
+    def add(
+        self,
+        samples: NDArray[np.float64],
+        maxima: NDArray[np.float64],
+        peaks: NDArray[np.float64],
+        first: int,
+        frame: int,
+    ) -> None:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
-        `maxima` are those of all samples, and `first` starts one of their rows; `frame` is where in the whole
-        signal the first of all samples lies.
+        `maxima` are those of all samples, `peaks` the highest of each channel, and `first` starts one of their rows;
+        `frame` is where in the whole signal the first of all samples lies.
         """
-        for channel, (row, peak) in enumerate(zip(samples, maxima.max(axis=1).tolist(), strict=True)):
+        for channel, (row, peak) in enumerate(zip(samples, peaks.tolist(), strict=True)):
             extremes = self._extremes[channel]
             if peak > extremes.min():
                 kernel.extremes(row, maxima[channel], first // ROW_FRAMES, extremes)

@@ -104,8 +104,7 @@ class Levels:
         """Take the next samples, shape (n, channels)."""
         if not len(block):
             return
-        maxima = self._survey.maxima(block)
-        peaks = maxima.max(axis=1)
+        maxima, peaks = self._survey.maxima(block), self._survey.peaks(block)
         highest = float(peaks.max())
         if highest > self._peaks.max():
             self._peak_frame = self._seen + min(

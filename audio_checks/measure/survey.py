@@ -10,7 +10,7 @@ from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 
 class Survey:
-    """Knows the maxima and the sums of the block at hand.
+    """Knows the maxima, the peaks and the sums of the block at hand.
 
     Accumulators of one stream share it. A block is known by being the same object, so it must not change meanwhile.
     """
@@ -19,6 +19,7 @@ class Survey:
         self._block: NDArray[np.float64] | None = None
         self._maxima = np.empty((0, 0))
         self._sums: NDArray[np.float64] | None = None
+        self._peaks: NDArray[np.float64] | None = None
 
     def maxima(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the highest magnitude of each 32 frames, shape (channels, rows); the last row may have fewer.
@@ -29,9 +30,22 @@ class Survey:
             Full scale is ±1.0. No frames have no rows; digital silence has zeros.
         """
         if block is not self._block:
-            self._block, self._sums = block, None
+            self._block, self._sums, self._peaks = block, None, None
             self._maxima = maxima_of(kernel.by_channel(block))
         return self._maxima
+
+    def peaks(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the highest magnitude of each channel, shape (channels,).
+
+        Parameters
+        ----------
+        block : ndarray, shape (frames, channels)
+            Full scale is ±1.0. Zeros for no frames and for digital silence.
+        """
+        maxima = self.maxima(block)
+        if self._peaks is None:
+            self._peaks = maxima.max(axis=1, initial=0.0)
+        return self._peaks
 
     def sums(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the sum and the sum of squares of each channel, shape (channels, 2).
@@ -88,7 +102,7 @@ class Survey:
         channels = len(samples)
         frames = len(raw) // (channels * container_bits // 8)
         self._maxima = np.empty((channels, -(-frames // ROW_FRAMES)))
-        self._sums = np.zeros((channels, 2))
+        self._sums, self._peaks = np.zeros((channels, 2)), None
         used, broken = kernel.survey(
             raw, container_bits, floats, samples, first, self._maxima, self._sums, cells, cell_frames
         )

@@ -165,11 +165,11 @@ def test_what_cannot_be_foretold(frames: int, order: int):
         np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
 
-def stands_out(heights: list[float], at: int, reach: int = REACH) -> bool:
+def stands_out(heights: list[float], at: int, reach: int = REACH, times: float = TIMES) -> bool:
     """Whether one is so many times those around it, of the nearest two the lower."""
     beside = [heights[near] if 0 <= near < len(heights) else 0.0 for near in (at - 1, at + 1)]
     far = [*heights[max(at - reach, 0) : max(at - CORE, 0)], *heights[at + CORE + 1 : at + reach + 1]]
-    return heights[at] > TIMES * max([min(beside), *far])
+    return heights[at] > times * max([min(beside), *far])
 
 
 @given(
@@ -238,13 +238,57 @@ def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
         kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
 
 
-def test_means_beside_a_place():
-    values = np.arange(30.0) ** 2
-    before, after = kernel.means_beside(values, 12, 5, 1)
-    assert (before, after) == pytest.approx((values[7:11].mean(), values[14:18].mean()))
-    for place in (4, 25):
-        with pytest.raises(ValueError, match="wanted"):
-            kernel.means_beside(values, place, 5, 1)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 3.0]), st.sampled_from([0.0, 0.8]))
+def test_what_stands_out_amid_a_sound_that_goes_on(seed: int, above_mean: float, quietest: float):
+    reach, level, before = 7, 5, 3
+    rng = np.random.default_rng(seed)
+    heights = rng.uniform(0.5, 1.0, (4, 60))
+    heights[rng.integers(0, 4, 12), rng.integers(0, 60, 12)] = rng.choice([3.0, 5.0, 9.0], 12)
+    firsts, times = np.array([3, 0, 40, 17]), np.array([3.5, 2.0, 6.0, 3.5])
+    squares, edges = rng.choice([0.1, 1.0, 30.0], (2, 103)) * rng.uniform(0.9, 1.1, (2, 103))
+    squares.sort()  # louder and louder, so that both answers come
+    wanted = []
+    for row, (all_of_it, first, least) in enumerate(zip(heights, firsts, times, strict=True)):
+        for at in range(reach, 60 - reach):
+            if not (all_of_it[at] > 0.15 and stands_out(all_of_it.tolist(), at, reach, least)):
+                continue
+            if all_of_it[reach:-reach].max() < above_mean * all_of_it.mean():
+                continue
+            sides = [sorted(sides_of(values, first + at, level)) for values in (squares, edges)]
+            if sides[0][0] >= quietest and any(high <= low * before for low, high in sides):
+                wanted.append((row, at, all_of_it[at], sides[0][0]))
+    out = np.empty((100, 4))
+    found = kernel.outstanding_amid(
+        heights, firsts, times, reach, CORE, 0.15, above_mean, squares, edges, level, quietest, before, out
+    )
+    np.testing.assert_allclose(out[:found], np.reshape(wanted, (-1, 4)), rtol=1e-12)
+
+
+def sides_of(values: np.ndarray, place: int, level: int) -> tuple[float, float]:
+    return float(values[place - level : place - CORE].mean()), float(
+        values[place + CORE + 1 : place + level + 1].mean()
+    )
+
+
+@pytest.mark.parametrize("first", [-3, 25])
+def test_cells_beside_what_may_stand_out_are_wanted(first: int):
+    cells = np.ones(40)
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.outstanding_amid(
+            np.ones((1, 20)),
+            np.array([first]),
+            np.ones(1),
+            2,
+            CORE,
+            0.1,
+            0.0,
+            cells,
+            cells,
+            5,
+            0.0,
+            30.0,
+            np.empty((9, 4)),
+        )
 
 
 def test_silence_is_foretold():
