@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from datetime import timedelta
 from uuid import UUID
 
-from sqlalchemy import delete, select, update
+from sqlalchemy import bindparam, delete, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, PasswordReset, Person, SignIn, Studio, StudioInvitation, Token
 from app.accounts.rules import Actor, Role, Scope
 from app.kit import clock
+from app.kit.db import UtcDateTime
 
 TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
 
@@ -20,12 +21,23 @@ def actor_for_person(session: Session, person_id: UUID) -> Actor:
     return Actor(person_id=person_id, roles={studio: frozenset(Role(role) for role in roles) for studio, roles in rows})
 
 
+# Built once: every request of a browser asks for it.
+_SIGNED_IN = (
+    select(SignIn.person_id, Membership.studio_id, Membership.roles)
+    .join(Membership, Membership.person_id == SignIn.person_id, isouter=True)
+    .where(
+        SignIn.secret_sha256 == bindparam("secret_sha256"), SignIn.expires_at > bindparam("now", type_=UtcDateTime())
+    )
+)
+
+
 def actor_for_sign_in(session: Session, secret_sha256: str) -> Actor | None:
     """Return who holds this session cookie, None when it is unknown or over."""
-    person_id = session.scalar(
-        select(SignIn.person_id).where(SignIn.secret_sha256 == secret_sha256, SignIn.expires_at > clock.now())
-    )
-    return actor_for_person(session, person_id) if person_id else None
+    rows = session.execute(_SIGNED_IN, {"secret_sha256": secret_sha256, "now": clock.now()}).all()
+    if not rows:
+        return None
+    roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
+    return Actor(person_id=rows[0].person_id, roles=roles)
 
 
 def actor_for_token(session: Session, secret_sha256: str) -> Actor | None:

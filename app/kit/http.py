@@ -36,11 +36,11 @@ METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
-# Requests with a session of their own that run at once; others wait their turn before they take a thread or a
-# connection. One keeps its connection while it waits for a thread, so that connections (30, or 40 on SQLite) and
-# threads (40) must be more: else all threads wait for connections whose owners wait for a thread.
-SEATS = 16
-_SEATS: RunVar[anyio.Semaphore] = RunVar("seats")  # of one event loop
+# Requests with a session of their own that run at once, as many that read as that write; others wait their turn
+# before they take a thread or a connection. One keeps its connection while it waits for a thread, so that connections
+# (30, or 40 on SQLite) and threads (40) must be more: else all threads wait for connections whose owners wait for one.
+SEATS = 8
+_SEATS: RunVar[tuple[anyio.Semaphore, anyio.Semaphore]] = RunVar("seats")  # of one event loop: writers', readers'
 AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
@@ -117,12 +117,12 @@ def come_in(request: Request, reach: Reach) -> None:
         reach_further(session, reach)
 
 
-async def _seat() -> AsyncIterator[None]:
+async def _seat(request: Request) -> AsyncIterator[None]:
     try:
         seats = _SEATS.get()
     except LookupError:
-        _SEATS.set(seats := anyio.Semaphore(SEATS))
-    async with seats:
+        _SEATS.set(seats := (anyio.Semaphore(SEATS), anyio.Semaphore(SEATS)))
+    async with seats[request.method in SAFE_METHODS]:
         yield
 
 

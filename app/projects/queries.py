@@ -1,9 +1,10 @@
 """Projects within the caller's reach."""
 
 from collections.abc import Collection, Sequence
+from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import exists, func, or_, select
+from sqlalchemy import Select, Uuid, and_, bindparam, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Person
@@ -15,6 +16,49 @@ from app.projects.models import DeciderChange, Engagement, Liaison, Project, Pro
 def project_by_id(session: Session, project_id: UUID) -> Project | None:
     """Return a project without asking who looks; for services that check the caller's standing, and for jobs."""
     return session.get(Project, project_id)
+
+
+def _facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
+    project_id, person_id = bindparam("project_id", type_=Uuid()), bindparam("person_id", type_=Uuid())
+    named = (
+        select(DeciderChange.person_id)
+        .where(DeciderChange.project_id == project_id)
+        .order_by(DeciderChange.id.desc())
+        .limit(1)
+        .scalar_subquery()
+    )
+    running = and_(
+        Engagement.project_id == Project.id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None)
+    )
+    speaks = exists().where(Liaison.project_id == project_id, Liaison.person_id == person_id)
+    return (
+        select(Project, Engagement, speaks, named)
+        .join(Engagement, running, isouter=True)
+        .where(Project.id == project_id)
+    )
+
+
+_STANDING = _facts_of_standing()  # built once: nearly every request asks for it
+
+
+class StandingFacts(NamedTuple):
+    """A project, and what makes somebody something in it."""
+
+    project: Project
+    engagement: Engagement | None
+    is_liaison: bool
+    named_decider_id: UUID | None
+
+    @property
+    def decider_id(self) -> UUID:
+        """Who has the last word: the one named last, else the producer who opened the project."""
+        return self.named_decider_id or self.project.created_by
+
+
+def standing_facts(session: Session, project_id: UUID, person_id: UUID) -> StandingFacts | None:
+    """Return what a person's standing in a project depends on, without asking what they may see."""
+    row = session.execute(_STANDING, {"project_id": project_id, "person_id": person_id}).one_or_none()
+    return StandingFacts._make(row) if row else None
 
 
 def lock_project(session: Session, project_id: UUID) -> None:
@@ -38,17 +82,6 @@ def projects_seen(
     if before is not None:
         found = found.where(Project.id < before)
     return session.scalars(found.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
-
-
-def engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engagement | None:
-    """Return a designer's running engagement on a project."""
-    return session.scalar(
-        select(Engagement).where(
-            Engagement.project_id == project_id,
-            Engagement.designer_id == person_id,
-            Engagement.ended_at.is_(None),
-        )
-    )
 
 
 def any_engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engagement | None:

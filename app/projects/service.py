@@ -104,17 +104,16 @@ def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda:
     Raises NdaNeeded for a designer who has not accepted the NDA that the project asks for, but for what may be seen
     `before_nda`.
     """
-    project = queries.project_by_id(session, project_id)
-    if project is None:
-        raise ProjectNotFound(f"no project {project_id}")
     if actor.is_build:
-        if actor.token_project_id != project.id:
+        built = queries.project_by_id(session, project_id)
+        if built is None or actor.token_project_id != built.id:
             raise ProjectNotFound(f"no project {project_id}")
-        return Standing(project, actor, frozenset(), is_liaison=False, is_decider=False, engagement=None)
-    if actor.person_id is None:
+        return Standing(built, actor, frozenset(), is_liaison=False, is_decider=False, engagement=None)
+    facts = queries.standing_facts(session, project_id, actor.person_id) if actor.person_id else None
+    if facts is None:
         raise ProjectNotFound(f"no project {project_id}")
+    project, engagement = facts.project, facts.engagement
     roles = actor.roles_in(project.studio_id)
-    engagement = queries.engagement_of(session, project.id, actor.person_id)
     if not roles and engagement is None:
         raise ProjectNotFound(f"no project {project_id}")
     if not roles and not before_nda and engagement is not None and nda_is_open(project, engagement):
@@ -126,8 +125,8 @@ def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda:
         project=project,
         actor=actor,
         roles=roles,
-        is_liaison=bool(roles) and queries.is_liaison(session, project.id, actor.person_id),
-        is_decider=bool(roles) and queries.decider_of(session, project) == actor.person_id,
+        is_liaison=bool(roles) and facts.is_liaison,
+        is_decider=bool(roles) and facts.decider_id == actor.person_id,
         engagement=engagement,
     )
 

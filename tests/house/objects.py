@@ -41,7 +41,7 @@ from app.kit.queue import queue_of
 from app.kit.uploads import Upload, Uploads
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Project, ProjectInvitation
-from app.projects.queries import current_spec, engagement_of
+from app.projects.queries import any_engagement_of, current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import open_project
 from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
@@ -211,7 +211,7 @@ class House(World):
 
     def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID]:
         """Add a contract that both agreed to, with an invoice that was paid in part."""
-        engagement = engagement_of(session, self.project_id, self.designer_id)
+        engagement = any_engagement_of(session, self.project_id, self.designer_id)
         assert engagement is not None
         of = {"studio_id": self.studio_id, "project_id": self.project_id}
         contract = Contract(

@@ -55,7 +55,7 @@ def test_a_line_that_drops_in_the_middle_is_told(world: World, own_postgres: Pos
     with monkeypatch.context() as during:
         during.setattr(queries, "projects_seen", cut)
         asked = world.producer.get("/v1/projects")
-        during.setattr(queries, "project_by_id", cut)
+        during.setattr(queries, "standing_facts", cut)
         sent = world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
     assert (asked.status_code, asked.headers["retry-after"]) == (503, "5")
     assert asked.headers["content-type"] == "application/problem+json"
