@@ -35,7 +35,7 @@ class Place:
     @property
     def settings(self) -> Settings:
         """The settings that the processes read from their environment."""
-        return Settings(data_dir=self.folder, database_url=self.database_url, secret_key=SECRET_KEY)  # type: ignore[arg-type]
+        return Settings(data_dir=self.folder, database_url=self.database_url, secret_key=SECRET_KEY)
 
     def runtime(self) -> Runtime:
         """Open what the processes use, with the tables of this version."""
@@ -166,5 +166,5 @@ def _stat(pid: int) -> list[str]:
 
 def headers_for(secret: str) -> dict[str, str]:
     """Return what the browser of whoever holds this sign-in sends."""
-    settings = Settings(secret_key=SECRET_KEY)  # type: ignore[arg-type]
+    settings = Settings(secret_key=SECRET_KEY)
     return {"Cookie": f"{SESSION_COOKIE}={secret}", CSRF_HEADER: csrf_token(settings, secret)}

@@ -16,7 +16,6 @@ from app.contracts.documents import pdf_of, sha256_of
 from app.contracts.errors import (
     AlreadyAccepted,
     BadDraft,
-    ContractNotFound,
     ContractVersionNotFound,
     DraftMovedOn,
     FrameworkNeeded,
@@ -37,12 +36,13 @@ from app.contracts.rules import (
     ensure_state,
     ensure_under_framework,
 )
+from app.contracts.sight import contract_for_producer, contract_in_sight, contract_to_change
 from app.kit import clock
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
 from app.kit.storage import Store
 from app.projects.engagements import record_nda
-from app.projects.errors import EngagementNotFound, ProducerNeeded
+from app.projects.errors import EngagementNotFound
 from app.projects.queries import engagement_by_id
 from app.projects.rules import EngagementKind
 from app.projects.service import standing_in
@@ -58,22 +58,6 @@ class Draft:
     currency: str
     release_clause: ReleaseClause
     holdback_bp: int
-
-
-def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Contract:
-    """Return a contract; raise ContractNotFound without sight of it."""
-    contract = queries.contract_for(session, actor, contract_id)
-    if contract is None:
-        raise ContractNotFound(f"no contract {contract_id}")
-    return contract
-
-
-def contract_to_change(session: Session, actor: Actor, contract_id: UUID) -> Contract:
-    """Return a contract that nobody else changes meanwhile; raise ProducerNeeded for all but the studio's producers."""
-    contract = contract_in_sight(session, actor, contract_id)
-    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
-        raise ProducerNeeded("only a producer of the studio can do this")
-    return queries.lock_contract(session, contract.id)
 
 
 def party_of(actor: Actor, contract: Contract) -> Party | None:
@@ -175,9 +159,7 @@ def save_draft(
 
 def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> tuple[str, list[FieldProblem]]:
     """Return the text that a draft would have, and what is wrong with it; nothing is saved."""
-    contract = contract_in_sight(session, actor, contract_id)
-    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
-        raise ProducerNeeded("only a producer of the studio can do this")
+    contract = contract_for_producer(session, actor, contract_id)
     facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft)
     text = render(draft.title, draft.clauses, draft.terms, facts, draft.currency)
     return text, _problems(draft)

@@ -19,10 +19,10 @@ from app.contracts.errors import (
     WorkedDayNotFound,
 )
 from app.contracts.ledger import book_of, terms_of, write
-from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, Milestone, WorkedDay
 from app.contracts.queries import lock_contract
 from app.contracts.rules import ContractState, LineKind, ensure_not_ahead
+from app.contracts.sight import contract_in_sight
 from app.contracts.terms import MoneyTerms, PriceMode
 from app.kit import clock
 from app.kit.money import money

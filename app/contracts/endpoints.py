@@ -27,6 +27,7 @@ from app.contracts.errors import (
 )
 from app.contracts.models import Contract, ContractVersion
 from app.contracts.rules import ContractState, Party
+from app.contracts.sight import contract_in_sight
 from app.contracts.template_endpoints import attachment, clauses_of
 from app.contracts.text import Block, blocks_of
 from app.kit.http import CurrentRuntime, DbSession, Route, problems
@@ -151,7 +152,7 @@ def begin_contract(
 @router.get("/contracts/{contract_id}", responses=problems(ContractNotFound))
 def read_contract(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ContractRead:
     """Return a contract with its newest text; the designer reads what was sent."""
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.put(
@@ -165,7 +166,7 @@ def save_contract_draft(
     agreeing.save_draft(
         session, actor, contract_id, _draft(body), based_on_version=body.based_on_version, note=body.note
     )
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.post("/contracts/{contract_id}/preview", responses=problems(ContractNotFound, ProducerNeeded))
@@ -192,7 +193,7 @@ def send_contract(
 ) -> schemas.ContractRead:
     """Put the text before both parties as PDF, with the open questions of this moment."""
     agreeing.send(session, runtime.store, actor, contract_id, note=body.note)
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.post("/contracts/{contract_id}/take-back", responses=problems(ContractNotFound, ProducerNeeded, WrongState))
@@ -201,7 +202,7 @@ def take_back_contract(
 ) -> schemas.ContractRead:
     """Make a sent contract a draft again."""
     agreeing.take_back(session, actor, contract_id, reason=body.reason)
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.post("/contracts/{contract_id}/ask-change", responses=problems(ContractNotFound, NotYourContract, WrongState))
@@ -210,7 +211,7 @@ def ask_contract_change(
 ) -> schemas.ContractRead:
     """Send a contract back to the studio with what its designer wants otherwise."""
     agreeing.ask_change(session, actor, contract_id, text=body.text, clause_key=body.clause_key)
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.post(
@@ -233,7 +234,7 @@ def accept_contract(
         text_sha256=body.text_sha256,
         address=request.client.host if request.client else "",
     )
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.post("/contracts/{contract_id}/end", responses=problems(ContractNotFound, NotYourContract, WrongState))
@@ -242,7 +243,7 @@ def end_contract(
 ) -> schemas.ContractRead:
     """End a contract, or give up a draft."""
     agreeing.end(session, actor, contract_id, reason=body.reason)
-    return _contract(session, actor, agreeing.contract_in_sight(session, actor, contract_id))
+    return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
 @router.get(
@@ -254,7 +255,7 @@ def list_contract_versions(
     contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> Sequence[ContractVersion]:
     """Return the versions that the caller may see, the newest first."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     return agreeing.versions_in_sight(session, actor, contract)
 
 
@@ -265,7 +266,7 @@ def read_contract_version(
     contract_id: UUID, version: VersionNumber, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> schemas.VersionRead:
     """Return one version of the text."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     found = agreeing.version_in_sight(session, actor, contract, version)
     return _version(found, is_team=bool(actor.roles_in(contract.studio_id)))
 
@@ -286,7 +287,7 @@ def download_contract_pdf(
     actor: Actor = allows(Sight.PROJECT),
 ) -> Response:
     """Return the PDF of a version that was sent: the bytes that both saw."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     found = agreeing.version_in_sight(session, actor, contract, version)
     if found.pdf_sha256 is None:
         raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
@@ -303,7 +304,7 @@ def compare_contract_versions(
     actor: Actor = allows(Sight.PROJECT),
 ) -> schemas.ComparisonRead:
     """Return two versions word by word."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     earlier = agreeing.version_in_sight(session, actor, contract, from_version)
     later = agreeing.version_in_sight(session, actor, contract, to_version)
     lines = comparison.compare(earlier.text, later.text)
@@ -319,7 +320,7 @@ def read_contract_record(
     contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> schemas.RecordRead:
     """Return the record of a contract, verified now."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     document = record.document_of(session, contract)
     entries = [entry | {"payload": json.loads(entry["payload"])} for entry in document["entries"]]
     return schemas.RecordRead(
@@ -339,7 +340,7 @@ def read_contract_record(
 )
 def download_contract_record(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> Response:
     """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
-    contract = agreeing.contract_in_sight(session, actor, contract_id)
+    contract = contract_in_sight(session, actor, contract_id)
     text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
     headers = attachment(f"{contract.title}, record.json")
     return Response(text, media_type="application/json", headers=headers)

@@ -11,9 +11,9 @@ from app.contracts import money_queries
 from app.contracts import money_schemas as schemas
 from app.contracts.errors import CueNotInContract, NotAgreed, OtherPartyNeeded
 from app.contracts.estimating import ErrorRate, Habit, error_percent, error_rate, forecast
-from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, ContractCue, Milestone, WorkLog
 from app.contracts.rules import AcceptedBy, ContractState
+from app.contracts.sight import contract_in_sight
 from app.kit import clock
 from app.projects.errors import ProducerNeeded
 

@@ -13,10 +13,10 @@ from app.contracts import money_schemas as schemas
 from app.contracts.book import Book, Entry, Line, tax_entries
 from app.contracts.errors import ContractNotFound, InvoiceNotFound, NotAgreed, OtherPartyNeeded
 from app.contracts.ledger import book_of, called, terms_of, write
-from app.contracts.milestones import contract_in_sight
 from app.contracts.models import Contract, Invoice, InvoiceLine
 from app.contracts.queries import lock_contract
 from app.contracts.rules import ContractState, LineKind, WorkState
+from app.contracts.sight import contract_in_sight
 from app.kit import clock
 from app.kit.money import money, percent
 from app.projects.models import Project

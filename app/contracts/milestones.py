@@ -9,20 +9,19 @@ from uuid import UUID
 from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor
 from app.contracts import money_queries, record
 from app.contracts.amounts import split
 from app.contracts.book import CLAUSES, Entry
-from app.contracts.errors import BadPlan, ContractNotFound, PlanLocked, UnderContract
+from app.contracts.errors import BadPlan, PlanLocked, UnderContract
 from app.contracts.ledger import terms_of, write
 from app.contracts.models import Contract, ContractCue, Milestone
 from app.contracts.plan_check import Advice, PlannedPayment, check_plan
-from app.contracts.queries import contract_for, lock_contract
 from app.contracts.rules import ContractKind, ContractState, LineKind
+from app.contracts.sight import contract_for_producer, contract_to_change
 from app.contracts.terms import PriceMode
 from app.kit.errors import FieldProblem
 from app.kit.money import BASIS_POINTS, money
-from app.projects.errors import ProducerNeeded
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -61,7 +60,7 @@ def look_at_plan(
     session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]
 ) -> tuple[list[FieldProblem], list[Advice]]:
     """Return what is wrong with a plan and what is unwise about it, while it is written; nothing is saved."""
-    contract = _contract_to_plan(session, actor, contract_id)
+    contract = contract_for_producer(session, actor, contract_id)
     payments = [
         PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
     ]
@@ -72,17 +71,9 @@ def look_at_plan(
     ]
 
 
-def _contract_to_plan(session: Session, actor: Actor, contract_id: UUID) -> Contract:
-    contract = contract_in_sight(session, actor, contract_id)
-    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
-        raise ProducerNeeded("only a producer of the studio plans its payments")
-    return contract
-
-
 def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:
     """Put a plan in the place of a draft's plan; raise BadPlan with every problem that it has."""
-    contract = _contract_to_plan(session, actor, contract_id)
-    lock_contract(session, contract.id)
+    contract = contract_to_change(session, actor, contract_id)
     if contract.state is not ContractState.DRAFT:
         raise PlanLocked(
             f"this contract is {contract.state.value}, and its plan stands in the text that both see",
@@ -155,14 +146,6 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
         if times > 1 and cue_id in known:
             tell("milestones", f"{known[cue_id].name} stands in the plan {times} times; a cue has one milestone")
     return faults
-
-
-def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Contract:
-    """Return a contract that the caller may see; raise ContractNotFound otherwise."""
-    contract = contract_for(session, actor, contract_id)
-    if contract is None:
-        raise ContractNotFound(f"no contract {contract_id}")
-    return contract
 
 
 def advice_on(session: Session, contract: Contract) -> list[Advice]:

@@ -13,10 +13,11 @@ from app.contracts import money_schemas as schemas
 from app.contracts.book import Book, PricedCue, price_of_round, settle_shares
 from app.contracts.figures import Figures, figures_of, open_tax_minor, tax_minor
 from app.contracts.ledger import book_of, priced, rules_of, terms_of
-from app.contracts.milestones import advice_on, contract_in_sight
+from app.contracts.milestones import advice_on
 from app.contracts.models import Contract, ContractCue, ExtraRound, Milestone
 from app.contracts.queries import contract_for
 from app.contracts.rules import LineKind
+from app.contracts.sight import contract_in_sight
 from app.contracts.terms import MoneyTerms
 from app.projects.models import Project
 from app.sound_lists.models import Cue

@@ -10,11 +10,11 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.contracts import queries
-from app.contracts.agreeing import contract_to_change
 from app.contracts.clauses import Clause, Terms, begin, faults_of
 from app.contracts.errors import BadTemplate, ContractVersionNotFound, TemplateNameTaken, TemplateNotFound
 from app.contracts.models import ContractTemplate
 from app.contracts.rules import KIND_WORDS, ContractKind
+from app.contracts.sight import contract_to_change
 from app.kit import clock
 from app.kit.errors import FieldProblem
 

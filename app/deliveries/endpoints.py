@@ -188,7 +188,7 @@ def list_takes(
     project_id: UUID,
     session: DbSession,
     actor: Actor = allows(Sight.PROJECT),
-    state: Annotated[list[TakeState], Query(description="One or several.")] = [],  # noqa: B006
+    state: Annotated[list[TakeState], Query(description="One or several.")] = [],  # noqa: B006  FastAPI copies it
     unmatched: bool | None = None,
     cue_id: UUID | None = None,
     cursor: Cursor = None,

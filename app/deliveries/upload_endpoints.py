@@ -94,7 +94,7 @@ router = APIRouter(tags=["uploads"], route_class=TusRoute)
 
 
 @router.options("/uploads", status_code=204)
-def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001
+def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001  a policy
     """Say what this server knows of tus, and whether its store takes parts."""
     takes_parts = runtime.store.public_origin is not None
     return Response(

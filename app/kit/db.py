@@ -81,7 +81,7 @@ class UtcDateTime(sa.types.TypeDecorator[datetime]):
     impl = sa.DateTime(timezone=True)
     cache_ok = True
 
-    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy gives it
         """Store in UTC; refuse an instant without a zone."""
         if value is None:
             return None
@@ -89,7 +89,7 @@ class UtcDateTime(sa.types.TypeDecorator[datetime]):
             raise ValueError(f"{value!r} has no time zone")
         return value.astimezone(UTC)
 
-    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy gives it
         """Read back as UTC."""
         return None if value is None else value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
 
@@ -98,7 +98,7 @@ class Base(DeclarativeBase):
     """What every table of ours shares: named constraints, UTC instants, JSON that is JSONB on PostgreSQL."""
 
     metadata = MetaData(naming_convention=CONSTRAINT_NAMES)
-    type_annotation_map = {  # noqa: RUF012
+    type_annotation_map = {  # noqa: RUF012  SQLAlchemy reads it once
         datetime: UtcDateTime(),
         StrEnum: sa.Enum(StrEnum, native_enum=False, length=32, values_callable=lambda kind: [e.value for e in kind]),
         dict[str, Any]: sa.JSON().with_variant(JSONB(), "postgresql"),

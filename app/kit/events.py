@@ -18,7 +18,7 @@ class UnknownEvent(Exception):
 
 def connect(subscribers: Mapping[str, tuple[str, ...]]) -> None:
     """Say which jobs each event starts."""
-    global _subscribers  # noqa: PLW0603
+    global _subscribers  # noqa: PLW0603  said once, when the process starts
     _subscribers = subscribers
 
 

@@ -110,7 +110,7 @@ def is_admitted(authorization: str, token: str) -> bool:
 
 
 class _Quiet(WSGIRequestHandler):
-    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002  named so by http.server
         """Say nothing: somebody looks every few seconds."""
 
 

@@ -15,7 +15,7 @@ from app.sound_lists.rules import CueState, Reverb, folded
 
 
 def _folded_stem(context: DefaultExecutionContext) -> str:
-    parameters: dict[str, Any] = context.get_current_parameters()  # type: ignore[no-untyped-call]
+    parameters: dict[str, Any] = context.get_current_parameters()  # type: ignore[no-untyped-call]  # SQLAlchemy gives it no types
     return folded(parameters["stem"])
 
 

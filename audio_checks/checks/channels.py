@@ -24,7 +24,7 @@ FIGURES = ()
 COUNTS = {1: "mono", 2: "stereo"}
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec lists numbers of channels, or layouts."""
     return spec.accept.channels is not None or spec.accept.layouts is not None
 

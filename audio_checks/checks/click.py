@@ -22,7 +22,7 @@ PLACES_NAMED = 3
 AROUND_S = 0.0005
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield one `click:isolated` for the file, at its sharpest click, when there is any."""
     places = file.measurements.click_places
     if not places:

@@ -25,7 +25,7 @@ FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
 PLACES_NAMED = 3
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `clipping:flat-tops` for crests that are cut off, else `clipping:soft-tops` for flattened ones."""
     figures = file.measurements
     if figures.clipped_runs:

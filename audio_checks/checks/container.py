@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 FIGURES = ()
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec lists containers."""
     return spec.accept.containers is not None
 

@@ -22,12 +22,12 @@ FIGURES = ("start_edge",)
 AROUND_S = 0.01
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Not for a loop."""
     return not (cue is not None and cue.loop)
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `cut-start:mid-wave` when the sound starts far from zero."""
     edge = file.measurements.start_edge
     if edge is None or not edge.cut or file.layout.loops:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 FIGURES = ("dc_offset_percent",)
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec limits the offset."""
     return spec.limits.dc_offset_percent is not None
 

@@ -22,7 +22,7 @@ PLACES_NAMED = 3
 FIX = "export it again with a larger buffer or offline; if the recording has it, record again or repair the place"
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `dropout:hole` at the longest hole, and `dropout:repeat` at the longest repeat."""
     holes = [(start_s, end_s) for start_s, end_s, _ in file.measurements.dropout_places]
     if holes:

@@ -19,7 +19,7 @@ FIGURES = ()
 WORDS = {"pcm": "integer (PCM)", "float": "float"}
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec lists encodings."""
     return spec.accept.encodings is not None
 

@@ -19,7 +19,7 @@ FIGURES = ("channel_difference_db",)
 LIMIT_DB = -60.0
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `false-stereo:equal` for equal channels, `false-stereo:nearly` for channels that hardly differ."""
     difference = file.measurements.channel_difference_db
     if difference is None or difference >= LIMIT_DB:

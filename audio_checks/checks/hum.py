@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 FIGURES = ("hum_dbfs", "hum_hz")
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `hum:mains` when steady multiples of 50 or 60 Hz are found."""
     level, mains_hz = file.measurements.hum_dbfs, file.measurements.hum_hz
     if level is None or mains_hz is None:

@@ -25,7 +25,7 @@ AROUND_S = 0.01
 FIX = "move the loop's end so that wave and slope meet, or fade across the seam"
 
 
-def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `loop-points:outside` for loops beyond the file, `loop-points:step` or `:bend` for a seam that is heard."""
     for loop in file.layout.loops_outside:
         yield Finding(

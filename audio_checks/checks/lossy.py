@@ -22,7 +22,7 @@ FIGURES = ()
 JUDGEMENT = "lossy"
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001 - a cue asks for nothing else here
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec names this check."""
     return "lossy" in spec.checks
 

@@ -22,7 +22,7 @@ FIGURES = ("integrated_lufs", "short_loudness_lufs")
 ONE_BLOCK_S = 0.4  # a gating block of BS.1770: below, integrated loudness is not defined
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec bounds loudness."""
     return bool(spec.limits.loudness_lufs)
 

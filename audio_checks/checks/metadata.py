@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 FIGURES = ()
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec requires fields."""
     return bool(spec.required_metadata)
 

@@ -34,7 +34,7 @@ FORBIDDEN = '<>:"/\\|?*'  # on Windows, as are control characters
 MOST_BYTES = 255  # of a name, in UTF-8
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Where the spec says how names are made; a render is never named as an alternate."""
     naming = spec.naming
     rule = naming.pattern is not None or naming.tokens or naming.grammar is not None or naming.extension is not None

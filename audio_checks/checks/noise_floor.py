@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 FIGURES = ("noise_floor_dbfs",)
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec limits it."""
     return spec.limits.noise_floor_dbfs is not None
 

@@ -22,7 +22,7 @@ FIGURES = ("sample_step",)
 FEWEST_LOST_BITS = 4
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:  # noqa: ARG001
+def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `padded-bits:zeros` for empty lower bits, `padded-bits:steps` where a change of level hides them."""
     step, depth, used = file.measurements.sample_step, file.facts.bit_depth, file.facts.effective_bits
     if step is None or step == 1:

@@ -21,7 +21,7 @@ FIGURES = ("mono_loss_db", "mono_loss_spans")
 NOTHING_LEFT_DB = 90.0
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec limits it."""
     return spec.limits.mono_loss_db is not None
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 FIGURES = ("sample_peak_dbfs", "sample_peak_s")
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec limits sample peaks."""
     return spec.limits.sample_peak_dbfs is not None
 

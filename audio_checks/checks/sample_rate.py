@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 FIGURES = ()
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec lists rates."""
     return spec.accept.sample_rates_hz is not None
 

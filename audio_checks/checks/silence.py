@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec says what silence is."""
     return spec.limits.silence_below_dbfs is not None
 

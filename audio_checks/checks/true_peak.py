@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 FIGURES = ("true_peak_dbtp", "true_peak_s")
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec limits true peaks."""
     return spec.limits.true_peak_dbtp is not None
 

@@ -21,7 +21,7 @@ FIGURES = ()
 JUDGEMENT = "upsampled"
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001 - a cue asks for nothing else here
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec names this check."""
     return "upsampled" in spec.checks
 

@@ -32,7 +32,7 @@ ONE_BLOCK_S = 0.4  # of BS.1770: below, there is no integrated loudness
 Set = dict[int, int]  # the place of the file that stands for each variation
 
 
-def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:  # noqa: ARG001
+def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only for a cue with variations."""
     return cue is not None and cue.variations > 1
 

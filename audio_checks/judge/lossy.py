@@ -33,7 +33,7 @@ LOW_PASS_HZ = (10_000.0, 20_600.0)  # between which codecs end, from 64 kbit/s o
 STEEP_DB = 25.0
 
 
-def judge(file: AudioFile, kind: str | None) -> Judgement:  # noqa: ARG001 - a codec leaves the same in every kind of sound
+def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file was coded: `lossy`, `clean` or `cannot tell`, with `codec` and `coded_at_hz` where lossy.
 
     Silence, what is shorter than 70 ms and what has too few lines over the rounding has no score and cannot be told.

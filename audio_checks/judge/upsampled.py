@@ -31,7 +31,7 @@ FIGURES = ("bandwidth_hz", "mean_spectrum")
 WEIGHTS = Path(__file__).with_suffix(".json")
 
 
-def judge(file: AudioFile, kind: str | None) -> Judgement:  # noqa: ARG001 - a rate has nothing to do with the kind
+def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file was brought up: `upsampled`, `full` or `cannot tell`, with `from_hz`, the candidate rate.
 
     Silence, and what is shorter than 512 frames, has no score and cannot be told.

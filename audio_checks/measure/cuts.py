@@ -47,7 +47,7 @@ class Cuts:
         self,
         sample_rate_hz: int,
         channels: int,
-        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        frames: int,
         *,
         step: float = 0.0,
         survey: Survey | None = None,

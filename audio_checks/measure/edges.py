@@ -36,8 +36,8 @@ class Edges:
     def __init__(
         self,
         sample_rate_hz: int,
-        channels: int,  # noqa: ARG002 - all accumulators are made alike
-        frames: int,  # noqa: ARG002
+        channels: int,
+        frames: int,
         *,
         survey: Survey | None = None,
     ) -> None:

@@ -89,7 +89,7 @@ class Levels:
         self,
         sample_rate_hz: int,
         channels: int,
-        frames: int,  # noqa: ARG002 - all accumulators are made alike
+        frames: int,
         *,
         survey: Survey | None = None,
     ) -> None:

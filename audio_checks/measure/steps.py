@@ -33,7 +33,7 @@ class Steps:
 
     FIGURES = ("sample_step",)
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float) -> None:  # noqa: ARG002 - all accumulators are made alike
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, step: float) -> None:
         self._step = step
         count = min(SEGMENTS, math.ceil(frames / SEGMENT_FRAMES)) if step else 0
         last = max(frames - SEGMENT_FRAMES, 0)

@@ -127,7 +127,7 @@ def _facts(report: FileReport) -> Mapping[str, Any]:
     return report.facts or {}
 
 
-def _lowering(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _lowering(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     return Offer("gain", f"lowers the level by {excess_db(finding):.2f} dB", -excess_db(finding))
 
 
@@ -163,11 +163,11 @@ def headroom_db(report: FileReport, spec: DeliverySpec) -> float | None:
     return min(rooms)
 
 
-def _head(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _head(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     return Offer("head", f"trims {_in_ms(finding, report):.1f} ms from the start")
 
 
-def _tail(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _tail(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     return Offer("tail", f"trims {_in_ms(finding, report):.1f} ms from the end")
 
 
@@ -175,7 +175,7 @@ def _in_ms(finding: Finding, report: FileReport) -> float:
     return 1000 * frames_over(finding, report) / int(_facts(report)["sample_rate_hz"])
 
 
-def _renaming(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _renaming(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     now = base_name(report.path)
     name = lawful_name(now, spec)
     if name is None or name == now:
@@ -183,7 +183,7 @@ def _renaming(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer
     return Offer("name", f"names it {name}")
 
 
-def _depth(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _depth(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     depth = accepted_depth(report, spec)
     if depth is None:
         return Offer(
@@ -200,7 +200,7 @@ def _encoding(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer
     return _depth(finding, report, spec)
 
 
-def _container(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _container(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     facts = _facts(report)
     if facts.get("container") != "rf64" or "wav" not in (spec.accept.containers or ()):
         return Offer(None, ONLY_WAV)
@@ -210,7 +210,7 @@ def _container(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offe
     return Offer("header", "writes it as WAV")
 
 
-def _sizes(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:  # noqa: ARG001
+def _sizes(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     return Offer("header", "writes the header's sizes anew")
 
 

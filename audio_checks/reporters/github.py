@@ -22,7 +22,7 @@ MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", "|": "&#124;", **{one: f"\\{o
 LEVELS: tuple[Severity, ...] = ("error", "warning")
 
 
-def judged(report: Report, style: Style) -> str:  # noqa: ARG001
+def judged(report: Report, style: Style) -> str:
     """Return the commands; append the summary of the job where GitHub asks for one."""
     if place := os.environ.get("GITHUB_STEP_SUMMARY"):
         with Path(place).open("a", encoding="utf-8", errors="backslashreplace", newline="\n") as summary:

@@ -4,12 +4,12 @@ from audio_checks.findings import Report, dumps
 from audio_checks.reporters import Style
 
 
-def judged(report: Report, style: Style) -> str:  # noqa: ARG001
+def judged(report: Report, style: Style) -> str:
     """Return the document, indented."""
     return dumps(report.to_dict(), indent=2) + "\n"
 
 
-def measured(report: Report, style: Style) -> str:  # noqa: ARG001
+def measured(report: Report, style: Style) -> str:
     """Return the document of figures: the same file entries, without verdict and findings."""
     whole = report.to_dict()
     head = {key: whole[key] for key in ("schema_version", "tool")}

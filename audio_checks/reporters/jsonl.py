@@ -4,11 +4,11 @@ from audio_checks.findings import Report, dumps
 from audio_checks.reporters import Style
 
 
-def judged(report: Report, style: Style) -> str:  # noqa: ARG001
+def judged(report: Report, style: Style) -> str:
     """Return the lines."""
     return "".join(dumps(entry.to_dict()) + "\n" for entry in report.files)
 
 
-def measured(report: Report, style: Style) -> str:  # noqa: ARG001
+def measured(report: Report, style: Style) -> str:
     """Return the lines of figures, without verdict and findings."""
     return "".join(dumps(entry.to_measured()) + "\n" for entry in report.files)

@@ -21,7 +21,7 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 ROOT = "%SRCROOT%"
 
 
-def judged(report: Report, style: Style) -> str:  # noqa: ARG001
+def judged(report: Report, style: Style) -> str:
     """Return the document."""
     found = [
         (entry, finding)

@@ -1,3 +1,4 @@
+/* eslint-disable no-empty-pattern -- Playwright reads the names of what a fixture needs from its first parameter */
 import { test as base } from '@playwright/test'
 
 import { Bucket } from './bucket'
@@ -14,14 +15,12 @@ interface Fixtures {
 
 export const test = base.extend<Fixtures, { demo: Demo }>({
   /** A server of the test's own, with nobody on it yet. */
-  // eslint-disable-next-line no-empty-pattern -- Playwright reads the names that a fixture needs from here
   server: async ({}, use) => {
     const server = await Server.start()
     await use(server)
     await server.stop()
   },
   /** Such a server on PostgreSQL. */
-  // eslint-disable-next-line no-empty-pattern
   onPostgres: async ({}, use) => {
     const database = await Database.start()
     const server = await Server.start({ more: { SOUNDLIST_DATABASE_URL: database.url } })
@@ -30,7 +29,6 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
     await database.stop()
   },
   /** Such a server at the far end of a line that the test has in its hand. */
-  // eslint-disable-next-line no-empty-pattern
   behindLine: async ({}, use) => {
     const line = await Line.open()
     const server = await Server.start({ url: line.url })
@@ -40,7 +38,6 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
     await server.stop()
   },
   /** Such a server whose sounds are in a bucket that browsers reach by themselves. */
-  // eslint-disable-next-line no-empty-pattern
   withBucket: async ({}, use) => {
     const port = await freePort()
     const bucket = await Bucket.start(`http://127.0.0.1:${port}`)
@@ -50,7 +47,6 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
     await bucket.stop()
   },
   demo: [
-    // eslint-disable-next-line no-empty-pattern
     async ({}, use) => {
       await use(await demoReady())
     },

@@ -164,7 +164,7 @@ def test_nobody_writes_into_another_studio(database: Database, name: str):
             if name in NEVER_ALTERED:
                 continue  # the next test
             result = session.execute(statement.where(studio == THERE))
-            assert result.rowcount == 0  # type: ignore[attr-defined]
+            assert result.rowcount == 0
     row = {name: value for name, value in row_of(table, THERE, new_id()).items() if value is not None}
     if name == "accounts_memberships":
         row["person_id"] = MEMBER  # nobody gives themselves a place
@@ -229,7 +229,7 @@ def server(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iter
     """The web application on a database of its own, without a worker."""
     settings = Settings(
         data_dir=tmp_path_factory.mktemp("data"),
-        secret_key="only for tests",  # type: ignore[arg-type]
+        secret_key="only for tests",
         database_url=postgres.new_database("second_lock"),
     )
     runtime = Runtime.of(settings)

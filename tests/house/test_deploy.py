@@ -265,7 +265,7 @@ def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dic
 class TestUnits:
     def unit(self, path: Path) -> configparser.ConfigParser:
         read = configparser.ConfigParser(strict=False, interpolation=None)
-        read.optionxform = str  # type: ignore[assignment,method-assign]
+        read.optionxform = str
         read.read_string(path.read_text())
         return read
 

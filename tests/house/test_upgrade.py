@@ -53,7 +53,7 @@ def upgraded_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def server(upgraded_folder: Path) -> Iterator[RunningServer]:
     """This version on the older one's data; starting it migrates, and its worker takes up what waits."""
-    runtime = Runtime.of(Settings(data_dir=upgraded_folder, secret_key="only for tests"))  # type: ignore[arg-type]
+    runtime = Runtime.of(Settings(data_dir=upgraded_folder, secret_key="only for tests"))
     with runtime.database.reading() as session:
         assert MigrationContext.configure(session.connection()).get_current_revision() == "0005"
         studio_id, sha256 = session.execute(

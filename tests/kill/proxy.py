@@ -1,18 +1,16 @@
 """A reverse proxy before several web processes: keeps connections open, and never sends a request twice."""
 
 import asyncio
-import threading
 from collections.abc import AsyncIterator, Iterator, Sequence
 from contextlib import asynccontextmanager, contextmanager
 
 import httpx
-import uvicorn
 from starlette.applications import Starlette
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from tests.kill.processes import answers, free_port, wait_until
+from tests.support.listening import listening
 
 CHECK_EVERY_S = 0.2
 TRY_FOR_S = 20.0
@@ -69,7 +67,7 @@ class Proxy:
 @contextmanager
 def running_proxy(ports: Sequence[int], *, checks_health: bool) -> Iterator[int]:
     """Run a proxy before these ports, and give its own."""
-    proxy, port = Proxy(ports, checks_health=checks_health), free_port()
+    proxy = Proxy(ports, checks_health=checks_health)
 
     @asynccontextmanager
     async def checking(_app: Starlette) -> AsyncIterator[None]:
@@ -78,12 +76,5 @@ def running_proxy(ports: Sequence[int], *, checks_health: bool) -> Iterator[int]
         checks.cancel()
 
     app = Starlette(routes=[Route("/{path:path}", proxy.forward, methods=METHODS)], lifespan=checking)
-    server = uvicorn.Server(uvicorn.Config(app, port=port, log_config=None, access_log=False))
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    wait_until(lambda: answers(port))
-    try:
+    with listening(app, access_log=False) as port:
         yield port
-    finally:
-        server.should_exit = True
-        thread.join(timeout=10)

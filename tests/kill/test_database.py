@@ -22,7 +22,7 @@ SOUND = wav_bytes(sine(hz=440, dbfs=-6, seconds=0.2))
 def die_and_come_back(server: ProcessServer, postgres: Postgres, point: str) -> None:
     server.wait_for_kill(point)
     postgres.kill()  # what the postmaster left behind
-    time.sleep(1.0)
+    time.sleep(1.0)  # who uses it finds it gone
     postgres.start()
 
 

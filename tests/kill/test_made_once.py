@@ -41,9 +41,11 @@ def test_what_was_asked_for_is_made_once(server: ProcessServer, world: World, so
 
     project = f"/v1/projects/{world.project_id}"
     reel = asked(world, f"/v1/cues/{laser['id']}/reels", slates="none")
+    work(server, points, "renders.before_reel")
     export = asked(world, f"/v1/takes/{approved['id']}/master-exports")
+    work(server, points, "renders.before_export")
     assert world.producer.post(f"{project}/placeholders", json={"target": "game"}).status_code == 202
-    work(server, points, "renders", "builds.before_stand_in")
+    work(server, points, "builds.before_stand_in")
     pack = asked(world, f"{project}/packs", target="game", placeholders=True)
     work(server, points, "builds.before_seal")
 
@@ -62,7 +64,7 @@ def test_what_was_asked_for_is_made_once(server: ProcessServer, world: World, so
     assert nothing_failed(server)
 
 
-def work(server: ProcessServer, points: Sequence[str], *of: str) -> None:
+def work(server: ProcessServer, points: Sequence[str], of: str) -> None:
     """Let a worker die at each of the points that begin so, and one that does not die do what is left."""
     deadly = [point for point in points if point.startswith(of)]
     if deadly:

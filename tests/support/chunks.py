@@ -36,7 +36,7 @@ def bext_payload(
 
 def bext(**told: object) -> bytes:
     """A whole bext chunk."""
-    return chunk(b"bext", bext_payload(**told))  # type: ignore[arg-type]
+    return chunk(b"bext", bext_payload(**told))
 
 
 def ixml(body: str, *, encoding: str = "UTF-8") -> bytes:

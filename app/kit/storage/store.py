@@ -95,7 +95,7 @@ class Store(ABC):
         """Return what the store's disk has left; None where no disk of this machine bounds it."""
         return None
 
-    def sweep(self, before: datetime) -> int:  # noqa: ARG002
+    def sweep(self, before: datetime) -> int:  # noqa: ARG002  for those that leave something
         """Delete what dead processes left half-stored before an instant; return how much went."""
         return 0
 
@@ -183,7 +183,7 @@ class _Flow(io.RawIOBase):
     def readable(self) -> bool:
         return True
 
-    def readinto(self, buffer: "memoryview[int]") -> int:  # type: ignore[override]
+    def readinto(self, buffer: "memoryview[int]") -> int:  # type: ignore[override]  # a RawIOBase is asked with a memoryview only
         while not self._rest and (piece := next(self._pieces, b"")):
             self._rest = memoryview(piece)
         length = min(len(buffer), len(self._rest))

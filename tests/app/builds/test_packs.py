@@ -3,12 +3,7 @@
 import csv
 import hashlib
 import io
-import socket
-import threading
-import time
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +11,6 @@ import httpx
 import pytest
 import python_calamine
 import sqlalchemy as sa
-import uvicorn
 from fastapi.testclient import TestClient
 
 import audio_checks
@@ -25,6 +19,7 @@ from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve
 from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues
+from tests.support.listening import listening
 from tests.support.server import World
 
 SOUNDS = ["laser_fire_01.wav", "laser_fire_02.wav", "ui_confirm.wav"]
@@ -142,22 +137,6 @@ def test_a_lost_blob_is_said_before_anything_is_sent(world: World) -> None:
     assert "laser_fire_02.wav" in answer.json()["detail"]
 
 
-@contextmanager
-def listening(application: Any) -> Iterator[str]:
-    """Serve the application on a socket, as in production."""
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        server = uvicorn.Server(uvicorn.Config(application, lifespan="off", log_level="critical"))
-        thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
-        thread.start()
-        while not server.started:
-            time.sleep(0.01)
-        try:
-            yield f"http://127.0.0.1:{listener.getsockname()[1]}"
-        finally:
-            server.should_exit = True
-            thread.join(timeout=10)
-
-
 def test_a_blob_that_rotted_breaks_off_the_download(world: World) -> None:
     accepted_list(world)
     blob = blob_of(world, "laser_fire_02.wav")
@@ -167,7 +146,10 @@ def test_a_blob_that_rotted_breaks_off_the_download(world: World) -> None:
     blob.write_bytes(content)
     parts: list[bytes] = []
     cookies = {SESSION_COOKIE: str(world.producer.cookies[SESSION_COOKIE])}
-    with listening(world.server.application) as address, httpx.Client(base_url=address, cookies=cookies) as client:
+    with (
+        listening(world.server.application, lifespan="off", log_level="critical") as port,
+        httpx.Client(base_url=f"http://127.0.0.1:{port}", cookies=cookies) as client,
+    ):
         path = f"/v1/projects/{world.project_id}/pack.zip"
         with client.stream("GET", path, params={"target": "game"}) as answer:
             promised = int(answer.headers["content-length"])

@@ -71,7 +71,7 @@ class Example:
         self.write(refund(self.book, self.payments[-1], amount_minor), payment_id=uuid4())
 
     def change(self, place: int, **facts: object) -> None:
-        self.cues[place] = replace(self.cues[place], **facts)  # type: ignore[arg-type]
+        self.cues[place] = replace(self.cues[place], **facts)
         self.write(settle_shares(self.book, self.cues, PayRules()))
 
     def agree_round(self, place: int) -> None:

@@ -3,15 +3,13 @@
 import base64
 import hashlib
 import socket
-import threading
-import time
 from collections.abc import Iterator
 from typing import Any
 from uuid import UUID
 
 import pytest
-import uvicorn
 from fastapi.testclient import TestClient
+from starlette import types as asgi
 
 from app.accounts.endpoints import SESSION_COOKIE
 from app.accounts.models import Token
@@ -21,7 +19,9 @@ from app.kit.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from tests.support.deliver import BYTES, TUS, metadata, open_delivery
+from tests.support.listening import listening
 from tests.support.server import RunningServer, World
+from tests.support.waiting import until
 
 CONTENT = b"RIFF" + bytes(range(256)) * 1_000
 SHA256 = hashlib.sha256(CONTENT).hexdigest()
@@ -294,63 +294,64 @@ class TestPut:
         assert build.put("/v1/uploads", params=params, content=CONTENT).status_code == 404
 
 
-@pytest.fixture(scope="module")
-def port(server: RunningServer) -> Iterator[int]:
-    """The application behind a real socket."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        number: int = free.getsockname()[1]
-    web = uvicorn.Server(
-        uvicorn.Config(server.application, port=number, lifespan="off", log_config=None, timeout_graceful_shutdown=1)
-    )
-    thread = threading.Thread(target=web.run)
-    thread.start()
-    while not web.started:
-        time.sleep(0.01)
-    yield number
-    web.should_exit = True
-    thread.join()
+class Door:
+    """Leads from a real socket to the application, and counts the bytes of bodies that it took."""
+
+    port: int
+    taken_bytes = 0
+
+    def __init__(self, application: asgi.ASGIApp) -> None:
+        self._application = application
+
+    async def __call__(self, scope: asgi.Scope, receive: asgi.Receive, send: asgi.Send) -> None:
+        async def counted() -> asgi.Message:
+            message = await receive()
+            self.taken_bytes += len(message.get("body", b""))
+            return message
+
+        await self._application(scope, counted, send)
 
 
-def raw(world: World, port: int, method: str, path: str, headers: dict[str, str], body: bytes) -> None:
-    """Send a request's head and only a part of its body, then drop the line."""
+@pytest.fixture
+def door(server: RunningServer) -> Iterator[Door]:
+    door = Door(server.application)
+    with listening(door, lifespan="off") as door.port:
+        yield door
+
+
+def drop(
+    world: World, door: Door, method: str, path: str, headers: dict[str, str], body: bytes, *, after_bytes: int
+) -> None:
+    """Send a request's head and only a part of its body, and drop the line when so much has been taken."""
     whole = {
         "Host": "127.0.0.1:8000",
         "Cookie": f"{SESSION_COOKIE}={world.designer.cookies[SESSION_COOKIE]}",
         "X-CSRF-Token": world.designer.headers["x-csrf-token"],
     } | headers
     head = "".join(f"{name}: {value}\r\n" for name, value in whole.items())
-    with socket.create_connection(("127.0.0.1", port)) as line:
+    with socket.create_connection(("127.0.0.1", door.port)) as line:
         line.sendall(f"{method} {path} HTTP/1.1\r\n{head}\r\n".encode() + body)
-        time.sleep(0.05)
+        until(lambda: door.taken_bytes == after_bytes)
 
 
-def test_a_line_that_drops_in_mid_body_loses_nothing_that_came(world: World, port: int) -> None:
+def test_a_line_that_drops_in_mid_body_loses_nothing_that_came(world: World, door: Door) -> None:
     location = begin(world.designer, open_delivery(world)).headers["location"]
     headers = TUS | BYTES | {"Upload-Offset": "0", "Content-Length": str(len(CONTENT))}
-    raw(world, port, "PATCH", location, headers, CONTENT[:123_456])
-    deadline = time.monotonic() + 20
-    while (answer := patch(world.designer, location, 123_456, CONTENT[123_456:])).status_code in (409, 423):
-        assert time.monotonic() < deadline, answer.text
-        time.sleep(0.02)
-    assert answer.status_code == 204
+    drop(world, door, "PATCH", location, headers, CONTENT[:123_456], after_bytes=123_456)
+    until(lambda: patch(world.designer, location, 123_456, CONTENT[123_456:]).status_code == 204)
     assert world.server.runtime.store.read(world.studio_id, SHA256) == CONTENT
 
 
-def test_a_put_that_drops_in_mid_body_leaves_nothing_behind(world: World, port: int) -> None:
+def test_a_put_that_drops_in_mid_body_leaves_nothing_behind(world: World, door: Door) -> None:
     path = f"/v1/uploads?delivery_id={open_delivery(world)}&file_name=laser.wav"
-    raw(world, port, "PUT", path, {"Content-Length": str(len(CONTENT))}, CONTENT[:123_456])
-    deadline = time.monotonic() + 20
-    while staged(world.server, world.studio_id):
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
+    headers = {"Content-Length": str(len(CONTENT))}
+    drop(world, door, "PUT", path, headers, CONTENT[:123_456], after_bytes=123_456)
+    until(lambda: not staged(world.server, world.studio_id))
 
 
-def test_a_chunked_body_that_drops_keeps_what_came(world: World, port: int) -> None:
+def test_a_chunked_body_that_drops_keeps_what_came(world: World, door: Door) -> None:
     location = begin(world.designer, open_delivery(world)).headers["location"]
     headers = TUS | BYTES | {"Upload-Offset": "0", "Transfer-Encoding": "chunked"}
-    raw(world, port, "PATCH", location, headers, b"3e8\r\n" + CONTENT[:1_000] + b"\r\nffff\r\n" + CONTENT[1_000:1_500])
-    deadline = time.monotonic() + 20
-    while world.designer.head(location, headers=TUS).headers["upload-offset"] not in ("1000", "1500"):
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
+    body = b"3e8\r\n" + CONTENT[:1_000] + b"\r\nffff\r\n" + CONTENT[1_000:1_500]
+    drop(world, door, "PATCH", location, headers, body, after_bytes=1_500)
+    until(lambda: world.designer.head(location, headers=TUS).headers["upload-offset"] == "1500")

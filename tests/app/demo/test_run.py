@@ -6,7 +6,6 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +17,7 @@ from typer.testing import CliRunner
 
 from app.accounts.doors import DEMO_COOKIE
 from app.cli import cli
+from tests.support.waiting import until
 
 ROOT = Path(__file__).resolve().parents[3]
 FIRST_START_S, SECOND_START_S, STOP_S = 150.0, 90.0, 25.0
@@ -47,13 +47,6 @@ def children_of(pid: int) -> set[int]:
         for child in task.read_text().split():
             found |= {int(child)} | children_of(int(child))
     return found
-
-
-def until(condition: Callable[[], object], seconds: float) -> None:
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, "it did not come about"
-        time.sleep(0.2)
 
 
 @contextmanager

@@ -35,7 +35,7 @@ def own_postgres() -> Iterator[Postgres]:
 def world(own_postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[World]:
     settings = Settings(
         data_dir=tmp_path_factory.mktemp("data"),
-        secret_key="only for tests",  # type: ignore[arg-type]
+        secret_key="only for tests",
         database_url=own_postgres.new_database("away"),
     )
     logs.configure()

@@ -26,7 +26,7 @@ def test_every_part_is_named(server: RunningServer):
 @pytest.fixture
 def runtime(tmp_path: Path):
     """A database and a store of this test, and nobody who works."""
-    runtime = Runtime.of(Settings(data_dir=tmp_path, secret_key="only for tests"))  # type: ignore[arg-type]
+    runtime = Runtime.of(Settings(data_dir=tmp_path, secret_key="only for tests"))
     migrate(runtime.database)
     yield runtime
     runtime.close()

@@ -1,7 +1,6 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
 import time
-from collections.abc import Callable
 from datetime import UTC, datetime
 from typing import Any
 from uuid import UUID
@@ -16,6 +15,7 @@ from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
 from tests.support.server import RunningServer
+from tests.support.waiting import until
 
 calls: list[str] = []
 broken = {"is": True}
@@ -40,13 +40,6 @@ def runtime(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Runtime:
     server.wait_for_jobs()
     calls.clear()
     return server.runtime
-
-
-def until(condition: Callable[[], object], seconds: float = 30) -> None:
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, "it did not come about"
-        time.sleep(0.02)
 
 
 def enqueue(runtime: Runtime, job: str, word: str, **more: Any) -> None:

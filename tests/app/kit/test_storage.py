@@ -146,7 +146,7 @@ def test_a_full_disk_is_said_in_words(tmp_path: Path, monkeypatch: pytest.Monkey
 
 class TestBucket:
     def bucket(self, s3: S3Server, tmp_path: Path, name: str | None = None, **more: object) -> BucketStore:
-        return BucketStore(s3.address(name or s3.new_bucket(), "sounds"), KEY, tmp_path / "incoming", **more)  # type: ignore[arg-type]
+        return BucketStore(s3.address(name or s3.new_bucket(), "sounds"), KEY, tmp_path / "incoming", **more)
 
     def test_a_blob_that_was_altered_is_not_given_to_be_judged(self, s3: S3Server, tmp_path: Path):
         bucket = s3.new_bucket()

@@ -141,7 +141,7 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
 
     def publish(session: sa.orm.Session, event: str, **facts: object) -> object:
         told.append((event, facts))
-        return events.publish(session, event, **facts)  # type: ignore[arg-type]
+        return events.publish(session, event, **facts)
 
     monkeypatch.setattr(service, "publish", publish)
     (cue,) = add(world, {"name": "Door"})

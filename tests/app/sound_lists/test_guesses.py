@@ -9,7 +9,7 @@ from app.sound_lists.guesses import Candidate, likeliest, words_of
 
 def candidate(name: str, **facts: object) -> Candidate:
     known = {"category": "", "duration_s": None, "variations": 1, "waits": False} | facts
-    return Candidate(key=uuid4(), name=name, stem=name.lower().replace(" ", "_"), **known)  # type: ignore[arg-type]
+    return Candidate(key=uuid4(), name=name, stem=name.lower().replace(" ", "_"), **known)
 
 
 LIST = [

@@ -1,7 +1,8 @@
 import { TextInput } from '@mantine/core'
-import { type FormEvent, useId, useState } from 'react'
+import { type FormEvent, useState } from 'react'
 
 import { Button } from '@/ui/Button'
+import { Select } from '@/ui/Select'
 
 import type { Draft, LibraryClause } from './api'
 import { withLibraryClause, withOwnClause } from './clauses'
@@ -17,7 +18,6 @@ interface AddClauseProps {
 export function AddClause({ library, draft, onAdd }: AddClauseProps) {
   const [chosen, setChosen] = useState('')
   const [title, setTitle] = useState('')
-  const selectId = useId()
   const missing = library.filter(({ key }) => draft.clauses.every((clause) => clause.key !== key))
   const key = missing.some((each) => each.key === chosen) ? chosen : (missing[0]?.key ?? '')
   const write = (event: FormEvent) => {
@@ -29,15 +29,18 @@ export function AddClause({ library, draft, onAdd }: AddClauseProps) {
   return (
     <div className={classes.form}>
       {missing.length > 0 && (
-        <div className={classes.select}>
-          <label htmlFor={selectId}>A clause of the library</label>
-          <select id={selectId} value={key} onChange={({ currentTarget }) => setChosen(currentTarget.value)}>
+        <div className={classes.library}>
+          <Select
+            label="A clause of the library"
+            value={key}
+            onChange={({ currentTarget }) => setChosen(currentTarget.value)}
+          >
             {missing.map((each) => (
               <option key={each.key} value={each.key}>
                 {each.title}
               </option>
             ))}
-          </select>
+          </Select>
           <p className="small mid">{missing.find((each) => each.key === key)?.why}</p>
           <div>
             <Button icon="plus" onClick={() => onAdd(withLibraryClause(draft, library, key))}>

@@ -6,6 +6,7 @@ import { ButtonLink } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
+import { Select } from '@/ui/Select'
 
 import { type Compared, comparisonQuery, contractQuery, versionsQuery } from './api'
 import classes from './Contracts.module.css'
@@ -80,14 +81,11 @@ interface VersionSelectProps {
 
 function VersionSelect({ label, value, numbers, onChange }: VersionSelectProps) {
   return (
-    <label className={classes.select}>
-      <span className="small">{label}</span>
-      <select value={value} onChange={({ currentTarget }) => onChange(Number(currentTarget.value))}>
-        {numbers.map((number) => (
-          <option key={number} value={number}>{`Version ${number}`}</option>
-        ))}
-      </select>
-    </label>
+    <Select label={label} value={value} onChange={({ currentTarget }) => onChange(Number(currentTarget.value))}>
+      {numbers.map((number) => (
+        <option key={number} value={number}>{`Version ${number}`}</option>
+      ))}
+    </Select>
   )
 }
 

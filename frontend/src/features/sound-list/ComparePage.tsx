@@ -9,6 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { clock, day, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { Select } from '@/ui/Select'
 
 import { compareQuery, type Difference, listQuery, problemIn, type Revision, revisionsQuery } from './api'
 import { Changes } from './Changes'
@@ -169,16 +170,13 @@ function RevisionSelect({ label, value, first, last, known, onChange }: Revision
   const word = (number: number) =>
     number === 0 ? 'The empty list' : `Revision ${number}${summaries.has(number) ? `: ${summaries.get(number)}` : ''}`
   return (
-    <label className={classes.select}>
-      <span className="small mid">{label}</span>
-      <select value={value} onChange={(event) => onChange(Number(event.currentTarget.value))}>
-        {Array.from({ length: last - first + 1 }, (_, place) => last - place).map((number) => (
-          <option key={number} value={number}>
-            {word(number)}
-          </option>
-        ))}
-      </select>
-    </label>
+    <Select label={label} value={value} onChange={({ currentTarget }) => onChange(Number(currentTarget.value))}>
+      {Array.from({ length: last - first + 1 }, (_, place) => last - place).map((number) => (
+        <option key={number} value={number}>
+          {word(number)}
+        </option>
+      ))}
+    </Select>
   )
 }
 

@@ -14,6 +14,7 @@ import { FieldError } from '@/ui/FieldError'
 import { bytes, figure, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
+import { Select } from '@/ui/Select'
 
 import { type ImportField, type ImportRead, importSheet, problemIn, useImport, useRights } from './api'
 import classes from './Import.module.css'
@@ -310,8 +311,7 @@ function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
             <span className="strong cut-text" title={column.name}>
               {column.name}
             </span>
-            <select
-              className={classes.as}
+            <Select
               aria-label={`Read ${column.name} as`}
               value={column.field}
               onChange={(event) => onMap(column.name, event.currentTarget.value as ImportField)}
@@ -321,7 +321,7 @@ function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
                   {label}
                 </option>
               ))}
-            </select>
+            </Select>
             <span className="small dim cut-text" title={column.samples.join('\n')}>
               {column.samples.join(', ') || 'empty'}
             </span>

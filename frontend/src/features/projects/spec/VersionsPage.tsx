@@ -9,6 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
+import { Select } from '@/ui/Select'
 
 import { projectQuery, specVersionQuery, useSpecTry, useSpecVersions } from '../api'
 import { Refusal } from '../Refusal'
@@ -143,12 +144,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
       {view !== 'text' && numbers.length > 1 && (
         <p className={`row wrap small mid ${classes.against}`}>
           <label htmlFor="against">Against version</label>
-          <select
-            id="against"
-            className={classes.select}
-            value={against}
-            onChange={({ currentTarget }) => onAgainst(Number(currentTarget.value))}
-          >
+          <Select id="against" value={against} onChange={({ currentTarget }) => onAgainst(Number(currentTarget.value))}>
             {numbers
               .filter((number) => number !== version)
               .map((number) => (
@@ -156,7 +152,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
                   {number}
                 </option>
               ))}
-          </select>
+          </Select>
         </p>
       )}
       {view === 'rules' && rules && before && (

@@ -1,0 +1,32 @@
+"""Who sees a contract, and who may change it."""
+
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor, Role
+from app.contracts.errors import ContractNotFound
+from app.contracts.models import Contract
+from app.contracts.queries import contract_for, lock_contract
+from app.projects.errors import ProducerNeeded
+
+
+def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    """Return a contract that the caller may see; raise ContractNotFound otherwise."""
+    contract = contract_for(session, actor, contract_id)
+    if contract is None:
+        raise ContractNotFound(f"no contract {contract_id}")
+    return contract
+
+
+def contract_for_producer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    """Return a contract; raise ProducerNeeded for all but the studio's producers."""
+    contract = contract_in_sight(session, actor, contract_id)
+    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
+        raise ProducerNeeded("only a producer of the studio can do this")
+    return contract
+
+
+def contract_to_change(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    """Return a contract that nobody else changes meanwhile; raise ProducerNeeded for all but the studio's producers."""
+    return lock_contract(session, contract_for_producer(session, actor, contract_id).id)

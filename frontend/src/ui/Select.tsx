@@ -1,0 +1,19 @@
+import type { ComponentProps } from 'react'
+import classes from './Select.module.css'
+
+interface SelectProps extends ComponentProps<'select'> {
+  /** Stands above it; without one it is named by `aria-label` or by a label that stands elsewhere. */
+  label?: string
+}
+
+/** A choice among few, as the browser opens it. */
+export function Select({ label, ...rest }: SelectProps) {
+  const choice = <select {...rest} className={classes.select} />
+  if (label === undefined) return choice
+  return (
+    <label className={classes.labelled}>
+      <span className="small mid">{label}</span>
+      {choice}
+    </label>
+  )
+}
