@@ -144,15 +144,26 @@ export function WithApproverCard({ desk }: { desk: Desk }) {
             <State kind="to_review">
               {plural(cues.length, 'cue')}, {plural(files, 'file')}
             </State>
-            {cues.map(
-              ({ id, name, accepted_after: after }) =>
-                after && <p key={id} className={`small mid ${classes.whole}`}>{`${name}: ${unlessJudged(after)}`}</p>,
-            )}
+            {waitsOf(cues).map((says) => (
+              <p key={says} className={`small mid ${classes.whole}`}>
+                {says}
+              </p>
+            ))}
           </>
         )}
       </div>
     </Card>
   )
+}
+
+/** For each day after which silence accepts: which cues, and when. */
+function waitsOf(cues: Desk['with_approver']): string[] {
+  const days = [...new Set(cues.flatMap(({ accepted_after: day }) => day ?? []))]
+  return days.map((day) => {
+    const names = cues.filter(({ accepted_after: after }) => after === day).map(({ name }) => name)
+    const which = cues.length > 1 && names.length === cues.length ? 'Each' : names.join(', ')
+    return `${which}: ${unlessJudged(day)}`
+  })
 }
 
 /** What waits for the approver and could be better without a new export: the check warned, and a mend answers it. */

@@ -373,6 +373,16 @@ test('what waits with the approver says when it counts as accepted without a ver
   expect(card).toHaveTextContent('shield_hit: accepted after Friday 15 March 2030 without a verdict')
 })
 
+test('cues that wait until the same day are told in one line', async () => {
+  const waiting = (name: string, day: string | null) => ({ id: name, label: name, name, accepted_after: day })
+  const waits = [waiting('alarm', '2030-03-15'), waiting('bell', '2030-03-15'), waiting('chime', '2030-03-18')]
+  serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, with_approver: waits } }))
+  openApp('/desk')
+  const card = await screen.findByRole('region', { name: 'With the approver' })
+  expect(card).toHaveTextContent('alarm, bell: accepted after Friday 15 March 2030 without a verdict')
+  expect(card).toHaveTextContent('chime: accepted after Monday 18 March 2030 without a verdict')
+})
+
 describe('delivering', () => {
   test('an MP3 named .wav stays in the browser, in words', async () => {
     const { asked } = serve(answers({ 'POST /v1/projects/p1/deliveries': answer(DELIVERY, 201) }))
