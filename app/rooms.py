@@ -43,7 +43,7 @@ JOB_MODULES = (
 )
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
-    "take.received": ("conformance.check_take", "renders.draw_take"),
+    "take.received": ("conformance.check_take",),
     "take.checked": ("renders.make_renders", "notifications.tell_check"),
     "take.rendered": ("renders.hear_take",),
     "palette.changed": ("renders.hear_palette",),

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         Unreadable,
     )
     from audio_checks.findings import FileReport, Finding, Report
+    from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.memory_budget import Memory, MemoryUse, SoundSize, memory_use, sizes_asked_for
     from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from audio_checks.provenance import Exported, Provenance, export_master
     from audio_checks.rehearsal import rehearse_check, write_rehearsal_sound
     from audio_checks.render.key import render_key
-    from audio_checks.render.preview import average_spectrum, preview, spectrogram, wave_shapes
+    from audio_checks.render.preview import average_spectrum, plays_as_preview, preview, spectrogram, wave_shapes
     from audio_checks.render.render import RENDERER_VERSION, render_master
     from audio_checks.render.rendered import Loss, Rendered
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
@@ -62,6 +63,7 @@ __all__ = [
     "TOOL_VERSION",
     "AudioChecksError",
     "AudioFile",
+    "BandLevels",
     "CueFacts",
     "DeliverySpec",
     "Exported",
@@ -109,6 +111,7 @@ __all__ = [
     "off_its_set_lu",
     "parse_file_name",
     "parse_spec",
+    "plays_as_preview",
     "preview",
     "read_sound_list",
     "rehearse_check",
@@ -142,6 +145,7 @@ _HOMES = {
         "Unreadable",
     ),
     "audio_checks.findings": ("FileReport", "Finding", "Report"),
+    "audio_checks.measure.average_spectrum": ("BandLevels",),
     "audio_checks.measure.waveform": ("WaveShape",),
     "audio_checks.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "sizes_asked_for"),
     "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
@@ -152,7 +156,7 @@ _HOMES = {
     "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
     "audio_checks.render.key": ("render_key",),
-    "audio_checks.render.preview": ("average_spectrum", "preview", "spectrogram", "wave_shapes"),
+    "audio_checks.render.preview": ("average_spectrum", "plays_as_preview", "preview", "spectrogram", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),

@@ -6,6 +6,8 @@ Answers are plain values, the only ones that may come out of a sandbox.
 import json
 import tempfile
 import wave
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,10 +15,15 @@ import numpy as np
 
 from app.renders.spectrum import spectrum_png
 from audio_checks import (
+    AudioChecksError,
     AudioFile,
+    BandLevels,
+    RenderRefused,
     Target,
+    Unreadable,
     WaveShape,
     average_spectrum,
+    plays_as_preview,
     preview,
     render_master,
     spectrogram,
@@ -28,22 +35,68 @@ THUMB_POINTS = 160
 PEAKS_POINTS = 4096
 THUMB_FULL_SCALE = 127
 PLAYABLE_RATE_HZ = 48_000
+MASTER = ""  # beside the names of targets, none of which is empty
 PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
+
+
+def prepare(
+    path: str, folder: str, recipes: dict[str, dict[str, Any]], *, loop: bool, draws_master: bool
+) -> dict[str, dict[str, Any] | AudioChecksError]:
+    """Make game files of a master and draw them and, where asked, the master; `places` says where each goes.
+
+    What became of each stands under the name of its target, and under MASTER; or why it cannot be made, or drawn.
+    """
+    found: dict[str, dict[str, Any] | AudioChecksError] = {}
+    known = _Known()
+    places_of = places(folder, recipes)
+    for target, recipe in recipes.items():
+        place = places_of[target]
+        place.mkdir()
+        try:
+            found[target] = _rendered(path, place, recipe, known)
+        except (RenderRefused, Unreadable) as error:
+            found[target] = error.with_traceback(None)
+    if draws_master:
+        try:
+            found[MASTER] = _drawn(path, Path(folder), loop=loop, known=known)
+        except (RenderRefused, Unreadable) as error:
+            found[MASTER] = error.with_traceback(None)
+    return found
+
+
+def places(folder: str, targets: Iterable[str]) -> dict[str, Path]:
+    """Return where what is made for each target lies in a folder, and what is drawn of the master."""
+    return {target: Path(folder, str(number)) for number, target in enumerate(targets)} | {MASTER: Path(folder)}
+
+
+@dataclass
+class _Known:
+    """What was found of a master while game files were made of it."""
+
+    preview_of: str = ""  # the target whose file plays as the master's preview does
+    preview_png: bytes = b""
+    bands: BandLevels | None = None
 
 
 def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
     """Write a sound's peaks, spectrum and preview; return its duration, facts and thumb, and what plays it."""
+    return _drawn(path, Path(folder), loop=loop, known=_Known())
+
+
+def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, Any]:
     with AudioFile(path) as file:
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
-    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict(), "bands": _bands(path)}
-    Path(folder, PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
+    bands = known.bands or average_spectrum(path)
+    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict(), "bands": _in_tenths(bands)}
+    (folder / PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
     plays_itself = _plays_itself(path)
-    played = path if plays_itself else str(Path(folder, PREVIEW))
-    if not plays_itself:
-        preview(path, played, loop=loop)
+    preview_of = "" if plays_itself else known.preview_of
+    if not plays_itself and not preview_of:
+        preview(path, folder / PREVIEW, loop=loop)
     # Of what plays: its 16 bits reach below black, and its 48 kHz above the top row.
-    Path(folder, SPECTRUM).write_bytes(spectrum_png(spectrogram(played)))
+    spectrum = known.preview_png if preview_of else _spectrum(path if plays_itself else folder / PREVIEW)
+    (folder / SPECTRUM).write_bytes(spectrum)
     return {
         "duration_s": facts.duration_s,
         "facts": {
@@ -56,15 +109,19 @@ def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
         },
         "thumb": _thumb(small),
         "plays_itself": plays_itself,
+        "preview_of": preview_of,
     }
 
 
-def _bands(path: str) -> dict[str, list[float | None]]:
+def _spectrum(path: str | Path) -> bytes:
+    return spectrum_png(spectrogram(path))
+
+
+def _in_tenths(bands: BandLevels) -> dict[str, list[float | None]]:
     """Return the level of each band of frequency, to a tenth; null for silence."""
-    found = average_spectrum(path)
     return {
-        "hz": [round(float(hz), 1) for hz in found.centres_hz],
-        "dbfs": [round(float(level), 1) if np.isfinite(level) else None for level in found.levels_dbfs],
+        "hz": [round(float(hz), 1) for hz in bands.centres_hz],
+        "dbfs": [round(float(level), 1) if np.isfinite(level) else None for level in bands.levels_dbfs],
     }
 
 
@@ -85,43 +142,37 @@ def _thumb(shape: WaveShape) -> dict[str, Any]:
     return {"points": shape.points, **{name: line.astype(int).tolist() for name, line in whole.items()}}
 
 
-def render(
-    path: str,
-    folder: str,
-    target: Target,
-    *,
-    loop: bool,
-    sample_peak_limit_dbfs: float | None,
-    true_peak_limit_dbtp: float | None,
-    tolerance_db: float,
-) -> dict[str, Any]:
+def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> dict[str, Any]:
     """Make a game file and draw it; return what was made, and its drawing."""
-    out = Path(folder, GAME_FILE)
-    rendered = render_master(
-        path,
-        target,
-        out,
-        loop=loop,
-        sample_peak_limit_dbfs=sample_peak_limit_dbfs,
-        true_peak_limit_dbtp=true_peak_limit_dbtp,
-        tolerance_db=tolerance_db,
-    )
-    return {"rendered": rendered.to_dict(), "drawing": draw(str(out), folder, loop=loop)}
+    out = folder / GAME_FILE
+    with AudioFile(path) as file:
+        master_rate_hz = file.facts.sample_rate_hz
+    rendered = render_master(path, out_path=out, **recipe)
+    own = _Known()
+    if rendered.loss is not None and rendered.sample_rate_hz == master_rate_hz:
+        spectra = rendered.loss.spectra
+        known.bands = BandLevels(np.array(spectra.hz), np.array(spectra.master_dbfs))
+        own.bands = BandLevels(np.array(spectra.hz), np.array(spectra.render_dbfs))
+    drawing = _drawn(str(out), folder, loop=recipe["loop"], known=own)
+    if (
+        not known.preview_of
+        and drawing["plays_itself"]
+        and plays_as_preview(rendered, recipe["target"], master_rate_hz)
+    ):
+        known.preview_of, known.preview_png = recipe["target"].name, (folder / SPECTRUM).read_bytes()
+    return {"rendered": rendered.to_dict(), "drawing": drawing}
 
 
 def rehearse() -> None:
     """Draw and render a sound of our own once, for all the children to come."""
-    target = Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16)
+    recipe = {
+        "target": Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16),
+        "loop": False,
+        "sample_peak_limit_dbfs": None,
+        "true_peak_limit_dbtp": None,
+        "tolerance_db": 0.05,
+    }
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
         sound = str(Path(folder, "sound.wav"))
         write_rehearsal_sound(sound)
-        draw(sound, folder, loop=False)
-        render(
-            sound,
-            folder,
-            target,
-            loop=False,
-            sample_peak_limit_dbfs=None,
-            true_peak_limit_dbtp=None,
-            tolerance_db=0.05,
-        )
+        prepare(sound, folder, {"rehearsal": recipe}, loop=False, draws_master=True)

@@ -3,7 +3,7 @@
 import contextlib
 import tempfile
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
 from uuid import UUID
@@ -18,14 +18,24 @@ from app.kit import kill
 from app.kit.events import publish
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.kit.storage import BlobAltered, BlobMissing, StoredBlob
 from app.renders import batches, drawing, master_exports, queries, reel_sound, reels, service, timbre
 from app.renders.models import Picture, Render, Timbre
 from app.renders.rules import Recipe, RenderState
-from audio_checks import Exported, RenderRefused, Sandbox, SandboxFailed, Unreadable, export_master, spoken
+from audio_checks import (
+    AudioChecksError,
+    Exported,
+    RenderRefused,
+    Sandbox,
+    SandboxFailed,
+    Unreadable,
+    export_master,
+    spoken,
+)
 
 log = structlog.get_logger(__name__)
 R = TypeVar("R")
+Outcome = dict[str, Any] | AudioChecksError  # what a child tells of what it made, or why it made nothing
 TRIES = 3
 TIMEOUT_S = 300.0
 MEMORY_BYTES = 1 << 30
@@ -40,18 +50,6 @@ def _sandbox() -> Sandbox:
     return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, rehearsal=drawing.rehearse)
 
 
-@job("renders.draw_take")
-def draw_take(runtime: Runtime, payload: Payload) -> None:
-    """Draw a take's master and make its preview, whatever its check says."""
-    with runtime.database.reading() as session:
-        take = take_by_id(session, UUID(payload["take_id"]))
-        if take is None or queries.picture_of(session, take.studio_id, take.master_sha256) is not None:
-            return
-        studio_id, sha256 = take.studio_id, take.master_sha256
-        loop = take.cue is not None and take.cue.loop
-    _draw(runtime, studio_id, sha256, loop=loop)
-
-
 @job("renders.draw_mend")
 def draw_mend(runtime: Runtime, payload: Payload) -> None:
     """Draw a mended copy and make its preview, so that its designer sees and hears it before it is used."""
@@ -64,11 +62,6 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
         studio_id, sha256 = mend.studio_id, mend.sha256
         take = take_by_id(session, mend.take_id)
         loop = take is not None and take.cue is not None and take.cue.loop
-    _draw(runtime, studio_id, sha256, loop=loop)
-
-
-def _draw(runtime: Runtime, studio_id: UUID, sha256: str, *, loop: bool) -> None:
-    """Put the picture of one stored sound on record."""
     with (
         runtime.store.local_copy(studio_id, sha256) as master,
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
@@ -79,7 +72,7 @@ def _draw(runtime: Runtime, studio_id: UUID, sha256: str, *, loop: bool) -> None
             log.info("a sound could not be drawn", sha256=sha256, error=str(error))
             picture = Picture(studio_id=studio_id, sound_sha256=sha256)
         else:
-            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn)
+            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn, None)
     with runtime.database.writing() as session:
         service.keep_picture(session, picture)
 
@@ -95,10 +88,17 @@ def _tried(call: Callable[[], R]) -> R:
 
 
 def _stored_picture(
-    runtime: Runtime, studio_id: UUID, sound_sha256: str, folder: Path, drawn: dict[str, Any]
+    runtime: Runtime,
+    studio_id: UUID,
+    sound_sha256: str,
+    folder: Path,
+    drawn: dict[str, Any],
+    preview: StoredBlob | None,
 ) -> Picture:
+    """Store what was drawn of a sound; `preview` is what plays it where that is stored already."""
     peaks, spectrum = (runtime.store.put_file(studio_id, folder / name) for name in (drawing.PEAKS, drawing.SPECTRUM))
-    preview = None if drawn["plays_itself"] else runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
+    if preview is None and not drawn["plays_itself"]:
+        preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
     return Picture(
         studio_id=studio_id,
         sound_sha256=sound_sha256,
@@ -153,58 +153,108 @@ def hear_palette(runtime: Runtime, payload: Payload) -> None:
 
 @job("renders.make_renders")
 def make_renders(runtime: Runtime, payload: Payload) -> None:
-    """Make the game files of an admitted take for every target of the current spec, or record why not."""
+    """Draw the master of a checked take and, of one that may ship, make the game files that its spec wants."""
     with runtime.database.reading() as session:
-        order = service.order_renders(session, UUID(payload["take_id"]))
+        order = service.order_making(session, UUID(payload["take_id"]))
     if order is None:
         return
-    for target, recipe in order.missing.items():
-        kill.point("renders.before_render")
-        render, picture = _rendered(runtime, order, target, recipe)
-        kill.point("renders.after_render")
-        with runtime.database.writing() as session:
-            service.keep_render(session, render, picture)
-            kill.point("renders.before_commit")
-        kill.point("renders.after_commit")
-        RENDERS.labels(render.state.value).inc()
+    kill.point("renders.before_render")
+    renders, picture = _prepared(runtime, order, order.missing, draws=order.draws)
+    kill.point("renders.after_render")
     with runtime.database.writing() as session:
-        service.complete(session, order)
+        service.keep_renders(session, order, renders, picture)
+        kill.point("renders.before_commit")
+    kill.point("renders.after_commit")
+    for render, _ in renders:
+        RENDERS.labels(render.state.value).inc()
 
 
-def _rendered(
-    runtime: Runtime, order: service.RenderOrder, target: str, recipe: Recipe
-) -> tuple[Render, Picture | None]:
-    render = Render(
-        studio_id=order.studio_id,
-        project_id=order.project_id,
-        take_id=order.take_id,
-        target=target,
-        key=recipe.key(order.master_sha256),
-        state=RenderState.REFUSED,
-    )
+# An earlier version asked for a master's picture by itself; such a job draws what is not drawn yet.
+job("renders.draw_take")(make_renders)
+
+
+def _prepared(
+    runtime: Runtime, order: service.RenderOrder, recipes: dict[str, Recipe], *, draws: bool
+) -> tuple[list[tuple[Render, Picture | None]], Picture | None]:
+    """Return game files of a take, or why they were refused, with their pictures; and that of its master."""
+    if not recipes and not draws:
+        return [], None
+    studio_id, sha256 = order.studio_id, order.master_sha256
     with (
-        runtime.store.local_copy(order.studio_id, order.master_sha256) as master,
+        runtime.store.local_copy(studio_id, sha256) as master,
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
     ):
+        found = _outcomes(str(master), folder, recipes, loop=order.loop, draws=draws)
+        renders: list[tuple[Render, Picture | None]] = []
+        files: dict[str, StoredBlob] = {}
+        for target, recipe in recipes.items():
+            outcome, place = found[target]
+            render = Render(
+                studio_id=studio_id,
+                project_id=order.project_id,
+                take_id=order.take_id,
+                target=target,
+                key=recipe.key(sha256),
+                state=RenderState.REFUSED,
+            )
+            if isinstance(outcome, AudioChecksError):
+                render.refusal = _refusal(order, target, outcome)
+                renders.append((render, None))
+                continue
+            files[target] = blob = runtime.store.put_file(studio_id, place / drawing.GAME_FILE)
+            _describe(render, blob, outcome["rendered"])
+            drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], None)
+            renders.append((render, drawn))
+        if not draws:
+            return renders, None
+        outcome, place = found[drawing.MASTER]
+        if isinstance(outcome, AudioChecksError):
+            log.info("a sound could not be drawn", sha256=sha256, error=str(outcome))
+            return renders, Picture(studio_id=studio_id, sound_sha256=sha256)
+        preview = files[outcome["preview_of"]] if outcome["preview_of"] else None
+        return renders, _stored_picture(runtime, studio_id, sha256, place, outcome, preview)
+
+
+def _outcomes(
+    master: str, folder: str, recipes: dict[str, Recipe], *, loop: bool, draws: bool
+) -> dict[str, tuple[Outcome, Path]]:
+    """Return what one child made of a master, and where; what fails together is tried by itself."""
+
+    def made(some: dict[str, Recipe], draws: bool) -> dict[str, tuple[Outcome, Path]]:
+        place = tempfile.mkdtemp(dir=folder)
+        asked = {target: recipe._asdict() for target, recipe in some.items()}
+        done = _sandbox().call(drawing.prepare, master, place, asked, loop=loop, draws_master=draws)
+        return {part: (done[part], where) for part, where in drawing.places(place, some).items() if part in done}
+
+    parts = [*(({target: recipe}, False) for target, recipe in recipes.items()), *([({}, True)] if draws else [])]
+    if len(parts) > 1:
         try:
-            made = _tried(lambda: _sandbox().call(drawing.render, str(master), folder, **recipe._asdict()))
-        except (RenderRefused, Unreadable) as error:
-            render.refusal = f"{error}; {error.fix}"
-            return render, None
+            return made(recipes, draws)
         except SandboxFailed as error:
-            log.error("a render failed", take_id=str(order.take_id), target=target, error=str(error))
-            render.refusal = OUR_FAULT
-            return render, None
-        blob = runtime.store.put_file(order.studio_id, Path(folder, drawing.GAME_FILE))
-        picture = _stored_picture(runtime, order.studio_id, blob.sha256, Path(folder), made["drawing"])
-    rendered = made["rendered"]
+            log.warning("what a take needs could not be made together", error=str(error))
+    found: dict[str, tuple[Outcome, Path]] = {}
+    for some, draws_it in parts:
+        try:
+            found |= _tried(partial(made, some, draws_it))
+        except SandboxFailed as error:
+            found[next(iter(some), drawing.MASTER)] = error, Path(folder)
+    return found
+
+
+def _refusal(order: service.RenderOrder, target: str, error: AudioChecksError) -> str:
+    if isinstance(error, (RenderRefused, Unreadable)):
+        return f"{error}; {error.fix}"
+    log.error("a render failed", take_id=str(order.take_id), target=target, error=str(error))
+    return OUR_FAULT
+
+
+def _describe(render: Render, blob: StoredBlob, rendered: dict[str, Any]) -> None:
     render.state, render.sha256, render.file_bytes = RenderState.MADE, blob.sha256, blob.size_bytes
     render.pcm_sha256 = rendered["pcm_sha256"]
     render.measurements = rendered.pop("measurements")
     render.attenuation_db = rendered.pop("attenuation_db")
     render.loss = rendered.pop("loss")
     render.facts = rendered
-    return render, picture
 
 
 @job("renders.renew_renders")
@@ -246,7 +296,7 @@ def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
     render, picture, fault = None, None, ""
     if order.take is not None and order.recipe is not None:
         try:
-            render, picture = _rendered(runtime, order.take, order.target, order.recipe)
+            ((render, picture),), _ = _prepared(runtime, order.take, {order.target: order.recipe}, draws=False)
             RENDERS.labels(render.state.value).inc()
         except (BlobAltered, BlobMissing) as error:  # one lost master must not hold up the others
             fault = str(error)

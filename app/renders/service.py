@@ -135,6 +135,9 @@ def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:
 class RenderOrder:
     """What is to be made of a take, as of one moment."""
 
+    may_ship: bool
+    draws: bool  # its master
+    loop: bool
     take_id: UUID
     edition: int
     studio_id: UUID
@@ -147,13 +150,26 @@ class RenderOrder:
 
 def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return what is to be made of a take; None where it may not ship, or is for no cue yet."""
+    order = order_making(session, take_id)
+    return order if order is not None and order.may_ship else None
+
+
+def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
+    """Return what is to be made of a take that may ship, and whether its master is to be drawn; None for neither."""
     take = take_by_id(session, take_id)
-    if take is None or take.cue is None or take.state not in RENDERED_STATES:
+    if take is None:
+        return None
+    may_ship = take.cue is not None and take.state in RENDERED_STATES
+    draws = queries.picture_of(session, take.studio_id, take.master_sha256) is None
+    if not may_ship and not draws:
         return None
     spec = current_spec(session, take.project_id)
     made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id]
-    recipes = queries.wanted_recipes(spec, take)
+    recipes = queries.wanted_recipes(spec, take) if may_ship else {}
     return RenderOrder(
+        may_ship=may_ship,
+        draws=draws,
+        loop=take.cue is not None and take.cue.loop,
         take_id=take.id,
         edition=take.edition,
         studio_id=take.studio_id,
@@ -178,6 +194,18 @@ def keep_render(session: Session, render: Render, picture: Picture | None) -> No
         session.add(render)
     if picture is not None:
         keep_picture(session, picture)
+
+
+def keep_renders(
+    session: Session, order: RenderOrder, renders: list[tuple[Render, Picture | None]], picture: Picture | None
+) -> None:
+    """Put all that was made of a take on record, once."""
+    for render, drawn in renders:
+        keep_render(session, render, drawn)
+    if picture is not None:
+        keep_picture(session, picture)
+    if order.may_ship:
+        complete(session, order)
 
 
 def complete(session: Session, order: RenderOrder) -> None:

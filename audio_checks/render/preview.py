@@ -16,10 +16,23 @@ from audio_checks.render.recipe import Recipe
 from audio_checks.render.render import render
 from audio_checks.render.rendered import Rendered
 from audio_checks.sound_files import open_sound
+from audio_checks.spec import Target
 
 MAX_RATE_HZ = 48_000
 BIT_DEPTH = 16
 REVERSED_BLOCK_FRAMES = 65_536
+MAKE_A_PREVIEW = (  # what a target says of its files, but for their peaks
+    "sample_rate_hz",
+    "bit_depth",
+    "encoding",
+    "channels",
+    "dither",
+    "chunks",
+    "shelf_db",
+    "trim_below_dbfs",
+    "fade_in_ms",
+    "fade_out_ms",
+)
 
 
 def preview(
@@ -64,6 +77,23 @@ def preview(
     if backwards:
         _turn_round(out)
     return rendered
+
+
+def plays_as_preview(rendered: Rendered, target: Target, master_rate_hz: int) -> bool:
+    """Tell whether a game file is, byte for byte, what `preview` makes of its master, so that none need be made.
+
+    Parameters
+    ----------
+    rendered : Rendered
+        What was made to the target of the whole master, with no other loop points than its own.
+    target : Target
+        What it was made to.
+    master_rate_hz : int
+        Sample rate of the master.
+    """
+    plain = Target(target.name, playable_rate_hz(master_rate_hz), BIT_DEPTH)
+    is_plain = all(getattr(target, name) == getattr(plain, name) for name in MAKE_A_PREVIEW)
+    return is_plain and rendered.channels <= 2 and rendered.attenuation_db == 0
 
 
 def wave_shapes(

@@ -3,6 +3,7 @@
 import hashlib
 import io
 import wave
+from pathlib import Path
 from typing import Any
 from uuid import UUID
 
@@ -14,7 +15,7 @@ import audio_checks
 from app.deliveries.models import Take
 from app.kit.db import new_id
 from app.projects.models import Spec
-from app.renders import jobs, service
+from app.renders import drawing, jobs, service
 from app.renders.models import Picture, Render, RenderSet
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import RunningServer, World
@@ -183,8 +184,7 @@ def test_jobs_that_run_twice_change_nothing(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     before = sounds(world, take_id)
-    for job in (jobs.draw_take, jobs.make_renders):
-        job(world.server.runtime, {"take_id": take_id})
+    jobs.make_renders(world.server.runtime, {"take_id": take_id})
     assert sounds(world, take_id) == before
     assert count(world.server, Render.take_id == UUID(take_id)) == 2
     # Of the master and of two game files.
@@ -242,6 +242,72 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     )
     server.in_database(lambda session: service.complete(session, order))
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 0  # says nothing of the newer
+
+
+class FailingTogether:
+    """A sandbox whose calls fail as long as more than one thing is asked for."""
+
+    def __init__(self) -> None:
+        self._sandbox = audio_checks.Sandbox()
+        self.asked: list[list[str]] = []
+
+    def call(self, function: Any, path: str, folder: str, recipes: dict[str, Any], **more: Any) -> Any:
+        parts = [*recipes, *(["the master"] if more["draws_master"] else [])]
+        self.asked.append(parts)
+        if len(parts) > 1:
+            raise audio_checks.SandboxCrashed("too much at once")
+        return self._sandbox.call(function, path, folder, recipes, **more)
+
+    def close(self) -> None:
+        self._sandbox.close()
+
+
+def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    failing = FailingTogether()
+    monkeypatch.setattr(jobs, "_sandbox", lambda: failing)
+    add_cue(world, "beep")
+    heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
+    failing.close()
+    assert failing.asked == [["game", "handheld", "the master"], ["game"], ["handheld"], ["the master"]]
+    assert heard["master"]["state"] == "drawn"
+    assert [one["state"] for one in heard["renders"]] == ["made", "made"]
+    assert all(one["preview_url"] for one in (heard["master"], *heard["renders"]))
+
+
+def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: World, tmp_path: Path) -> None:
+    add_cue(world, "beep")
+    take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100))
+
+    def stored(session: Any) -> tuple[Picture, Picture, str]:
+        master = session.get(Take, take_id).master_sha256
+        game = session.scalar(select(Render.sha256).where(Render.take_id == take_id, Render.target == "game"))
+        of = {one.sound_sha256: one for one in session.scalars(select(Picture))}
+        return of[master], of[game], game
+
+    master, game, game_sha256 = world.server.in_database(stored)
+    assert master.preview_sha256 == game_sha256
+    assert master.spectrum_sha256 == game.spectrum_sha256
+    assert master.peaks_sha256 != game.peaks_sha256
+    with world.server.runtime.store.local_copy(world.studio_id, master.sound_sha256) as path:
+        drawing.draw(str(path), str(tmp_path), loop=False)
+    assert {one.name: hashlib.sha256(one.read_bytes()).hexdigest() for one in tmp_path.iterdir()} == {
+        drawing.PEAKS: master.peaks_sha256,
+        drawing.SPECTRUM: master.spectrum_sha256,
+        drawing.PREVIEW: master.preview_sha256,
+    }
+
+
+def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> None:
+    add_cue(world, "beep")
+    (take,) = deliver(world, ("beep.wav", wav_bytes(sine(hz=997, seconds=0.1), rate=48_000, bits=24)))
+    server = world.server
+    with server.runtime.database.writing() as session:
+        server.runtime.queue.enqueue(
+            session, "renders.draw_take", {"take_id": take["id"]}, key="of-old", studio_id=world.studio_id
+        )
+    server.wait_for_jobs()
+    assert count(server, Picture.studio_id == world.studio_id) == 3
+    assert sounds(world, take["id"])["master"]["state"] == "drawn"
 
 
 def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(

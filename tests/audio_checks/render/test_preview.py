@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from audio_checks import wav
-from audio_checks.render.preview import playable_rate_hz, preview, wave_shapes
+from audio_checks.render.preview import playable_rate_hz, plays_as_preview, preview, wave_shapes
+from audio_checks.render.render import render_master
+from audio_checks.spec import Target
 from tests.support import waves
 
 
@@ -66,3 +68,48 @@ def test_shapes_small_and_large(tmp_path):
 def test_the_shape_of_a_very_short_sound_has_a_point_a_frame(tmp_path):
     master = waves.write_wav(tmp_path / "a.wav", np.array([0.25, -0.5, 0.125]))
     assert [shape.highest.tolist() for shape in wave_shapes(master)] == [[0.25, -0.5, 0.125]] * 2
+
+
+@pytest.mark.parametrize(("master_rate", "rate"), [(48_000, 48_000), (96_000, 48_000), (44_100, 44_100)])
+@pytest.mark.parametrize("loop", [False, True])
+def test_a_game_file_that_plays_as_the_preview_is_the_preview(tmp_path, master_rate, rate, loop):
+    sound = waves.noise(seconds=0.3, rate=master_rate, channels=2)
+    master = waves.write_wav(tmp_path / "a.wav", sound, rate=master_rate, bits=24)
+    target = Target("game", rate, 16, over_peak="refuse", folder="sfx", mono_gains=(1.0, 0.0))
+    rendered = render_master(master, target, tmp_path / "game.wav", loop=loop, true_peak_limit_dbtp=-1.0)
+    assert plays_as_preview(rendered, target, master_rate)
+    preview(master, tmp_path / "preview.wav", loop=loop)
+    assert (tmp_path / "game.wav").read_bytes() == (tmp_path / "preview.wav").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"sample_rate_hz": 44_100},
+        {"bit_depth": 8},
+        {"bit_depth": 32, "encoding": "float"},
+        {"channels": 1},
+        {"dither": "shaped"},
+        {"dither": "none"},
+        {"trim_below_dbfs": -30.0},
+        {"fade_in_ms": 5.0},
+        {"fade_out_ms": 5.0},
+        {"sample_peak_limit_dbfs": -9.0},
+    ],
+    ids=lambda other: next(iter(other)),
+)
+def test_a_game_file_that_differs_from_the_preview_is_told_apart(tmp_path, other):
+    limit_dbfs = other.pop("sample_peak_limit_dbfs", None)
+    sound = waves.noise(seconds=0.3, channels=2) * np.linspace(1, 0, 14_400)[:, np.newaxis]
+    master = waves.write_wav(tmp_path / "a.wav", sound, bits=24)
+    target = Target(**{"name": "game", "sample_rate_hz": 48_000, "bit_depth": 16} | other)
+    rendered = render_master(master, target, tmp_path / "game.wav", sample_peak_limit_dbfs=limit_dbfs)
+    assert not plays_as_preview(rendered, target, 48_000)
+    preview(master, tmp_path / "preview.wav")
+    assert (tmp_path / "game.wav").read_bytes() != (tmp_path / "preview.wav").read_bytes()
+
+
+def test_a_game_file_of_more_than_two_channels_is_no_preview(tmp_path):
+    master = waves.write_wav(tmp_path / "a.wav", waves.noise(seconds=0.1, channels=6), bits=24)
+    target = Target("game", 48_000, 16)
+    assert not plays_as_preview(render_master(master, target, tmp_path / "game.wav"), target, 48_000)

@@ -28,7 +28,7 @@ const JOBS: Partial<Record<string, string>> = {
   'renders.export_master': 'Write provenance into a copy of a master',
   'renders.make_next_of_batch': 'Make the next game files of a batch',
   'renders.make_reel': 'Put versions in a row',
-  'renders.make_renders': 'Make game files',
+  'renders.make_renders': 'Draw a sound and make its game files',
   'renders.plan_batch': 'Plan a batch of game files',
   'renders.renew_renders': 'Ask for new game files',
   'server.forget_done_jobs': 'Clear away old jobs',
