@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     )
     from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
     from audio_checks.target_presets import TARGET_PRESETS, TargetPreset
+    from audio_checks.versions import reverb_between
 
 __all__ = [
     "MENDER_VERSION",
@@ -119,6 +120,7 @@ __all__ = [
     "render_master",
     "repair_spots",
     "reverb_beside",
+    "reverb_between",
     "set_findings",
     "sizes_asked_for",
     "slug",
@@ -173,6 +175,7 @@ _HOMES = {
     ),
     "audio_checks.spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
     "audio_checks.target_presets": ("TARGET_PRESETS", "TargetPreset"),
+    "audio_checks.versions": ("reverb_between",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

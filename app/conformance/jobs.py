@@ -12,7 +12,7 @@ from prometheus_client import Counter
 
 import audio_checks
 from app.conformance import mending, mends, queries, service
-from app.conformance.rules import TRIES, Report, unjudged
+from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before
 from app.conformance.service import CheckOrder
 from app.kit import kill
 from app.kit.queue import Payload, job
@@ -36,7 +36,7 @@ def check_take(runtime: Runtime, payload: Payload) -> None:
     if order is None:
         return
     kill.point("conformance.before_check")
-    report = report or _checked(runtime, order)
+    report = with_reverb_before(report or _checked(runtime, order), _beside_before(runtime, order))
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
         is_news = service.record_check(session, order, report)
@@ -95,6 +95,23 @@ def _checked(runtime: Runtime, order: CheckOrder) -> Report:
             continue
         return report.to_dict() | {"path": order.name}
     return unjudged(order.name, order.spec.category, why)
+
+
+def _beside_before(runtime: Runtime, order: CheckOrder) -> dict[str, Any] | None:
+    """Return what the reverb of a take is beside that of an earlier one; None where there is none to compare with."""
+    if order.before is None:
+        return None
+    sandbox, store = _sandbox(_time_for(order.master_bytes)), runtime.store
+    try:
+        with (
+            store.local_copy(order.studio_id, order.master_sha256) as path,
+            store.local_copy(order.studio_id, order.before.master_sha256) as before_path,
+        ):
+            compared = sandbox.call(audio_checks.reverb_between, path, before_path)
+    except (audio_checks.Unreadable, audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
+        log.warning("no comparison with an earlier take", take_id=str(order.take_id), error=str(error))
+        return None
+    return compared.to_dict() | {"take_id": str(order.before.take_id), "number": order.before.number}
 
 
 def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, Any] | None:

@@ -51,6 +51,23 @@ def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
     )
 
 
+def take_before(session: Session, take: Take) -> Take | None:
+    """Return the newest earlier take by the same designer for the same place, if a check could read it."""
+    if take.number is None:
+        return None
+    return session.scalar(
+        select(Take)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(
+            *(Take.studio_id == take.studio_id, Take.cue_id == take.cue_id, Take.variation == take.variation),
+            *(Take.designer_id == take.designer_id, Take.alternate.is_not_distinct_from(take.alternate)),
+            *(Take.number < take.number, CheckRun.verdict.in_(("conforming", "rejected"))),
+        )
+        .order_by(Take.number.desc())
+        .limit(1)
+    )
+
+
 def spec_of(session: Session, run: CheckRun) -> Spec:
     """Return the version of the spec that a check was made by."""
     return session.get_one(Spec, run.spec_id)

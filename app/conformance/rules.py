@@ -61,6 +61,15 @@ def state_after(report: Mapping[str, Any], waived: Collection[str]) -> TakeState
     return TakeState.RETURNED
 
 
+def with_reverb_before(report: Report, before: Mapping[str, Any] | None) -> Report:
+    """Return a report with what its reverb is beside an earlier take; a known report loses that of another take."""
+    judgements = report["judgements"]
+    if "reverb" not in judgements:
+        return report
+    reverb = {key: value for key, value in judgements["reverb"].items() if key != "before"}
+    return {**report, "judgements": {**judgements, "reverb": {**reverb, "before": dict(before)} if before else reverb}}
+
+
 def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str]) -> list[dict[str, Any]]:
     """Return findings with those marked that the decider let through."""
     return [{**finding, "waived": finding["code"] in codes} for finding in findings]

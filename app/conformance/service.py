@@ -37,6 +37,15 @@ from app.sound_lists.service import cue_facts
 
 
 @dataclass(frozen=True)
+class TakeBefore:
+    """An earlier take of the same sound, for comparison."""
+
+    take_id: UUID
+    number: int
+    master_sha256: str
+
+
+@dataclass(frozen=True)
 class CheckOrder:
     """All that a check of one take needs to know, as of one moment."""
 
@@ -49,6 +58,7 @@ class CheckOrder:
     spec_id: UUID
     spec: audio_checks.DeliverySpec
     cue: audio_checks.CueFacts | None
+    before: TakeBefore | None
     key: str
 
 
@@ -75,8 +85,16 @@ def _order(session: Session, take: Take) -> CheckOrder:
         spec_id=spec.id,
         spec=resolved,
         cue=cue,
+        before=_before(session, take),
         key=run_key(take.master_sha256, resolved, cue, name),
     )
+
+
+def _before(session: Session, take: Take) -> TakeBefore | None:
+    before = queries.take_before(session, take)
+    if before is None or before.number is None or before.master_sha256 == take.master_sha256:
+        return None
+    return TakeBefore(before.id, before.number, before.master_sha256)
 
 
 def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:

@@ -1,15 +1,19 @@
+import { Link } from '@tanstack/react-router'
+
 import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
 import { figure } from '@/ui/format'
 
 import type { Check } from './api'
-import { type DecayBand, type ReverbEvidence, reverbOf } from './reverb'
+import { type DecayBand, type ReverbBefore, type ReverbEvidence, reverbOf } from './reverb'
 import classes from './Take.module.css'
 
 const WIDTH = 600
 const HEIGHT = 180
 const FLOOR_DB = -60
 const LINES_DB = [-20, -40]
+/** Smaller changes of a decay time are not spoken of. */
+const LEAST_CHANGE_S = 0.05
 
 /** What the judgement of reverb goes by: how each octave dies away, and how alike left and right stay. */
 export function ReverbCard({ check }: { check: Check | null | undefined }) {
@@ -28,6 +32,7 @@ export function ReverbCard({ check }: { check: Check | null | undefined }) {
           </figcaption>
         </figure>
         <DecayTable evidence={evidence} />
+        {evidence.before && <BesideBefore before={evidence.before} />}
       </div>
     </Card>
   )
@@ -96,6 +101,36 @@ function DecayTable({ evidence: { bands, isStereo } }: { evidence: ReverbEvidenc
         ))}
       </tbody>
     </table>
+  )
+}
+
+/** What changed since the version before: how much of a tail, and how much slower or faster the octaves die away. */
+function BesideBefore({ before }: { before: ReverbBefore }) {
+  const { number, rt60S, wetDb, verdict } = before
+  const slower = before.bands.flatMap(({ hz, rt60S: now, earlierRt60S: then }) =>
+    now === null || then === null || Math.abs(now - then) < LEAST_CHANGE_S ? [] : [{ hz, byS: now - then }],
+  )
+  return (
+    <div className="small">
+      <p>
+        <Link className="link" to="/takes/$takeId" params={{ takeId: before.takeId }}>
+          Beside version {number}
+        </Link>
+        : {verdict === 'cannot tell' ? 'not the same sound, so their reverb cannot be compared.' : `${verdict}.`}
+        {rt60S !== null &&
+          wetDb !== null &&
+          ` The tail between them lies ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s.`}
+      </p>
+      {verdict !== 'cannot tell' && slower.length > 0 && (
+        <ul aria-label={`Tails beside version ${number}`} className={classes.tails}>
+          {slower.map(({ hz, byS }) => (
+            <li key={hz}>
+              {octave(hz)}: {figure(Math.abs(byS), 2)} s {byS > 0 ? 'slower' : 'faster'}
+            </li>
+          ))}
+        </ul>
+      )}
+    </div>
   )
 }
 

@@ -82,6 +82,37 @@ describe('the judgement of reverb', () => {
   })
 })
 
+describe('reverb beside the version before', () => {
+  const band = { hz: 500, curve_db: [0, -20, -40], rt60_s: 1.82, rate_db_s: -33 }
+  const evidence = { decay: { start_s: 0, step_s: 0.05, bands: [band] }, coherence: null }
+  const reverb = { verdict: 'reverb', score: 0.99, rt60_s: 1.8, evidence }
+  const bands = [
+    { hz: 500, rt60_s: 1.82, earlier_rt60_s: 0.2 },
+    { hz: 1000, rt60_s: 0.22, earlier_rt60_s: 0.21 },
+  ]
+  const before = { take_id: 't0', number: 1, verdict: 'more reverb', rt60_s: 1.75, wet_db: -6.2, evidence: { bands } }
+
+  test('says which has more, by how much, and where tails are slower', async () => {
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { ...reverb, before } } }))
+    await opened()
+    const shown = await card('Is there reverb in it?')
+    expect(shown).toHaveTextContent('Beside version 1: more reverb.')
+    expect(shown).toHaveTextContent('lies 6.2 dB under the sound and falls by 60 dB in 1.75 s')
+    expect(within(shown).getByRole('link', { name: 'Beside version 1' })).toHaveAttribute('href', '/takes/t0')
+    const tails = within(within(shown).getByRole('list', { name: 'Tails beside version 1' })).getAllByRole('listitem')
+    expect(tails.map((tail) => tail.textContent)).toEqual(['500 Hz: 1.62 s slower'])
+  })
+
+  test('says that another sound cannot be compared', async () => {
+    const other = { ...before, verdict: 'cannot tell', rt60_s: null, wet_db: null }
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { ...reverb, before: other } } }))
+    await opened()
+    const shown = await card('Is there reverb in it?')
+    expect(shown).toHaveTextContent('Beside version 1: not the same sound')
+    expect(within(shown).queryByRole('list')).toBeNull()
+  })
+})
+
 test('the judgement of direction shows how each octave rises and falls', async () => {
   const bands = [
     { hz: 500, rise_db_s: 1200, fall_db_s: 80 },

@@ -22,6 +22,35 @@ export interface ReverbEvidence {
   stepS: number
   bands: readonly DecayBand[]
   isStereo: boolean
+  before: ReverbBefore | null
+}
+
+/** What its reverb is beside that of the designer's version before. */
+export interface ReverbBefore {
+  takeId: string
+  number: number
+  verdict: string
+  /** Of what was added, or taken away. */
+  rt60S: number | null
+  wetDb: number | null
+  bands: readonly { hz: number; rt60S: number | null; earlierRt60S: number | null }[]
+}
+
+function beforeOf(value: unknown): ReverbBefore | null {
+  if (!isTable(value) || typeof value.take_id !== 'string' || typeof value.verdict !== 'string') return null
+  const bands = isTable(value.evidence) && Array.isArray(value.evidence.bands) ? value.evidence.bands : []
+  return {
+    takeId: value.take_id,
+    number: Number(value.number),
+    verdict: value.verdict,
+    rt60S: numberOf(value.rt60_s),
+    wetDb: numberOf(value.wet_db),
+    bands: bands.filter(isTable).map((band) => ({
+      hz: Number(band.hz),
+      rt60S: numberOf(band.rt60_s),
+      earlierRt60S: numberOf(band.earlier_rt60_s),
+    })),
+  }
 }
 
 /** The evidence as a check's report holds it; null where nothing was judged or nothing dies away. */
@@ -49,5 +78,6 @@ export function reverbOf(judgements: Values): ReverbEvidence | null {
     stepS: numberOf(decay.step_s) ?? 0,
     bands,
     isStereo: sides.length > 0,
+    before: beforeOf(reverb.before),
   }
 }
