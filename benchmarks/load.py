@@ -34,6 +34,8 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.runtime import Runtime
 from app.renders.models import RenderSet
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 from benchmarks.bulk import filling
 from benchmarks.served import Place, cpu_now_s, cpu_seconds, cpu_since_s, headers_for, memory_bytes
 from benchmarks.studios import Made, ProjectMaker, make_team
@@ -245,23 +247,17 @@ def main() -> None:
         rendered = rendered_takes(runtime)
         people = People(address, made, to_approve, takes, told)
         watch = watcher(told, processes)
-        spent = asyncio.run(
-            load(
-                people,
-                seconds=options.seconds,
-                uploads=options.uploads,
-                rate=options.rate,
-                watch=watch,
-                pids=pids,
-            )
+        loading = load(
+            people, seconds=options.seconds, uploads=options.uploads, rate=options.rate, watch=watch, pids=pids
         )
+        spent = asyncio.run(loading)
         rendered = rendered_takes(runtime) - rendered
     text = report(told, options, spent, rendered)
     print(text)
     if options.docs:
         write_between(DOCS / "scale.md", "load", text)
     if told.wrong:
-        raise SystemExit(f"{len(told.wrong)} errors; the first: {told.wrong[0]}")
+        raise SystemExit("\n".join([f"{len(told.wrong)} errors; the first of them:", *told.wrong[:5]]))
 
 
 def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
@@ -269,8 +265,16 @@ def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
     with filling(runtime.database) as bulk:
         made = ProjectMaker(bulk, make_team(bulk, "Load"), takes=TAKES, seed=1).make()
     with runtime.database.reading() as session:
-        rows = session.execute(sa.select(Take.id, Take.state, Take.cue_id, Take.variation)).all()
-    waiting = {(row.cue_id, row.variation): row.id for row in rows if row.state is TakeState.CONFORMING}
+        rows = session.execute(
+            sa.select(Take.id, Take.state, Take.cue_id, Take.variation, Cue.state.label("cue_state")).join(
+                Cue, Cue.id == Take.cue_id, isouter=True
+            )
+        ).all()
+    waiting = {
+        (row.cue_id, row.variation): row.id
+        for row in rows
+        if row.state is TakeState.CONFORMING and row.cue_state is not CueState.CUT
+    }
     return made, list(waiting.values()), [row.id for row in rows if row.state is not TakeState.RECEIVED]
 
 

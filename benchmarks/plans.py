@@ -12,6 +12,7 @@ import app.tables  # noqa: F401  every model, for its indexes
 from app.kit.db import Base
 
 Statement = tuple[str, Any]
+INDEX = re.compile(r"(?:USING (?:COVERING )?INDEX|Scan(?: Backward)? using|Bitmap Index Scan on) (\w+)")
 # Read from one end to the other they are what is asked for, and little.
 PARTIAL = {
     str(index.name)
@@ -42,9 +43,21 @@ def plan_of(connection: sa.Connection, statement: Statement) -> list[str]:
     return [row[0] for row in connection.exec_driver_sql(f"EXPLAIN {text}", parameters)]
 
 
+def indexes_used(connection: sa.Connection, statement: Statement, tables: Collection[str]) -> set[str]:
+    """Return the indexes by which a statement finds rows of the tables."""
+    if not _is_read(statement):
+        return set()
+    found = {match[1] for line in plan_of(connection, statement) for match in INDEX.finditer(line)}
+    return {index for index in found if any(f"_{table}_" in f"{index}_" for table in tables)}
+
+
+def _is_read(statement: Statement) -> bool:
+    return bool(re.match(r"\s*(SELECT|WITH)\b", statement[0])) and "set_config" not in statement[0]
+
+
 def whole_reads(connection: sa.Connection, statement: Statement, tables: Collection[str]) -> set[str]:
     """Return those of the tables, or of their indexes, that a statement reads from one end to the other."""
-    if not re.match(r"\s*(SELECT|WITH)\b", statement[0]) or "set_config" in statement[0]:
+    if not _is_read(statement):
         return set()
     plan = plan_of(connection, statement)
     if connection.dialect.name == "sqlite":

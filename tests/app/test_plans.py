@@ -9,7 +9,7 @@ import sqlalchemy as sa
 
 from app.kit.db import Base
 from benchmarks.bulk import filling
-from benchmarks.plans import heard, plan_of, whole_reads
+from benchmarks.plans import heard, indexes_used, plan_of, whole_reads
 from benchmarks.screens import SCREENS, sign_in
 from benchmarks.studios import Made, ProjectMaker, make_team
 from tests.support.server import RunningServer
@@ -63,6 +63,25 @@ def test_a_whole_read_would_be_noticed(server: RunningServer, made: Made, asked:
     with planning(server.runtime.database.engine) as connection:
         whole = whole_reads(connection, (asked, ()), LARGE)
         assert whole == {"deliveries_takes"}
+
+
+@pytest.mark.parametrize(
+    ("name", "index"),
+    [
+        ("review queue", "ix_deliveries_takes_project_waiting"),
+        ("review queue of all projects", "ix_deliveries_takes_studio_waiting"),
+        ("sound list", "ix_sound_lists_cues_order"),
+        ("where its cues stand", "ix_sound_lists_cues_order"),
+    ],
+)
+def test_a_page_is_found_by_the_index_that_was_made_for_it(server: RunningServer, made: Made, name: str, index: str):
+    screen, engine = SCREENS[name], server.runtime.database.engine
+    asking = sign_in(server.browser(), server.runtime.settings, screen.secret(made))
+    with heard(engine) as statements:
+        assert asking.get(screen.address(made)).status_code == 200
+    with planning(engine) as connection:
+        found = set().union(*(indexes_used(connection, each, LARGE) for each in statements))
+    assert index in found
 
 
 def test_a_designers_takes_of_a_page_are_found_by_its_cues(server: RunningServer, made: Made):
