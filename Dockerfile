@@ -16,8 +16,9 @@ COPY audio_checks ./audio_checks
 RUN pip wheel --no-cache-dir --wheel-dir /wheels --constraint constraints.txt '.[server]'
 
 FROM python:3.13-slim-trixie
-# pg_dump and pg_restore, for `soundlist backup` and `soundlist restore`: of no older version than the server.
-RUN apt-get update && apt-get install -y --no-install-recommends postgresql-client && rm -rf /var/lib/apt/lists/*
+# pg_dump and pg_restore, for `soundlist backup` and `soundlist restore`: of no older version than the server. A voice
+# for stand-ins and slates, which beep without one.
+RUN apt-get update && apt-get install -y --no-install-recommends postgresql-client espeak-ng && rm -rf /var/lib/apt/lists/*
 RUN --mount=type=bind,from=wheels,source=/wheels,target=/wheels \
     pip install --no-cache-dir --no-index --find-links /wheels 'audio-checks[server]'
 WORKDIR /srv/soundlist

@@ -46,7 +46,6 @@ from app.renders.errors import TargetUnknown
 
 router = APIRouter(prefix="/v1", tags=["builds"], route_class=Route)
 PAGE = 50
-NOT_PACKED = (NothingAccepted, PackIncomplete, PlaceholderAccepted)
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
 BINARY = {"schema": {"type": "string", "format": "binary"}}

@@ -82,20 +82,6 @@ def next_number(session: Session, project_id: UUID) -> int:
     return (session.scalar(select(func.max(Contract.number)).where(Contract.project_id == project_id)) or 0) + 1
 
 
-def agreed_contracts(session: Session, project_id: UUID, designer_id: UUID) -> Sequence[Contract]:
-    """Return what a designer works under in a project: agreed, and about work; the oldest first."""
-    return session.scalars(
-        select(Contract)
-        .where(
-            Contract.project_id == project_id,
-            Contract.designer_id == designer_id,
-            Contract.state == ContractState.AGREED,
-            Contract.kind.in_((ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK)),
-        )
-        .order_by(Contract.number)
-    ).all()
-
-
 def newest_version(session: Session, contract_id: UUID) -> ContractVersion | None:
     """Return the text as it was saved last, with its author."""
     return session.scalar(

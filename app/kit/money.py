@@ -1,14 +1,11 @@
 """Sums in whole minor units of one currency."""
 
-import re
-
 # ISO 4217, list one: the currencies whose minor unit is not a hundredth.
 _MINOR_DIGITS = {
     **dict.fromkeys(("BIF", "CLP", "DJF", "GNF", "ISK", "JPY", "KMF", "KRW", "PYG"), 0),
     **dict.fromkeys(("RWF", "UGX", "UYI", "VND", "VUV", "XAF", "XOF", "XPF"), 0),
     **dict.fromkeys(("BHD", "IQD", "JOD", "KWD", "LYD", "OMR", "TND"), 3),
 }
-CURRENCY = re.compile(r"[A-Z]{3}")
 BASIS_POINTS = 10_000  # the whole
 
 

@@ -13,7 +13,6 @@ SLICE_S = 0.02
 CLOSE_SLICES = 32  # one after the other from the start; later ones stand ever farther apart
 FAR_SLICES, SPACING = 32, 1.15  # the last begins after 56 s
 EDGES_HZ = 62.5 * 2.0 ** np.arange(9)  # of eight octave bands
-BANDS = len(EDGES_HZ) - 1
 STEP_DB, RANGE_DB = 0.25, 50.0
 FLOOR = round(RANGE_DB / STEP_DB)  # steps under the loudest cell that mean nothing at all
 LEAST_CELLS = 12  # that either sound fills; fewer tell nothing

@@ -22,7 +22,6 @@ TIME_REFERENCE = 338  # in bext: frames since midnight, 64 bits
 BEXT_VERSION, BEXT_LOUDNESS, BEXT_HISTORY = 346, 412, 602
 UNSET = struct.pack("<5h", *[0x7FFF] * 5)  # of the loudness fields of bext version 2
 ACID_TEMPO = 20
-LOOP_KINDS = {"forward": 0, "alternating": 1, "backward": 2}
 
 # Two halves of a 64-bit number of frames: since midnight, and from the start of the sound.
 SINCE_MIDNIGHT = (

@@ -262,6 +262,16 @@ def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dic
     assert float(drain_s) + longest_s < float(within_s)
 
 
+def test_a_worker_may_write_where_librosa_keeps_what_it_compiles(ours: dict[str, dict[str, Any]]):
+    """Where it may not, librosa cannot be imported; nearly everything else is read-only."""
+    [in_image] = re.findall(r"NUMBA_CACHE_DIR=(\S+)", (ROOT / "Dockerfile").read_text())
+    assert any(Path(in_image).is_relative_to(folder) for folder in ours["worker"]["tmpfs"])
+    unit = (DEPLOY / "systemd" / "soundlist-worker@.service").read_text()
+    [by_unit] = re.findall(r"NUMBA_CACHE_DIR=(\S+)", unit)
+    assert by_unit == in_image
+    assert "PrivateTmp=true" in unit
+
+
 class TestUnits:
     def unit(self, path: Path) -> configparser.ConfigParser:
         read = configparser.ConfigParser(strict=False, interpolation=None)

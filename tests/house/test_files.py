@@ -4,7 +4,10 @@ import json
 import re
 import shutil
 import subprocess
+from importlib.util import find_spec
 from pathlib import Path
+
+from typer.testing import CliRunner
 
 from app.cli import cli
 from app.settings import Settings
@@ -34,6 +37,41 @@ def test_the_command_line_has_the_commands_it_promises():
     assert {command.name or command.callback.__name__ for command in cli.registered_commands} == SERVER_COMMANDS
     (jobs,) = cli.registered_groups
     assert {command.name for command in jobs.typer_instance.registered_commands} == {"list", "retry"}
+
+
+def commands_in_documents(program: str) -> set[str]:
+    """What the documents tell their readers to type, from the program's name to the end of the code or a comment."""
+    documents = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]
+    typed = re.compile(rf"(?:`|^|[ /]){program} ([a-z][^`\n#]+)", re.MULTILINE)
+    code = re.compile(r"```.*?```|`[^`\n]+`", re.DOTALL)
+    return {
+        command.strip().partition("  ")[0]
+        for path in documents
+        for part in code.findall(path.read_text())
+        for command in typed.findall(part)
+    }
+
+
+def test_every_command_of_the_server_that_the_documents_name_is_one():
+    named = commands_in_documents("soundlist")
+    assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs"}
+    for command in named:
+        words = [word for word in command.split() if re.fullmatch(r"[a-z]+", word)]
+        shown = CliRunner().invoke(cli, [*words[: 2 if words[0] == "jobs" else 1], "--help"])
+        assert shown.exit_code == 0, command
+        assert all(flag in shown.output for flag in re.findall(r"--[a-z-]+", command)), command
+
+
+def test_every_target_of_make_that_the_documents_name_is_one():
+    named = {command.split()[0] for command in commands_in_documents("make")}
+    assert {"run", "test", "kill", "bench"} <= named
+    assert named <= set(re.findall(r"^([a-z0-9-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+
+
+def test_every_module_that_the_documents_run_is_one():
+    named = {command.split()[0] for command in commands_in_documents("python -m")}
+    assert {"benchmarks.load", "benchmarks.scale", "benchmarks.throughput"} <= named
+    assert all(find_spec(name) is not None for name in named)
 
 
 def test_links_between_documents_lead_somewhere():

@@ -8,7 +8,7 @@ export function isWholeSet(cue: ReviewCue, waiting: readonly ReviewTake[], appro
   return here.size >= cue.variations
 }
 
-export const unnoted = (takes: readonly ReviewTake[]): ReviewTake[] =>
+const unnoted = (takes: readonly ReviewTake[]): ReviewTake[] =>
   takes.filter(({ draft_change }) => draft_change === null)
 
 /** One take a variation: the one that was chosen, else the newest. */

@@ -37,7 +37,7 @@ export function LossPlot({ spectra }: { spectra: Spectra }) {
 }
 
 /** Pale bars for the master, a dark line over them for the file, on a logarithmic scale. */
-export function drawSpectra(surface: Surface, { hz, master_dbfs, render_dbfs }: Spectra): void {
+function drawSpectra(surface: Surface, { hz, master_dbfs, render_dbfs }: Spectra): void {
   const { context, width, height, scale, colour } = surface
   const from = hz[0] ?? 20
   const to = hz.at(-1) ?? 20_000

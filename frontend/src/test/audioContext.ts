@@ -12,7 +12,7 @@ export interface Started {
   end: () => void
 }
 
-export function bufferOf(durationS: number, samples: number[] = [1, 2, 3, 4]): AudioBuffer {
+function bufferOf(durationS: number, samples: number[] = [1, 2, 3, 4]): AudioBuffer {
   const data = Float32Array.from(samples)
   return {
     duration: durationS,

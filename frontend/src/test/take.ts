@@ -148,7 +148,7 @@ export function aTakeServer() {
   return server
 }
 
-export const asDesigner = () => ({
+const asDesigner = () => ({
   ...aMe({ part: 'designer', is_liaison: false, is_decider: false, engagement_kind: 'contract' }),
   person: DESIGNER,
   studios: [],

@@ -158,7 +158,7 @@ export function shortDay(on: Date | string): string {
 }
 
 /** How far a day is, within a week: "today", "tomorrow", "in 3 days", "yesterday", "3 days ago"; else nothing. */
-export function nearness(on: Date | string, now: Date = new Date()): string | null {
+function nearness(on: Date | string, now: Date = new Date()): string | null {
   const days = daysBetween(now, dayOf(on))
   if (days === 0) return 'today'
   if (days === 1) return 'tomorrow'

@@ -15,7 +15,7 @@ const PARTS: { part: DemoPart; label: string }[] = [
 ]
 
 /** Change whom the visitor of the demo plays. */
-export function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
+function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
   const client = useQueryClient()
   const router = useRouter()
   return async (part, href = '/') => {

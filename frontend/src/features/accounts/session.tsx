@@ -16,7 +16,7 @@ import { partWord } from './parts'
 const isSignedOut = (error: unknown): boolean => error instanceof ApiProblem && error.status === 401
 
 /** Where one comes back to after signing in; the start needs no telling. */
-export const backTo = (href: string): { next?: string } => (href === '/' ? {} : { next: href })
+const backTo = (href: string): { next?: string } => (href === '/' ? {} : { next: href })
 
 async function signOut(client: QueryClient, leave: () => Promise<void>): Promise<void> {
   try {

@@ -51,7 +51,7 @@ function wordsOf(upload: Upload): string {
 }
 
 /** "the same sound as version 2 of radar_ping; nothing to check again". */
-export const sameAs = ({ cue, number }: Take): string =>
+const sameAs = ({ cue, number }: Take): string =>
   cue === null
     ? 'the same file is here already and has no cue yet'
     : `the same sound as version ${number} of ${cue.name}; nothing to check again`

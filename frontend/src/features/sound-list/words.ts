@@ -3,7 +3,7 @@ import { length } from '@/ui/format'
 import type { CueStatus, ImportField } from './api'
 
 /** The facts of a cue as screens call them. */
-export const FIELD_WORDS: Record<string, string> = {
+const FIELD_WORDS: Record<string, string> = {
   number: 'Number',
   name: 'Name',
   file_name: 'File name',

@@ -64,7 +64,7 @@ const said = (hz: number): string =>
   hz >= 1000 ? `${figure(hz / 1000, hz >= 10_000 ? 0 : 1)} kHz` : `${figure(hz)} Hz`
 
 /** Bars of ink on a logarithmic scale; beyond the bandwidth they are drawn quietly. */
-export function drawBands(surface: Surface, bands: Bands, bandwidthHz: number | null, toHz: number): void {
+function drawBands(surface: Surface, bands: Bands, bandwidthHz: number | null, toHz: number): void {
   const { context, width, height, scale, colour } = surface
   const x = (hz: number) => (width * Math.log(Math.max(hz, FROM_HZ) / FROM_HZ)) / Math.log(toHz / FROM_HZ)
   const y = (db: number) => (height * Math.max(FLOOR_DB, Math.min(0, db))) / FLOOR_DB

@@ -17,13 +17,13 @@ const words = (value: unknown): string[] =>
   Array.isArray(value) ? value.filter((one): one is string => typeof one === 'string') : []
 
 /** "48 or 96 kHz": one unit for all. */
-export const ratesOf = (hz: readonly number[]): string =>
+const ratesOf = (hz: readonly number[]): string =>
   `${listed(
     hz.map((one) => rate(one).replace(' kHz', '')),
     'or',
   )} kHz`
 
-export const depthsOf = (bits: readonly number[]): string => `${listed(bits.map(String), 'or')} bit`
+const depthsOf = (bits: readonly number[]): string => `${listed(bits.map(String), 'or')} bit`
 
 /** "0.01–30 s", "up to 300 s", "0.5 s or more", "any length". */
 export function lengthOf(range: { min?: number | null; max?: number | null }): string {
