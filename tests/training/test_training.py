@@ -6,9 +6,10 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 from audio_checks.nets import Nets
 from audio_checks.trees import Trees
-from training import layers
-from training.dataset import RATE, Known, decay_time_s, made
-from training.reverb import Learned, Set, numbers_of
+from tests.support.waves import noise, write_wav
+from training import layers, strikes
+from training.dataset import RATE, Known, decay_time_s, made, real_sounds
+from training.reverb import MOST_WRONG, Learned, Set, limits, numbers_of
 from training.rooms import ROOMS
 from training.sources import FAMILIES
 
@@ -28,7 +29,9 @@ def test_families_of_both_sides_are_there_and_none_is_on_both():
         assert len({one.name for one in some}) == len(some)
 
 
-@pytest.mark.parametrize("family", [*FAMILIES, *dict.fromkeys(layers.FAMILIES)], ids=lambda family: family.name)
+@pytest.mark.parametrize(
+    "family", [*FAMILIES, *dict.fromkeys(layers.FAMILIES), *strikes.FAMILIES], ids=lambda family: family.name
+)
 def test_a_family_makes_sounds_that_are_finite_and_not_silent(family):
     sound = family.make(np.random.default_rng(5), 16_000)
     assert np.isfinite(sound).all()
@@ -40,6 +43,14 @@ def test_the_same_seed_makes_the_same_sounds():
     (one,), (again,) = (list(made(1, DRY_SEED, blips, [], [])) for _ in range(2))
     assert one[0] == again[0]
     np.testing.assert_array_equal(one[1], again[1])
+
+
+def test_recordings_in_a_room_do_not_count_as_dry(tmp_path, monkeypatch):
+    for name in ("mehackit_phone1", "mehackit_robot1"):
+        write_wav(tmp_path / f"{name}.wav", noise(seconds=0.01))
+    monkeypatch.setenv("SOUNDS_DIR", str(tmp_path))
+    assert [name for name, _, _ in real_sounds(is_kept_apart=True)] == ["mehackit_phone1", "mehackit_robot1"]
+    assert [name for name, _, _ in real_sounds(is_kept_apart=True, is_dry=True)] == ["mehackit_robot1"]
 
 
 def test_trees_say_the_same_as_numbers_in_a_file():
@@ -70,3 +81,27 @@ def test_nets_say_the_same_as_numbers_in_a_file():
     )
     np.testing.assert_allclose([written.mean(row) for row in features], odds, atol=0.02)
     assert ((odds > 0) == wet).mean() > 0.9
+
+
+def test_limits_are_where_as_many_err_as_may():
+    draws = np.random.default_rng(4)
+    scores = draws.random(40_000)
+    wet = draws.random(len(scores)) < scores  # a score says how likely it is
+    assert limits(scores, wet, 1.0) == pytest.approx([MOST_WRONG, 1 - MOST_WRONG], abs=0.03)
+
+
+@pytest.mark.parametrize("false_alarms", [0.002, 0.02])
+def test_no_more_false_alarms_than_may_be(false_alarms):
+    draws = np.random.default_rng(5)
+    scores = draws.random(40_000)
+    wet = draws.random(len(scores)) < scores
+    low, high = limits(scores, wet, false_alarms)
+    assert (scores[~wet] >= high).mean() == pytest.approx(false_alarms, rel=0.05)
+    assert low == pytest.approx(MOST_WRONG, abs=0.03)
+
+
+def test_a_thing_rings_out_at_the_pace_of_its_modes():
+    bell = strikes.Thing(hz=np.array([440.0]), levels=np.array([1.0]), decays_s=np.array([0.2]))
+    sound = bell.hit(np.random.default_rng(7), RATE)  # no pair of modes that beat
+    levels = np.sqrt(np.square(sound[:RATE]).reshape(10, -1).mean(axis=1))  # of a tenth of a second each
+    assert levels[8] / levels[6] == pytest.approx(1 / np.e, rel=0.05)  # when the noise of the touch is over
