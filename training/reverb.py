@@ -208,8 +208,8 @@ def thresholds(some: Set, scores: Floats) -> dict[str, dict[str, list[float]]]:
 def limits(scores: Floats, wet: NDArray[np.bool_], false_alarms: float) -> list[float]:
     """Return the score under which sounds are dry, and the one from which on they have reverb.
 
-    Beyond either, a sound of just that score is called rightly more often than MOST_WRONG allows to err; and of the
-    dry ones no more than a share of `false_alarms` is called reverberant.
+    Of the sounds of just such a score no more than MOST_WRONG are called wrongly, and of the dry ones no more than
+    a share of `false_alarms` is called reverberant.
     """
     share = IsotonicRegression().fit(scores, wet)  # of sounds with reverb among those of a score
     known = np.sort(scores)
