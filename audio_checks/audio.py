@@ -101,6 +101,27 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
 }
 """How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
 
+PART_FRAMES = 1 << 17
+IN_PARTS = frozenset({"codec_frames", "decay", "likeness", "spectrum"})
+"""Families that transform what they are given: that takes many times its memory, so they are given parts of a block."""
+
+
+class InParts:
+    """Hands blocks on in parts of PART_FRAMES."""
+
+    def __init__(self, accumulator: Accumulator) -> None:
+        self._accumulator = accumulator
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (n, channels)."""
+        for start in range(0, len(block), PART_FRAMES):
+            self._accumulator.add(block[start : start + PART_FRAMES])
+
+    def result(self) -> dict[str, Any]:
+        """Return the figures, by name."""
+        return self._accumulator.result()
+
+
 FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
 
@@ -108,7 +129,11 @@ def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accu
     """Return new accumulators for what a file has, one for each family but one for all faults."""
     survey = Survey()
     wanted = sorted(families)
-    accumulators = [MAKERS[family](layout, survey) for family in wanted if family in MAKERS]
+    accumulators: list[Accumulator] = []
+    for family in wanted:
+        if family in MAKERS:
+            made = MAKERS[family](layout, survey)
+            accumulators.append(InParts(made) if family in IN_PARTS else made)
     if detectors := [family for family in wanted if family in DETECTORS]:
         accumulators.append(Faults(*_size(layout), step=_step(layout), detectors=detectors, survey=survey))
     return accumulators

@@ -537,8 +537,12 @@ static inline uint64_t bits_of(double sample) {
     return bits;
 }
 
-#define SCATTER UINT64_C(0x9E3779B97F4A7C15)
-static inline uint64_t scattered(double sample) { return bits_of(sample) * SCATTER; }
+/* What a word is chosen by: all bits of its first sample, folded to 32 and scattered. */
+#define SCATTER 0x9E3779B1u
+static inline uint32_t scattered(double sample) {
+    const uint64_t bits = bits_of(sample);
+    return (uint32_t)(bits ^ bits >> 32) * SCATTER;
+}
 
 static inline uint64_t key_of(const double *word) {
     static const uint64_t odd[WORD] = {
@@ -572,23 +576,29 @@ static uint64_t chosen_one_by_one(const double *samples, int count, int unchosen
 #include <immintrin.h>
 #define WIDE __attribute__((target("avx2")))
 
-/* The same of all 64, by fours; the product of 64 bits is put together of those of 32. */
-WIDE static uint64_t chosen_by_fours(const double *samples, int unchosen) {
-    const __m256i low = _mm256_set1_epi64x((int64_t)(SCATTER & 0xffffffffu)), high = _mm256_set1_epi64x((int64_t)(SCATTER >> 32));
+/* The same of all 64, by eights: what is folded stands in the lower half of each four, and the order of the halves is
+ * put right at the end. */
+WIDE static inline __m256i folded(const double *samples) {
+    const __m256i bits = _mm256_loadu_si256((const __m256i *)samples);
+    return _mm256_xor_si256(bits, _mm256_srli_epi64(bits, 32));
+}
+
+WIDE static uint64_t chosen_by_eights(const double *samples, int unchosen) {
+    const __m256i scatter = _mm256_set1_epi32((int)SCATTER);
     uint64_t chosen = 0;
-    for (int at = 0; at < CHOSEN_FROM; at += 4) {
-        const __m256i bits = _mm256_loadu_si256((const __m256i *)(samples + at));
-        const __m256i crossed = _mm256_add_epi64(_mm256_mul_epu32(_mm256_srli_epi64(bits, 32), low), _mm256_mul_epu32(bits, high));
-        const __m256i product = _mm256_add_epi64(_mm256_mul_epu32(bits, low), _mm256_slli_epi64(crossed, 32));
-        const __m256i none = _mm256_cmpeq_epi64(_mm256_srli_epi64(product, unchosen), _mm256_setzero_si256());
-        chosen |= (uint64_t)_mm256_movemask_pd(_mm256_castsi256_pd(none)) << at;
+    for (int at = 0; at < CHOSEN_FROM; at += 8) {
+        const __m256 first = _mm256_castsi256_ps(folded(samples + at)), second = _mm256_castsi256_ps(folded(samples + at + 4));
+        const __m256i eight = _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(first, second, 0x88)), 0xd8);
+        const __m256i none =
+            _mm256_cmpeq_epi32(_mm256_srli_epi32(_mm256_mullo_epi32(eight, scatter), unchosen), _mm256_setzero_si256());
+        chosen |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(none)) << at;
     }
     return chosen;
 }
 
 static uint64_t chosen_of(const double *samples, int count, int unchosen) {
     if (count < CHOSEN_FROM || !__builtin_cpu_supports("avx2")) return chosen_one_by_one(samples, count, unchosen);
-    return chosen_by_fours(samples, unchosen);
+    return chosen_by_eights(samples, unchosen);
 }
 #else
 static uint64_t chosen_of(const double *samples, int count, int unchosen) {
@@ -627,7 +637,7 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
     Py_ssize_t searched = 0, group = 0;
     uint64_t chosen = 0; /* of the words from `group` on */
     const Py_ssize_t words = frames - WORD + 1;
-    const int unchosen = 64 - chosen_bits(shortest);
+    const int unchosen = 32 - chosen_bits(shortest);
     while (found < most) {
         while (!chosen && searched < words) {
             group = searched;

@@ -112,6 +112,7 @@ typedef struct {
     double (*highest)(const double *samples, Py_ssize_t count);
     void (*maxima)(const double *samples, Py_ssize_t frames, double *maxima); /* the last row may be shorter */
     void (*sums)(const double *samples, Py_ssize_t count, double *figures);   /* adds: sum, sum of squares */
+    void (*maxima_and_sums)(const double *samples, Py_ssize_t rows, double *maxima, double *figures);
     double (*product)(const double *one, const double *other, Py_ssize_t count);
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);

@@ -64,6 +64,27 @@ LOOP void NAMED(sums)(const double *RESTRICT samples, Py_ssize_t count, double *
     }
 }
 
+/* Both of the above on one way, of whole rows. */
+LOOP void NAMED(maxima_and_sums)(const double *RESTRICT samples, Py_ssize_t rows, double *RESTRICT maxima,
+                                 double *RESTRICT figures) {
+    VECTOR sums[NAMED(EIGHT)] = {ALL(0)}, squares[NAMED(EIGHT)] = {ALL(0)};
+    for (Py_ssize_t row = 0; row < rows; row++) {
+        VECTOR top[NAMED(EIGHT)] = {ALL(0)};
+        for (int at = 0; at < ROW; at += 8) {
+            for (int which = 0; which < NAMED(EIGHT); which++) {
+                const VECTOR these = AT(samples + row * ROW + at + which * WIDTH);
+                top[which] = LARGER(SIZES(these), top[which]);
+                sums[which] += these;
+                squares[which] += these * these;
+            }
+        }
+        for (int which = 1; which < NAMED(EIGHT); which++) top[0] = LARGER(top[which], top[0]);
+        maxima[row] = LARGEST(top[0]);
+    }
+    figures[0] += NAMED(sum_of_eight)(sums);
+    figures[1] += NAMED(sum_of_eight)(squares);
+}
+
 LOOP double NAMED(product)(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
     VECTOR sums[NAMED(EIGHT)] = {ALL(0)};
     Py_ssize_t at = 0;
@@ -222,6 +243,6 @@ LOOP void NAMED(weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t
 }
 
 static const loops NAMED(loops) = {
-    NAMED(highest), NAMED(maxima), NAMED(sums),     NAMED(product), NAMED(stereo),
+    NAMED(highest), NAMED(maxima), NAMED(sums), NAMED(maxima_and_sums), NAMED(product), NAMED(stereo),
     NAMED(cells),   NAMED(towering), NAMED(lagged), NAMED(foretell), NAMED(weigh),
 };

@@ -28,8 +28,13 @@ static void measure_pieces(const block_to_be *block, int32_t *used, Py_ssize_t *
                                                               : (at + frames) / block->cell;
         for (Py_ssize_t channel = 0; channel < channels; channel++) {
             const double *start = block->samples.samples + channel * block->samples.row + block->first;
-            in_lanes()->maxima(start + at, frames, block->maxima + channel * rows_of(block->frames) + at / ROW);
-            in_lanes()->sums(start + at, frames, block->sums + channel * SUMS);
+            double *maxima = block->maxima + channel * rows_of(block->frames) + at / ROW;
+            if (frames % ROW == 0) {
+                in_lanes()->maxima_and_sums(start + at, frames / ROW, maxima, block->sums + channel * SUMS);
+            } else {
+                in_lanes()->maxima(start + at, frames, maxima);
+                in_lanes()->sums(start + at, frames, block->sums + channel * SUMS);
+            }
             if (cells_known == cells_done) continue;
             measure_cells(start + cells_done * block->cell, block->cell, cells_known - cells_done,
                           block->cells.samples + channel * block->cells.row + cells_done, channels * block->cells.row);

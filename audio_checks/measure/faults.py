@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks.measure import spare
 from audio_checks.measure.cells import HISTORY, CellStream, cell_frames
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
@@ -19,8 +20,8 @@ from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
 from audio_checks.measure.survey import Survey
 
-STRETCH_FRAMES = 1 << 19  # samples that are looked at together
-MOST_SAMPLES = 1 << 21  # of all channels, so that a header of many channels cannot ask for much memory
+STRETCH_FRAMES = 1 << 20  # samples that are looked at together
+MOST_SAMPLES = 1 << 22  # of all channels, so that a header of many channels cannot ask for much memory
 
 
 DETECTORS: dict[str, tuple[str, ...]] = {
@@ -73,9 +74,12 @@ class Faults:
         self._silence = Clicks.LATE * self._cell  # that follows the sound
         wanted_frames = max(min(STRETCH_FRAMES, most // 2, frames), self._silence)
         self._stretch = _whole(wanted_frames, math.lcm(self._cell, ROW_FRAMES))
-        self._samples = np.empty((channels, self._history + self._stretch + self._cell))
+        shape = channels, self._history + self._stretch + self._cell
+        self._room = spare.taken("samples", math.prod(shape) * np.dtype(np.float64).itemsize)
+        self._samples = self._room.view(np.float64).reshape(shape)
         self._samples[:, : self._history] = 0.0  # what comes is written before it is read
-        self._maxima = np.zeros((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
+        self._maxima = np.empty((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
+        self._maxima[:, : self._history // ROW_FRAMES] = 0.0
         self._survey = survey or Survey()
         self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
         self._cells = CellStream(channels, self._cell, CELLS_KEPT, self._stretch // self._cell)
@@ -151,6 +155,8 @@ class Faults:
         for detector in (self._repeats, self._flat_tops, self._hum, self._noise):
             if detector:
                 figures |= detector.result()
+        spare.give_back("samples", self._room)
+        self._samples = self._samples[:, :0]  # others write there now
         return figures
 
     def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:

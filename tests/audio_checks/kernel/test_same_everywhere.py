@@ -49,6 +49,9 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     rows, sums, products = np.empty((channels, -(-frames // 32))), np.zeros((channels, 2)), np.zeros((channels,) * 2)
     kernel.maxima(samples, rows)
     kernel.sums(samples, sums)
+    raw, decoded = (samples.T * 2**23).astype("<i4").tobytes(), np.zeros((channels, 6 + frames + 24))
+    surveyed = np.empty_like(rows), np.zeros_like(sums), np.empty((5 * channels, frames // 24))
+    kernel.survey(raw, 32, False, decoded, 6, *surveyed, 24)
     kernel.products(samples, products)
     cells = [np.empty((5 * channels, (frames - 6) // size)) for size in (1, 3, 22, 24, 48)]
     for figures, size in zip(cells, (1, 3, 22, 24, 48), strict=True):
@@ -75,7 +78,7 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     again, places = np.zeros((64, 3), np.int64), np.zeros(frames, np.int64)
     kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, again)
     kernel.outstanding(np.ascontiguousarray(np.abs(samples[1])), 5, 1, 1.5, 0.1, places)
-    return [rows, sums, products, *cells, stereo, unforeseen, hops, again, places]
+    return [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen, hops, again, places]
 
 
 @pytest.mark.parametrize("channels", [2, 3])
