@@ -76,6 +76,13 @@ def _open_studio(runtime: Runtime) -> dict[str, str]:
         return {"studio": str(studio.id)} | {name: str(person_id) for name, person_id in people}
 
 
+def _asking(toml: str) -> str:
+    """Return a spec that keeps the game's reverb out of files, and asks for what judgements find."""
+    asked = "".join(f'{check} = "warning"\n' for check in ("upsampled", "lossy", "reversed"))
+    warned = 'head-silence = "warning"\n'
+    return toml.replace("adds = [] ", 'adds = ["reverb"] ').replace(warned, warned + asked, 1)
+
+
 class _Visitor:
     """One part's browser."""
 
@@ -146,12 +153,12 @@ class _Maker:
         self._deliver("Missile, with more of the release.", [self._sounds["missile_launch_take2"]])
         self._request_changes(cues.SECOND_CHANGE)
         self._deliver(
-            "Suit hit with the clank; thrusters; the arrival; and the sting.",
+            "Suit hit with the clank; thrusters; the arrival; the swarm; the oath; and the sting.",
             [
                 self._sounds["suit_hit_take2"],
                 self._sounds["missile_launch_take3"],
                 self._sounds["final_FINAL_sting2"],
-                *self._files(("thruster_burst", "warp_in")),
+                *self._files(("thruster_burst", "warp_in", "drone_swarm_loop", "vo_oath")),
             ],
         )
         self._request_changes(cues.THIRD_CHANGE)
@@ -187,8 +194,8 @@ class _Maker:
         spec = producer.ask("GET", f"/projects/{self._project}/spec")
         if spec["version"] == 1:
             dry = {
-                "toml": spec["toml"].replace("adds = [] ", 'adds = ["reverb"] '),
-                "note": "Every room of the game has its own reverb.",
+                "toml": _asking(spec["toml"]),
+                "note": "Every room of the game has its own reverb; ask where a sound comes from.",
                 "based_on_version": 1,
             }
             producer.ask("PUT", f"/projects/{self._project}/spec", json=dry)

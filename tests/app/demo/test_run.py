@@ -98,7 +98,7 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert next(guess["name"] for guess in stray["guesses"]) == "victory_sting"
         counts = client.get(f"{path}/sound-list/counts").json()["counts"]
         assert counts == {
-            "accepted": 9, "to_review": 5, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 5,
+            "accepted": 9, "to_review": 7, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 3,
             "change_requested": 1,
         }  # fmt: skip
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
@@ -107,6 +107,8 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert row["worst_finding"]["message"] == "_03 stands 4.0 dB over its set, limit 2 LU"
         (row,) = [row for row in standing["cues"] if row["worst_finding"] and row["worst_finding"]["code"] == HEARD]
         assert row["worst_finding"]["message"].startswith("reverb of about 1.")
+        asked = {row["worst_finding"]["code"] for row in standing["cues"] if row["worst_finding"]}
+        assert {"upsampled:cliff", "reversed:heard"} <= asked
         queue = client.get("/v1/review-queue", params={"project_id": project["id"]}).json()["items"]
         assert {item["cue"]["name"]: item["last_change"] for item in queue}["suit_hit"] == "Add a dull metallic clank"
         ensure_money(client, path, next(item["cue"]["id"] for item in queue if item["cue"]["name"] == "shield_hit"))
