@@ -80,13 +80,15 @@ def test_a_newer_take_speaks_for_its_place(world: World) -> None:
     assert of_sets(checked(world, takes[3])) == []  # it stands in the set no more
 
 
-def test_where_the_spec_turns_it_off(world: World) -> None:
-    add_cues(world, {"name": "Step", "variations": 2})
+@pytest.mark.parametrize("table", ["checks", "categories.foley.checks"], ids=["for all", "for its category"])
+def test_where_the_spec_turns_it_off(world: World, table: str) -> None:
+    add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
     takes = deliver_set(world, {1: -20, 2: -14})
     assert of_sets(checked(world, takes[2]))
     path = f"/v1/projects/{world.project_id}/spec"
     now = world.producer.get(path).json()
-    toml = now["toml"].replace("[checks]", '[checks]\nvariation-set = "off"', 1)
+    off = f'[{table}]\nvariation-set = "off"'
+    toml = now["toml"].replace("[checks]", off, 1) if table == "checks" else f"{now['toml']}\n{off}\n"
     saved = world.producer.put(path, json={"toml": toml, "note": "", "based_on_version": now["version"]})
     assert saved.status_code == 200, saved.text
     assert of_sets(checked(world, takes[2])) == []
