@@ -118,6 +118,8 @@ def wave_shapes(
 def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
     """Return how the energy of a sound is spread over frequency, streaming it once; see `AverageSpectrum`.
 
+    Windows last as long at every rate, as those do whose figures `Loss.spectra` tells.
+
     Raises
     ------
     Unreadable
@@ -125,7 +127,9 @@ def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
     """
     with open_sound(path) as sound:
         layout = sound.layout
-        spectrum = AverageSpectrum(layout.sample_rate_hz, layout.channels, layout.frames)
+        spectrum = AverageSpectrum(
+            layout.sample_rate_hz, layout.channels, layout.frames, bands_of_hz=layout.sample_rate_hz
+        )
         for block in wav.blocks(sound.file, layout):
             spectrum.add(block)
         return spectrum.result()
