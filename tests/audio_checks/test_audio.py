@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from audio_checks import audio, wav
-from audio_checks.audio import FAMILIES, FIGURES, PLACES, AudioFile
+from audio_checks.audio import FAMILIES, FIGURES, AudioFile
+from audio_checks.measurements import PLACES
 from audio_checks.errors import Unreadable
 from audio_checks.measure.faults import DETECTORS
 from tests.support.chunks import bext, cue, info, inst
