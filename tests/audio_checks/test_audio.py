@@ -10,9 +10,9 @@ import pytest
 
 from audio_checks import audio, wav
 from audio_checks.audio import FAMILIES, FIGURES, AudioFile
-from audio_checks.measurements import PLACES
 from audio_checks.errors import Unreadable
 from audio_checks.measure.faults import DETECTORS
+from audio_checks.measurements import PLACES
 from tests.support.chunks import bext, cue, info, inst
 from tests.support.mutants import mutant
 from tests.support.waves import chunk, join, noise, pcm_bytes, silence, sine, smpl, write_large, write_wav

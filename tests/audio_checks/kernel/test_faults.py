@@ -238,7 +238,7 @@ def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
         kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
 
 
-@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 3.0]), st.sampled_from([0.0, 0.8]))
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 5.0]), st.sampled_from([0.0, 0.8]))
 def test_what_stands_out_amid_a_sound_that_goes_on(seed: int, above_mean: float, quietest: float):
     reach, level, before = 7, 5, 3
     rng = np.random.default_rng(seed)
