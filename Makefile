@@ -53,7 +53,7 @@ fuzz: setup  ## Feed the reader a million mutants
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
-weights: setup  ## Learn the weights of judgements anew (SOUNDS_DIR= adds real recordings; three quarters of an hour)
+weights: setup  ## Learn the weights of judgements anew (needs ffmpeg; SOUNDS_DIR= adds real recordings; an hour)
 	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
 	$(BIN)/python -m training.reverb
 	$(BIN)/python -m training.reversed
