@@ -167,8 +167,8 @@ def test_the_lines_for_ci_do_what_they_say(world: World, tmp_path: Path) -> None
     ours = world.server.runtime.settings.base_url
 
     def run() -> int:
-        with listening(world.server.application) as address:
-            script = "\n".join(told).replace(ours, address)
+        with listening(world.server.application) as port:
+            script = "\n".join(told).replace(ours, f"http://127.0.0.1:{port}")
             path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
             environment = {"PATH": path, "SOUNDLIST_TOKEN": secret, "BUILD": "nightly 7", "COMMIT": "abc"}
             done = subprocess.run(
