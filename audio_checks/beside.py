@@ -19,6 +19,7 @@ FAINTEST_DB = -30.0  # under the direct sound; what is fainter is no reverb that
 ABOVE_BEFORE_DB = 6.0  # reverb comes after the sound, and what division leaves behind on both sides alike
 SAME_DB = -10.0  # before the direct sound there is next to nothing where the two are the same sound
 SHORTEST_S = 0.06  # of a tail
+NOTHING_DB = 200.0  # what lies as far under or over a sound is no sound at all; samples that are the same divide to it
 
 
 def reverb_beside(path: str | os.PathLike[str], dry_path: str | os.PathLike[str]) -> Judgement:
@@ -48,7 +49,8 @@ def reverb_beside(path: str | os.PathLike[str], dry_path: str | os.PathLike[str]
     if response is None:
         return Judgement(CANNOT_TELL, None, {"rt60_s": None, "wet_db": None})
     tail_s = 0.005 * len(response.curve_db)
-    margin_db = min(response.wet_db - response.before_db - ABOVE_BEFORE_DB, response.wet_db - FAINTEST_DB)
+    wet_db, before_db = np.clip((response.wet_db, response.before_db), -NOTHING_DB, NOTHING_DB)
+    margin_db = min(wet_db - before_db - ABOVE_BEFORE_DB, wet_db - FAINTEST_DB)
     score = round(float(1 / (1 + np.exp(-np.clip(margin_db, -60, 60) / 3))), 3)
     if response.before_db > SAME_DB:
         verdict = CANNOT_TELL

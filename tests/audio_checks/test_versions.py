@@ -37,6 +37,12 @@ def test_the_octaves_die_away_slower_by_what_was_added(between):
     assert np.median([band["rt60_s"] for band in bands if band["rt60_s"]]) == pytest.approx(1.2, rel=0.2)
 
 
+def test_a_sound_beside_itself_has_as_much_for_certain(between):
+    tone = np.sin(2 * np.pi * 440 * np.arange(9_600) / 48_000) * np.hanning(9_600)
+    found = between(tone, tone)
+    assert (found.verdict, found.score) == ("as much reverb", 0.0)
+
+
 def test_the_same_sound_at_another_level_has_as_much(between):
     found = between(0.5 * WET, WET)
     assert (found.verdict, found.figures) == ("as much reverb", {"rt60_s": None, "wet_db": None})
