@@ -104,7 +104,7 @@ test('what came back too loud is mended in one press, and the approver gets it w
     await expect(producer.getByText(/, with the consent of Sound designer: level lowered by 1\.00 dB\.$/)).toBeVisible()
     await expect(producer.getByText('Conforming', { exact: true }).first()).toBeVisible()
     await expectAccessible(producer, 'the page of a mended version')
-    await producer.getByRole('link', { name: 'version 1' }).click()
+    await producer.getByRole('link', { name: 'version 1', exact: true }).click()
     await expect(producer.getByText('is its mend, with the consent of Sound designer', { exact: false })).toBeVisible()
     await expect(producer.getByRole('button', { name: /^Use the mend/ })).toHaveCount(0)
     await expect
