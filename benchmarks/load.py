@@ -50,6 +50,7 @@ TAKES = 10_000
 UPLOAD_S = 20.0
 PIECES = 20
 LOOK_EVERY_S = 2.0
+APPROVES_EVERY = 5  # rounds of requests of each kind: who listens decides once a second, and some 450 takes wait
 CALM_S = 5.0  # before anything is timed
 WARM_UP, ALONE = 6, 15  # answers of each kind before the load; psycopg prepares a statement at its sixth time
 TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
@@ -210,7 +211,9 @@ async def load(
     for number in range(int(seconds * rate)):
         due = begun + number / rate
         await asyncio.sleep(max(0.0, due - time.perf_counter()))
-        task = asyncio.create_task(people.ask(kinds[number % len(kinds)], due))
+        rounds, place = divmod(number, len(kinds))
+        kind = kinds[place] if kinds[place] != "approve" or rounds % APPROVES_EVERY == 0 else "a take"
+        task = asyncio.create_task(people.ask(kind, due))
         asked.add(task)
         task.add_done_callback(asked.discard)
     await asyncio.gather(*asked, watched, *deliveries)
