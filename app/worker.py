@@ -11,9 +11,10 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from app import rooms
 from app.kit import clock, events
-from app.kit.queue import Payload, Worker, job, job_names
+from app.kit.queue import Payload, job, job_names
 from app.kit.runtime import Runtime
 from app.kit.uploads import Uploads
+from app.kit.workers import Worker
 from app.notifications.jobs import send_waiting
 
 CHORES_EVERY_S = 300

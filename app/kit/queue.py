@@ -1,32 +1,26 @@
 """Durable jobs: written in the transaction of their row, run at least once by one of any number of workers.
 
-Nothing else imports DBOS. Its tables live in the application's own database.
+Nothing but this and `workers` imports DBOS. Its tables live in the application's own database.
 
 Whose turn it is: a job's place in the line is a number, the lowest first. It stands as far behind the head of
 the line, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
 turns, urgent ones more often, and whoever comes with little never waits for all of whoever came with much.
 """
 
-import os
-import secrets
-import socket
-import threading
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple
 from uuid import UUID
 
 import sqlalchemy as sa
-import structlog
-from dbos import DBOS, DBOSClient, DBOSConfig, EnqueueOptions
+from dbos import DBOS, DBOSClient, EnqueueOptions
 from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
-from app.kit import clock, metrics
-from app.kit.db import Base, Database, beyond_reach, is_away
+from app.kit import clock
+from app.kit.db import Base, Database, beyond_reach
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
@@ -38,14 +32,10 @@ STEPS_VERSION = "1"
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
 PAUSES_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
-RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
 URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones get the turns of one normal one
 URGENCY_WORDS = {URGENT: "urgent", NORMAL: "normal", BULK: "bulk"}
 NOBODY = "nobody"  # in place of a studio
 LAST_PLACE = 2**31 - 1
-AWAY_PAUSE_S = 1.0
-BEATS_WHILE_SILENT = 3
-HEARTBEAT = "heartbeat"  # name of the thread
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
 FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
 STATE_WORDS = {
@@ -69,10 +59,6 @@ FORGOTTEN_AT_ONCE = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
-Result = TypeVar("Result")
-_stopping = threading.Event()  # the worker in this process ends
-_runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
-log = structlog.get_logger(__name__)
 
 
 class Heartbeat(Base):
@@ -94,6 +80,11 @@ def job(name: str) -> Callable[[Handler], Handler]:
         return handler
 
     return register
+
+
+def handler_of(name: str) -> Handler:
+    """Return the function that was registered as the job of that name."""
+    return _handlers[name]
 
 
 def job_names() -> frozenset[str]:
@@ -137,6 +128,16 @@ class Lane:
     oldest_at: datetime | None = None  # of those that wait
 
 
+class Work(NamedTuple):
+    """The arguments of a job as they are stored; fields are only ever added, at the end and with a default."""
+
+    name: str
+    payload: Payload
+    cause: logs.Cause
+    lane: str
+    attempt: int = 1
+
+
 class JobQueue:
     """Writes jobs into the caller's transaction; needs no running worker."""
 
@@ -145,7 +146,7 @@ class JobQueue:
         database.session_info[QUEUE] = self
         self._workflows = _workflows(database)
         self._client = DBOSClient(
-            system_database_url=_system_url(database),
+            system_database_url=system_url(database),
             application_name=APPLICATION,
             lazy=True,
             retry_connection_errors=False,
@@ -166,9 +167,7 @@ class JobQueue:
         lane = f"{studio_id or NOBODY}:{priority}"
         self._write(session, key, Work(name, payload, logs.cause(), lane), delay_s=delay_s)
 
-    def _write(
-        self, session: Session, key: str, work: "Work", *, delay_s: float = 0, reason: str | None = None
-    ) -> None:
+    def _write(self, session: Session, key: str, work: Work, *, delay_s: float = 0, reason: str | None = None) -> None:
         studio, _, cost = work.lane.partition(":")
         options: EnqueueOptions = {
             "workflow_name": RUN_JOB,
@@ -204,7 +203,7 @@ class JobQueue:
         ahead = session.connection().execute(sa.select(head, last)).one()
         return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
 
-    def try_again(self, job_id: str, work: "Work", error: Exception) -> bool:
+    def try_again(self, job_id: str, work: Work, error: Exception) -> bool:
         """Write the next attempt at a job that failed; return False, and park it, where that was the last."""
         reason = f"{type(error).__name__}: {error}"[:REASON_LENGTH]
         if work.attempt > len(PAUSES_S):
@@ -278,6 +277,15 @@ class JobQueue:
         return sorted(
             found.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
         )
+
+    def held_by(self, worker_id: str) -> set[str]:
+        """Return the jobs that stand as run by a worker."""
+        jobs = self._workflows
+        held = sa.select(jobs.c.workflow_uuid).where(
+            jobs.c.queue_name == JOB_QUEUE, sa.literal_column("status = 'PENDING'"), jobs.c.executor_id == worker_id
+        )
+        with self._database.reading() as session:
+            return set(session.scalars(held))
 
     def in_hand(self) -> dict[str, int]:
         """Return how many jobs each worker runs that runs any."""
@@ -393,159 +401,11 @@ def _instant(epoch_ms: int | None) -> datetime:
     return datetime.fromtimestamp((epoch_ms or 0) / 1000, UTC)
 
 
-def _system_url(database: Database) -> str:
+def system_url(database: Database) -> str:
+    """Return the address under which DBOS finds its tables."""
     return database.engine.url.render_as_string(hide_password=False)
-
-
-def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
-    return {
-        "name": APPLICATION,
-        "system_database_url": _system_url(database),
-        "application_version": STEPS_VERSION,
-        "executor_id": worker_id,
-        "sys_db_pool_size": 5 + jobs_at_once,
-        "max_executor_threads": max(8, jobs_at_once * 4),
-        "log_level": "WARNING",
-        "notification_listener_polling_interval_sec": 1.0,
-    }
 
 
 def create_tables(database: Database) -> None:
     """Create or upgrade DBOS's own tables."""
-    DBOS.migrate(system_database_url=_system_url(database))
-
-
-class Work(NamedTuple):
-    """The arguments of a job as they are stored; fields are only ever added, at the end and with a default."""
-
-    name: str
-    payload: Payload
-    cause: logs.Cause
-    lane: str
-    attempt: int = 1
-
-
-def _run_job(
-    name: str, payload: Payload, cause: logs.Cause | None = None, lane: str = f"{NOBODY}:{NORMAL}", attempt: int = 1
-) -> None:
-    work, job_id = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id)
-    begun, outcome = time.perf_counter(), "failed"
-    with logs.bound(work.cause, job=name, job_id=job_id):
-        try:
-            _patiently(lambda: _handlers[name](_runs_in(), payload))
-            outcome = "done"
-        except Exception as error:
-            metrics.JOB_FAILURES.labels(name).inc()
-            log.warning("job failed", attempt=attempt, attempts=len(PAUSES_S) + 1, exc_info=True)
-            failure = error
-            if not _patiently(lambda: _runs_in().queue.try_again(job_id, work, failure)):
-                outcome = "parked"
-                log.error("job is parked", error=str(error))
-                raise
-        finally:
-            taken_s = time.perf_counter() - begun
-            metrics.JOBS.labels(name, outcome).inc()
-            metrics.JOB_S.labels(name).observe(taken_s)
-            log.info("job ended", outcome=outcome, seconds=round(taken_s, 3))
-
-
-def _runs_in() -> "Runtime":
-    if _runtime is None:
-        raise RuntimeError("no worker was started in this process")
-    return _runtime
-
-
-def _patiently(call: Callable[[], Result]) -> Result:
-    """Return what a call gives; while the database is away wait for it, since that is no fault of the job."""
-    while True:
-        try:
-            return call()
-        except Exception as error:
-            if not is_away(error) or _stopping.wait(AWAY_PAUSE_S):
-                raise
-            log.warning("the database does not answer; a job waits for it", error=str(error))
-
-
-class Worker:
-    """Runs jobs in this process until stopped, and takes over what dead workers left half-done."""
-
-    def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float, poll_every_s: float = 0.05) -> None:
-        # Unique for ever: two processes with one id would run a job twice.
-        self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
-        self._runtime = runtime
-        self._database = runtime.database
-        self._jobs_at_once = jobs_at_once
-        self._silent_s = silent_s
-        self._poll_every_s = poll_every_s
-        self._stopped = threading.Event()
-        self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
-        self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
-
-    def start(self) -> None:
-        """Say that this worker lives, then take up whatever waits."""
-        global _runtime  # noqa: PLW0603
-        _runtime = self._runtime
-        _stopping.clear()
-        self._beat()
-        DBOS.destroy(destroy_registry=True)
-        DBOS(config=_config(self._database, self.id, self._jobs_at_once))
-        DBOS.workflow(name=RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
-        DBOS.launch()
-        DBOS.register_queue(
-            JOB_QUEUE,
-            worker_concurrency=self._jobs_at_once,
-            polling_interval_sec=self._poll_every_s,
-            on_conflict="always_update",
-        )
-        self._beating.start()
-
-    def stop(self, *, wait_s: int = 10) -> None:
-        """Let running jobs end, then stop; what is not done by then another worker takes over."""
-        _stopping.set()
-        DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
-        self._stopped.set()
-        self._beating.join(timeout=2)
-        try:
-            self._forget(self.id)
-        except sa.exc.SQLAlchemyError as error:
-            log.warning("a worker stopped without saying so", error=str(error))
-
-    def _live(self) -> None:
-        while not self._stopped.wait(self._silent_s / BEATS_WHILE_SILENT):
-            try:
-                self._beat()
-                if not _stopping.is_set():
-                    self._take_over()
-            except Exception as error:
-                # Who could not listen cannot say who was silent: begin to watch anew.
-                self._watched.clear()
-                log.warning("a worker cannot say that it lives", error=str(error))
-
-    def _beat(self) -> None:
-        with self._database.writing() as session:
-            session.merge(Heartbeat(worker_id=self.id, beat_at=clock.now()))
-
-    def _take_over(self) -> None:
-        """Put back into the line what workers hold that have been silent for too long; a job is put back once."""
-        for worker_id in self._silent():
-            log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
-            DBOS._recover_pending_workflows([worker_id])
-            self._forget(worker_id)
-            del self._watched[worker_id]
-
-    def _silent(self) -> list[str]:
-        """Return the others whose beat has stood still, by this process's own clock, for too long."""
-        with self._database.reading() as session:
-            beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
-        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.in_hand()) | beats
-        heard.pop(self.id, None)
-        now = time.monotonic()
-        self._watched = {
-            worker_id: known if (known := self._watched.get(worker_id)) and known[0] == beat else (beat, now)
-            for worker_id, beat in heard.items()
-        }
-        return [worker_id for worker_id, (_, since) in self._watched.items() if now - since >= self._silent_s]
-
-    def _forget(self, worker_id: str) -> None:
-        with self._database.writing() as session:
-            session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
+    DBOS.migrate(system_database_url=system_url(database))

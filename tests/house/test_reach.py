@@ -13,6 +13,7 @@ BEFORE_ANYBODY_IS_KNOWN = {
 SERVERS_OWN_TABLES = {
     "app/kit/http.py": "answers kept for an Idempotency-Key",
     "app/kit/queue.py": "jobs and heartbeats",
+    "app/kit/workers.py": "heartbeats",
     "app/kit/health.py": "whether the database answers",
     "app/kit/uploads/parts.py": "an upload's row, for its owner alone",
     "app/kit/uploads/staged.py": "an upload's row, for its owner alone",

@@ -22,8 +22,8 @@ from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.kit import clock
 from app.kit.db import new_id
-from app.kit.queue import HEARTBEAT, Worker
 from app.kit.runtime import Runtime
+from app.kit.workers import HEARTBEAT, Worker
 from app.main import create_app
 from app.migrate import migrate
 from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec

@@ -10,7 +10,7 @@ import sqlalchemy as sa
 from dbos import DBOSClient
 
 from app import worker
-from app.kit import queue
+from app.kit import queue, workers
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -174,9 +174,21 @@ def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: Runn
     server.wait_for_jobs()
 
 
+def test_a_job_whose_end_its_worker_could_not_write_runs_again(runtime: Runtime, server: RunningServer):
+    """It is held by a worker that lives and does not run it."""
+    (worker,) = runtime.queue.heartbeats(within=queue.timedelta(days=1))
+    jobs = queue._workflows(runtime.database)
+    with runtime.database.writing() as session:
+        runtime.queue.enqueue(session, "tests.note", {"word": "again"}, key="held", studio_id=None, delay_s=3600)
+        held = sa.update(jobs).where(jobs.c.workflow_uuid == "held")
+        session.execute(held.values(status="PENDING", executor_id=worker.worker_id))
+    until(lambda: calls == ["again"])
+    server.wait_for_jobs()
+
+
 def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     """What is stored only grows at its end; and every version claims jobs under the same constant."""
-    client = DBOSClient(system_database_url=queue._system_url(runtime.database), application_name=queue.APPLICATION)
+    client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
     options: Any = {
         "workflow_name": queue.RUN_JOB,
         "queue_name": queue.JOB_QUEUE,
@@ -222,5 +234,5 @@ def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypat
 
 def test_the_longest_silence_allowed_is_over_within_half_a_minute():
     longest_s = next(limit.le for limit in Settings.model_fields["worker_silent_s"].metadata if hasattr(limit, "le"))
-    beat_s = longest_s / queue.BEATS_WHILE_SILENT
+    beat_s = longest_s / workers.BEATS_WHILE_SILENT
     assert beat_s + longest_s + beat_s <= 30, "since the last beat: until it is noticed, and until others look"

@@ -1,0 +1,188 @@
+"""Runs the jobs of the queue in a process of its own, and takes over what dead workers left half-done."""
+
+import os
+import secrets
+import socket
+import threading
+import time
+from collections.abc import Callable
+from datetime import datetime
+from typing import TYPE_CHECKING, TypeVar
+
+import sqlalchemy as sa
+import structlog
+from dbos import DBOS, DBOSConfig
+
+from app import logs
+from app.kit import clock, metrics, queue
+from app.kit.db import Database, is_away
+from app.kit.queue import Heartbeat, Payload, Work
+
+if TYPE_CHECKING:
+    from app.kit.runtime import Runtime
+
+RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
+AWAY_PAUSE_S = 1.0
+BEATS_WHILE_SILENT = 3
+HEARTBEAT = "heartbeat"  # name of the thread
+FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
+Result = TypeVar("Result")
+_stopping = threading.Event()  # the worker in this process ends
+_runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
+log = structlog.get_logger(__name__)
+
+
+class Worker:
+    """Runs jobs in this process until stopped, and takes over what dead workers left half-done."""
+
+    def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float, poll_every_s: float = 0.05) -> None:
+        # Unique for ever: two processes with one id would run a job twice.
+        self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
+        self._runtime = runtime
+        self._database = runtime.database
+        self._jobs_at_once = jobs_at_once
+        self._silent_s = silent_s
+        self._poll_every_s = poll_every_s
+        self._stopped = threading.Event()
+        self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
+        self._unheld: set[str] = set()  # jobs that stood as run here at the last beat, and were not
+        self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
+
+    def start(self) -> None:
+        """Say that this worker lives, then take up whatever waits."""
+        global _runtime  # noqa: PLW0603
+        _runtime = self._runtime
+        _stopping.clear()
+        self._beat()
+        DBOS.destroy(destroy_registry=True)
+        self._dbos = DBOS(config=_config(self._database, self.id, self._jobs_at_once))
+        DBOS.workflow(name=queue.RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
+        DBOS.launch()
+        DBOS.register_queue(
+            queue.JOB_QUEUE,
+            worker_concurrency=self._jobs_at_once,
+            polling_interval_sec=self._poll_every_s,
+            on_conflict="always_update",
+        )
+        self._beating.start()
+
+    def stop(self, *, wait_s: int = 10) -> None:
+        """Let running jobs end, then stop; what is not done by then another worker takes over."""
+        _stopping.set()
+        DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
+        self._stopped.set()
+        self._beating.join(timeout=2)
+        try:
+            self._forget(self.id)
+        except sa.exc.SQLAlchemyError as error:
+            log.warning("a worker stopped without saying so", error=str(error))
+
+    def _live(self) -> None:
+        while not self._stopped.wait(self._silent_s / BEATS_WHILE_SILENT):
+            try:
+                self._beat()
+                if not _stopping.is_set():
+                    self._take_over()
+                    self._take_back()
+            except Exception as error:
+                # Who could not listen cannot say who was silent: begin to watch anew.
+                self._watched.clear()
+                log.warning("a worker cannot say that it lives", error=str(error))
+
+    def _beat(self) -> None:
+        with self._database.writing() as session:
+            session.merge(Heartbeat(worker_id=self.id, beat_at=clock.now()))
+
+    def _take_over(self) -> None:
+        """Put back into the line what workers hold that have been silent for too long; a job is put back once."""
+        for worker_id in self._silent():
+            log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
+            DBOS._recover_pending_workflows([worker_id])
+            self._forget(worker_id)
+            del self._watched[worker_id]
+
+    def _take_back(self) -> None:
+        """Put back into the line what stands as run by this worker and is not.
+
+        DBOS gives a job up for good where the database goes away just as the job's end is to be written.
+        """
+        unheld = self._runtime.queue.held_by(self.id) - set(self._dbos._active_workflows_set.activeList())
+        for job_id in unheld & self._unheld:  # at two beats: between claim and start a job is in no list
+            log.warning("a job's end was not written; it runs again", job_id=job_id)
+            self._dbos._sys_db.reenqueue_for_recovery(job_id, [self.id], queue.JOB_QUEUE)
+        self._unheld = unheld
+
+    def _silent(self) -> list[str]:
+        """Return the others whose beat has stood still, by this process's own clock, for too long."""
+        with self._database.reading() as session:
+            beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
+        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.in_hand()) | beats
+        heard.pop(self.id, None)
+        now = time.monotonic()
+        self._watched = {
+            worker_id: known if (known := self._watched.get(worker_id)) and known[0] == beat else (beat, now)
+            for worker_id, beat in heard.items()
+        }
+        return [worker_id for worker_id, (_, since) in self._watched.items() if now - since >= self._silent_s]
+
+    def _forget(self, worker_id: str) -> None:
+        with self._database.writing() as session:
+            session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
+
+
+def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
+    return {
+        "name": queue.APPLICATION,
+        "system_database_url": queue.system_url(database),
+        "application_version": queue.STEPS_VERSION,
+        "executor_id": worker_id,
+        "sys_db_pool_size": 5 + jobs_at_once,
+        "max_executor_threads": max(8, jobs_at_once * 4),
+        "log_level": "WARNING",
+        "notification_listener_polling_interval_sec": 1.0,
+    }
+
+
+def _run_job(
+    name: str,
+    payload: Payload,
+    cause: logs.Cause | None = None,
+    lane: str = FIRST_LANE,
+    attempt: int = 1,
+) -> None:
+    work, job_id = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id)
+    begun, outcome = time.perf_counter(), "failed"
+    with logs.bound(work.cause, job=name, job_id=job_id):
+        try:
+            _patiently(lambda: queue.handler_of(name)(_runs_in(), payload))
+            outcome = "done"
+        except Exception as error:
+            metrics.JOB_FAILURES.labels(name).inc()
+            log.warning("job failed", attempt=attempt, attempts=len(queue.PAUSES_S) + 1, exc_info=True)
+            failure = error
+            if not _patiently(lambda: _runs_in().queue.try_again(job_id, work, failure)):
+                outcome = "parked"
+                log.error("job is parked", error=str(error))
+                raise
+        finally:
+            taken_s = time.perf_counter() - begun
+            metrics.JOBS.labels(name, outcome).inc()
+            metrics.JOB_S.labels(name).observe(taken_s)
+            log.info("job ended", outcome=outcome, seconds=round(taken_s, 3))
+
+
+def _runs_in() -> "Runtime":
+    if _runtime is None:
+        raise RuntimeError("no worker was started in this process")
+    return _runtime
+
+
+def _patiently(call: Callable[[], Result]) -> Result:
+    """Return what a call gives; while the database is away wait for it, since that is no fault of the job."""
+    while True:
+        try:
+            return call()
+        except Exception as error:
+            if not is_away(error) or _stopping.wait(AWAY_PAUSE_S):
+                raise
+            log.warning("the database does not answer; a job waits for it", error=str(error))
