@@ -5,7 +5,8 @@ leave a step of one or a few samples. It is heard as a tick, in a game a thousan
 How to fix: go to the named places and draw the samples anew, use a declicker, or move the edit to
 where both waves meet and fade across it. Crackle that is meant may stay: say so, or turn this off.
 Source: Godsill and Rayner, Digital Audio Restoration (1998), chapter 5: what is sudden stands out of
-its surroundings once what moves slowly is taken away, here by a sixth difference.
+its surroundings once what moves slowly is taken away, here by a sixth difference; and, where that is
+in doubt, once each sample is foretold from those before it.
 """
 
 from collections.abc import Iterator

@@ -13,6 +13,7 @@ from audio_checks.kernel.sources import digest_of
 
 try:
     from audio_checks.kernel._kernel import (
+        bends,
         cells,
         convert,
         crests,
@@ -31,7 +32,6 @@ try:
         loud_rows,
         made_from,
         maxima,
-        outstanding,
         outstanding_amid,
         power_sums,
         powers,
@@ -62,6 +62,7 @@ if (_WANTED := digest_of(Path(__file__).parent)) not in (None, made_from()):
     )
 
 __all__ = [
+    "bends",
     "by_channel",
     "cells",
     "convert",
@@ -80,7 +81,6 @@ __all__ = [
     "hush",
     "loud_rows",
     "maxima",
-    "outstanding",
     "outstanding_amid",
     "power_sums",
     "powers",

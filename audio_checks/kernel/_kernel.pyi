@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 _Floats = NDArray[np.float64]
 _Bytes = bytes | memoryview
 
+def bends(sums: _Floats, out: _Floats, /) -> None: ...
 def cells(block: _Floats, first: int, size: int, out: _Floats, /) -> None: ...
 def convert(
     stream: _Floats,
@@ -50,13 +51,10 @@ def hush(stream: _Floats, out: _Floats, first: NDArray[np.int64], last: NDArray[
 def loud_rows(maxima: _Floats, level: float, /) -> tuple[int, int]: ...
 def made_from() -> str: ...
 def maxima(block: _Floats, rows: _Floats, /) -> None: ...
-def outstanding(
-    heights: _Floats, reach: int, core: int, times: float, least: float, places: NDArray[np.int64], /
-) -> int: ...
 def outstanding_amid(
     heights: _Floats,
     firsts: NDArray[np.int64],
-    times: _Floats,
+    times: float,
     reach: int,
     core: int,
     least: float,

@@ -283,29 +283,36 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     return PyLong_FromSsize_t(found);
 }
 
-PyObject *outstanding(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+/* How many times a height is as high as what lies around it; see `find_outstanding`. */
+static double times_higher(const double *heights, Py_ssize_t count, Py_ssize_t at, Py_ssize_t reach, Py_ssize_t core) {
+    double highest = 0;
+    for (Py_ssize_t off = 1; off <= reach; off++) {
+        const double before = at < off ? 0 : heights[at - off], after = at + off >= count ? 0 : heights[at + off];
+        const int far = off > core;
+        highest = larger_of((before > after) == far ? before : after, highest);
+    }
+    return highest > 0 ? heights[at] / highest : INFINITY;
+}
+
+/* sums of cells -> how far each but the first and the last lies off the middle between its neighbours */
+PyObject *bends(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    const double *heights;
-    int64_t *places;
-    if (arguments("outstanding", count, 6) < 0) return NULL;
-    const Py_ssize_t reach = PyLong_AsSsize_t(args[1]), core = PyLong_AsSsize_t(args[2]);
-    const double times = PyFloat_AsDouble(args[3]), least = PyFloat_AsDouble(args[4]);
-    if (PyErr_Occurred() || !(heights = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(places = take_row(&held, args[5], held.views[0].len / (Py_ssize_t)sizeof(double), sizeof(int64_t), 1))) {
+    const double *sums;
+    double *out;
+    if (arguments("bends", count, 2) < 0) return NULL;
+    if (!(out = TAKE_DOUBLES(&held, args[1], -1, 1))) {
         let_go(&held);
         return NULL;
     }
-    const Py_ssize_t heights_given = held.views[0].len / (Py_ssize_t)sizeof(double);
-    if (reach < 0) {
+    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
+    if (!(sums = TAKE_DOUBLES(&held, args[0], length + 2, 0))) {
         let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "a reach of 0 cells or more is wanted");
         return NULL;
     }
-    const Py_ssize_t found =
-        find_outstanding(heights, heights_given, reach, heights_given - reach, reach, core, times, least, places);
+    for (Py_ssize_t at = 0; at < length; at++) out[at] = fabs(sums[at + 1] - 0.5 * (sums[at] + sums[at + 2]));
     let_go(&held);
-    return PyLong_FromSsize_t(found);
+    Py_RETURN_NONE;
 }
 
 /* What lies beside a height in the sound: its power, and that of its sixth differences, cell by cell. */
@@ -333,9 +340,9 @@ static int goes_on(const surroundings *sound, Py_ssize_t place, double *quieter)
     return higher <= lower * sound->goes_on;
 }
 
-enum { CLICK_FIGURES = 4 }; /* row, cell of it, height, power of the quieter side */
+enum { CLICK_FIGURES = 5 }; /* row, cell of it, height, power of the quieter side, how many times as high it is */
 
-/* rows of heights, the cell that each row's first one is, times for each row, cells that are compared on either side,
+/* rows of heights, the cell that each row's first one is, times as high, cells that are compared on either side,
  * those that may belong to what stands out, least height, times the mean of its row, power of cells, power of their
  * sixth differences, cells that tell the level on either side, least power there, times that it may fall or rise,
  * clicks to fill -> how many */
@@ -344,18 +351,17 @@ PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t c
     holding held = {.count = 0};
     planar heights;
     const int64_t *firsts;
-    const double *times;
     double *out;
     int64_t *places = NULL;
     surroundings sound;
     if (arguments("outstanding_amid", count, 13) < 0) return NULL;
     const Py_ssize_t reach = PyLong_AsSsize_t(args[3]);
-    const double least = PyFloat_AsDouble(args[5]), above_mean = PyFloat_AsDouble(args[6]);
+    const double times = PyFloat_AsDouble(args[2]), least = PyFloat_AsDouble(args[5]), above_mean = PyFloat_AsDouble(args[6]);
     sound.core = PyLong_AsSsize_t(args[4]), sound.level = PyLong_AsSsize_t(args[9]);
     sound.quietest = PyFloat_AsDouble(args[10]), sound.goes_on = PyFloat_AsDouble(args[11]);
     if (PyErr_Occurred() || take_planar(&held, args[0], &heights, 0) < 0 ||
         !(firsts = take_row(&held, args[1], heights.channels, sizeof(int64_t), 0)) ||
-        !(times = TAKE_DOUBLES(&held, args[2], heights.channels, 0)) || !(sound.squares = TAKE_DOUBLES(&held, args[7], -1, 0))) {
+        !(sound.squares = TAKE_DOUBLES(&held, args[7], -1, 0))) {
         goto refused;
     }
     const Py_ssize_t cells_given = held.views[held.count - 1].len / (Py_ssize_t)sizeof(double);
@@ -380,7 +386,7 @@ PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t c
         const double *row = heights.samples + at * heights.row;
         const double level = above_mean * mean_of(row, heights.frames);
         const Py_ssize_t standing =
-            find_outstanding(row, heights.frames, reach, heights.frames - reach, reach, sound.core, times[at], least, places);
+            find_outstanding(row, heights.frames, reach, heights.frames - reach, reach, sound.core, times, least, places);
         if (standing && in_lanes()->highest(row + reach, heights.frames - 2 * reach) < level) continue;
         for (Py_ssize_t which = 0; which < standing && found < most; which++) {
             double quieter;
@@ -388,6 +394,7 @@ PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t c
             double *figures = out + found++ * CLICK_FIGURES;
             figures[0] = (double)at, figures[1] = (double)places[which];
             figures[2] = row[places[which]], figures[3] = quieter;
+            figures[4] = times_higher(row, heights.frames, places[which], reach, sound.core);
         }
     }
     free(places);

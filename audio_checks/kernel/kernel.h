@@ -159,7 +159,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(loud_rows, "Find the first and the last row with a maximum above a level; both -1 where there is none.") \
     EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
-    EACH(outstanding, "Find where a height stands out of those around it; return how many such places there are.") \
+    EACH(bends, "Tell how far each sum lies off the middle between those beside it.") \
     EACH(outstanding_amid, "Find where a height stands out amid a sound that goes on; return how many such places there are.") \
     EACH(power_sums, "Add the power of each bin over windows of real signals.") \
     EACH(powers, "Find the power of the bins of windows of real signals.") \

@@ -13,11 +13,12 @@ from audio_checks.measure.decibels import decibels
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
-STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way
-DOUBTFUL = 1.6  # times sharper: a closer look is worth its time, at what cannot be foretold of the sound;
-FORETOLD_OUT = 6.0  # what stands out there by so much is a click in any sound, and by STANDS_OUT in a steady one
+STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way;
+BENDS_OUT = 5.0  # or so many times as bent below 1 kHz: a dull click in a bright sound shows there alone
+DOUBTFUL = 1.5  # times as much of either: a closer look is worth its time, at what cannot be foretold of the sound
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
+DOUBTED = 1 + 2 * CORE  # cells that are looked at together where a click may be
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothing
@@ -30,7 +31,7 @@ CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: th
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
 MAX_KEPT = 1_000
-STANDS_OUT_ROW, STEPS_OUT_ROW = np.array([STANDS_OUT]), np.array([STEPS_OUT])
+MAX_DOUBTED = 8_000  # of a stretch
 
 
 class Click(NamedTuple):
@@ -42,7 +43,7 @@ class Click(NamedTuple):
 
 
 class Clicks:
-    """Finds clicks in cells; in steady sounds, in what cannot be foretold of them.
+    """Finds clicks in cells; in steady sounds and where one may hide, in what cannot be foretold of the sound.
 
     Parameters
     ----------
@@ -63,10 +64,10 @@ class Clicks:
         self._least = max(GRAIN * step, 1e-6)
         self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
-        self._doubtful: set[tuple[int, int]] = set()  # segment, channel
-        self._window = np.hanning((SEGMENT + 2 * REACH) * cell_frames + 2)[1:-1].copy()
+        self._doubtful: set[tuple[int, int]] = set()  # cell, channel
+        self._windows = {cells: self._window(cells) for cells in (SEGMENT, DOUBTED)}
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
-        self._places, self._out = np.empty(0, np.int64), np.empty((MAX_KEPT, 4))  # where the kernel writes
+        self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -78,21 +79,16 @@ class Clicks:
         self._lowest, self._quietest = self._limits(peak)
         begun, total = self._seen, self._seen + new
         before = total - cells.sums.shape[1]  # the cell that the first of all is
-        start = max(0, begun - REACH)
-        if total - start > REACH:
-            near = slice(start - REACH - before, None)
-            starts = np.array([start - REACH])
+        start = max(0, begun - REACH) - REACH
+        if total - start > 2 * REACH:
             for channel in range(len(samples)):
-                sharpness, steps = cells.sharpness[channel, near], cells.steps[channel, near]
-                for cell in self._doubtful_places(sharpness):
-                    self._doubtful.add(((start + cell - REACH) // SEGMENT, channel))
-                self._keep(cells, channel, before, starts, sharpness[np.newaxis], STANDS_OUT_ROW, scale=IMPULSE)
-                self._keep(cells, channel, before, starts, steps[np.newaxis], STEPS_OUT_ROW)
+                self._look(cells, before, channel, start)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
             at = first + (self._segment - begun) * self._cell
-            self._look_closer(cells, before, count, samples, at)
+            self._look_at_steady(cells, before, count, samples, at)
             self._segment += count * SEGMENT
+        self._look_at_doubtful(cells, before, total, samples, first - begun * self._cell)
         self._seen = total
 
     def result(self, peak: float) -> dict[str, Any]:
@@ -112,26 +108,30 @@ class Clicks:
         """Return the height that a click must have in a file of that peak, and the power that the sound around must."""
         return max(self._least, peak * BELOW_PEAK), peak**2 * SOUND_BELOW_PEAK * self._cell
 
-    def _keep(
+    def _window(self, cells: int) -> NDArray[np.float64]:
+        """Return a Hann window over so many cells and what they are compared with."""
+        return np.hanning((cells + 2 * REACH) * self._cell + 2)[1:-1].copy()
+
+    def _outstanding(
         self,
         cells: Cells,
         channel: int,
-        before: int,
-        starts: NDArray[np.int64],
         heights: NDArray[np.float64],
-        times: NDArray[np.float64],
+        starts: NDArray[np.int64],
+        times: float,
         *,
         scale: float = 1.0,
         above_mean: float = 0.0,
-    ) -> None:
-        """Keep what stands out of each row of heights, of all but the first and the last REACH of it.
+    ) -> list[list[float]]:
+        """Return what is `times` as high as what lies around it, in each row of heights, but for REACH at both ends.
 
-        Rows start at the cells `starts`; `before` is the cell that the first of `cells` is. A height is `scale` times
-        that of the click that it stands for, and so many times as high as what lies around it.
+        Rows start at the places `starts` of `cells`. A height is `scale` times that of the click that it stands for.
+        Of each are told the row, the cell of it, its height, the power of the sound around, and how many times as high
+        it is.
         """
         found = kernel.outstanding_amid(
             heights,
-            starts - before,
+            starts,
             times,
             REACH,
             CORE,
@@ -144,21 +144,53 @@ class Clicks:
             GOES_ON,
             self._out,
         )
-        for row, cell, height, power in self._out[:found].tolist():
-            if len(self._found) < MAX_KEPT:
-                self._found.add((int(starts[int(row)]) + int(cell), channel, height / scale, power))
+        told: list[list[float]] = self._out[:found].tolist()
+        return told
 
-    def _doubtful_places(self, sharpness: NDArray[np.float64]) -> list[int]:
-        """Return the places of what may be a click, as sharp as it is beside all that lies around it."""
-        if len(self._places) < len(sharpness):
-            self._places = np.empty(len(sharpness), np.int64)
-        places = self._places[: len(sharpness)]
-        found = kernel.outstanding(sharpness, REACH, CORE, DOUBTFUL, self._lowest * IMPULSE, places)
-        doubtful: list[int] = places[:found].tolist()
-        return doubtful
+    def _keep(self, cell: int, channel: int, height: float, power: float) -> None:
+        if len(self._found) < MAX_KEPT:
+            self._found.add((cell, channel, height, power))
 
-    def _look_closer(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
-        """Look at the next segments where they are steady, or may hide a click.
+    def _look(self, cells: Cells, before: int, channel: int, start: int) -> None:
+        """Keep what stands out of the cells from one on, and mark what may.
+
+        `before` is the cell that the first of `cells` is.
+        """
+        first = start - before
+        sharpness, steps = cells.sharpness[channel], cells.steps[channel]
+        bends = np.empty(len(sharpness) - first)
+        kernel.bends(cells.sums[channel, first - 2 :], bends)  # a cell late: the last one bends with what follows it
+        for heights, begin, scale, times in (
+            (sharpness[first:], first, IMPULSE, STANDS_OUT),
+            (steps[first:], first, 1.0, STEPS_OUT),
+            (bends, first - 1, 1.0, BENDS_OUT),
+        ):
+            rows, starts = heights[np.newaxis], np.array([begin])
+            for _, at, height, power, stands in self._outstanding(cells, channel, rows, starts, DOUBTFUL, scale=scale):
+                place = begin + int(at)
+                if stands < times:
+                    self._doubtful.add((before + place, channel))
+                elif heights is not bends:
+                    self._keep(before + place, channel, height / scale, power)
+                else:
+                    sharpest = float(sharpness[place - CORE : place + CORE + 1].max()) / IMPULSE
+                    self._keep(before + place, channel, sharpest, power)
+
+    def _look_at_doubtful(
+        self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
+    ) -> None:
+        """Look at what cannot be foretold where a click may be, and the cells that it is compared with are known.
+
+        Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
+        """
+        ready = sorted(one for one in self._doubtful if one[0] + CORE + REACH < total)
+        self._doubtful.difference_update(ready)
+        for channel in {channel for _, channel in ready}:
+            starts = np.array([cell for cell, one in ready if one == channel]) - CORE - REACH
+            self._foretell(cells, before, channel, starts, DOUBTED, samples[channel], origin)
+
+    def _look_at_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
+        """Look at what cannot be foretold of the next segments, where they are steady.
 
         The first starts at frame `at`; `before` is the cell that the first of `cells` is.
         """
@@ -169,36 +201,49 @@ class Clicks:
         for channel, flags in enumerate(steady):
             sharpness, edges = cells.sharpness[channel, inner], cells.edges[channel, inner]
             kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, flags)
-        wanted, begun = steady.copy(), self._segment // SEGMENT
-        for segment, channel in [one for one in self._doubtful if one[0] < begun + count]:
-            self._doubtful.remove((segment, channel))
-            wanted[channel, segment - begun] = True
-        if not wanted.any():
+        if not steady.any():
             return
-        wanted &= _loudest_nearby(cells.squares[:, inner]) >= self._quietest
-        frames = at + (np.arange(count) * SEGMENT - REACH) * self._cell
-        wanted &= frames >= ORDER  # of many channels less is kept
-        for channel in np.flatnonzero(wanted.any(axis=1)).tolist():
-            numbers = np.flatnonzero(wanted[channel])
-            heights = np.empty((len(numbers), SEGMENT + 2 * REACH))
-            kept = np.empty(len(numbers), np.int64)
-            found = kernel.unforeseen(
-                samples[channel],
-                frames[numbers],
-                self._window,
-                ORDER,
-                self._cell,
-                REACH,
-                CORE,
-                STANDS_OUT,
-                self._lowest,
-                heights,
-                kept,
-            )
-            numbers = numbers[kept[:found]]
-            times = np.where(steady[channel, numbers], STANDS_OUT, FORETOLD_OUT)
-            starts = self._segment + numbers * SEGMENT - REACH
-            self._keep(cells, channel, before, starts, heights[:found], times, above_mean=ABOVE_MEAN)
+        steady &= _loudest_nearby(cells.squares[:, inner]) >= self._quietest
+        for channel in np.flatnonzero(steady.any(axis=1)).tolist():
+            starts = self._segment + np.flatnonzero(steady[channel]) * SEGMENT - REACH
+            origin = at - self._segment * self._cell
+            self._foretell(cells, before, channel, starts, SEGMENT, samples[channel], origin)
+
+    def _foretell(
+        self,
+        cells: Cells,
+        before: int,
+        channel: int,
+        starts: NDArray[np.int64],
+        count: int,
+        samples: NDArray[np.float64],
+        origin: int,
+    ) -> None:
+        """Keep what stands out of what cannot be foretold of a channel.
+
+        Looked at are `count` cells and REACH on either side, from each of `starts` on; cell 0 starts at frame `origin`.
+        """
+        frames = origin + starts * self._cell
+        starts, frames = starts[frames >= ORDER], frames[frames >= ORDER]  # of many channels less is kept
+        heights = np.empty((len(starts), count + 2 * REACH))
+        kept = np.empty(len(starts), np.int64)
+        found = kernel.unforeseen(
+            samples,
+            frames,
+            self._windows[count],
+            ORDER,
+            self._cell,
+            REACH,
+            CORE,
+            STANDS_OUT,
+            self._lowest,
+            heights,
+            kept,
+        )
+        starts = starts[kept[:found]]
+        told = self._outstanding(cells, channel, heights[:found], starts - before, STANDS_OUT, above_mean=ABOVE_MEAN)
+        for row, at, height, power, _ in told:
+            self._keep(int(starts[int(row)]) + int(at), channel, height, power)
 
 
 def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -45,6 +45,26 @@ def test_small_clicks_in_bright_steady_tones(codes_of):
     assert codes_of("click", clicked(bright, 0.02, at=12_000)) == ["click:isolated"]
 
 
+def test_a_step_under_a_bright_sound(codes_of):
+    # The tone and the breath over it are far sharper than the step; a cell of half a millisecond holds three whole
+    # cycles of the one and little of the other, and there the step is alone.
+    breath = np.diff(noise(seconds=0.5, dbfs=-34), n=2, axis=0, prepend=np.zeros((2, 1))) / 2
+    bright = sine(hz=6_000, dbfs=-6, seconds=0.5) + breath
+    step = np.zeros_like(bright)
+    step[12_000:, 0] = 0.06 * np.exp(-np.arange(12_000) / 960)
+    assert codes_of("click", bright) == []
+    assert codes_of("click", bright + step) == ["click:isolated"]
+
+
+def test_a_small_click_in_a_tone_that_sweeps(codes_of):
+    # Nothing here is steady, and the click is no sharper than the call: what cannot be foretold of it shows it.
+    times = np.arange(24_000) / 48_000
+    air = noise(seconds=0.5, dbfs=-62)
+    call = 0.5 * np.sin(2 * np.pi * (3_000 * times + 2_000 * times**2))[:, np.newaxis] + air
+    assert codes_of("click", call) == []
+    assert codes_of("click", clicked(call, 0.03, at=12_000)) == ["click:isolated"]
+
+
 def test_a_step_and_a_splice_are_clicks(found_by):
     stepped = tone()
     stepped[AT:] += 0.05

@@ -124,12 +124,13 @@ Left out of both halves, because the sound has by its nature what the fault woul
 
 def _thresholds() -> str:
     lines = {
-        "click": f"the sixth difference of a half-millisecond is {clicks.STANDS_OUT:g} times, or its largest step"
-        f" {clicks.STEPS_OUT:g} times, the largest within {clicks.REACH / 2:g} ms before and after. Steady sounds (the"
-        f" peak of their sixth differences, but for the {clicks.CLICKED} sharpest of {clicks.SEGMENT} cells,"
-        f" under {clicks.STEADY:g} times the RMS) are foretold from {clicks.ORDER} samples"
-        f" first, and so is what stands out {clicks.DOUBTFUL:g} times, where {clicks.FORETOLD_OUT:g} times are wanted"
-        f" then. What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
+        "click": f"the sixth difference of a half-millisecond is {clicks.STANDS_OUT:g} times, its largest step"
+        f" {clicks.STEPS_OUT:g} times, or its bend below 1 kHz {clicks.BENDS_OUT:g} times the largest within"
+        f" {clicks.REACH / 2:g} ms before and after. What stands out {clicks.DOUBTFUL:g} times by one of them, and"
+        f" steady sounds throughout (the peak of their sixth differences, but for the {clicks.CLICKED} sharpest of"
+        f" {clicks.SEGMENT} cells, under {clicks.STEADY:g} times the RMS) are foretold from {clicks.ORDER} samples, and"
+        f" {clicks.STANDS_OUT:g} times are wanted of what cannot be."
+        f" What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
         f" {dropouts.STILL * 2**15:.1f} units of 16 bit, with sound up to both its edges; a repeat is a buffer of"
         f" {1000 * repeats.SHORTEST_S:g} to {1000 * repeats.LONGEST_S:g} ms that comes again, bit by bit, up to"

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.audio_checks.faults.audible import excess_db
+from tests.audio_checks.faults.audible import WINDOW_S, excess_db
 from tests.audio_checks.faults.sounds import Samples
 
 SILENCE = 1e-9
@@ -74,9 +74,12 @@ def scaled_to(samples: Samples, shape: Samples, at: int, rate: int, level_db: fl
     It is as sharp as a single sample 40 dB under the sound's peak, or sharper.
     """
     low, high = -90.0, 0.0
+    first = max(0, at - round(2 * WINDOW_S * rate))
+    heard = slice(first, at + round(2 * WINDOW_S * rate))  # no more of the sound tells the level
     for _ in range(14):
         middle = (low + high) / 2
-        if excess_db(samples + shape * 10 ** (middle / 20), samples, at, rate) < level_db:
+        tried = samples[heard] + shape[heard] * 10 ** (middle / 20)
+        if excess_db(tried, samples[heard], at - first, rate) < level_db:
             low = middle
         else:
             high = middle
@@ -126,6 +129,34 @@ def _step(rng: np.random.Generator, samples: Samples, rate: int, level_db: float
     shape[at:] = rng.choice([-1.0, 1.0]) * np.exp(-np.arange(len(samples) - at) / (0.02 * rate))
     faulty = scaled_to(samples, _in_one_or_all(rng, shape, samples.shape[1]), at, rate, level_db)
     return None if faulty is None else Injured(faulty, at / rate, at / rate)
+
+
+def _pop(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """A round pulse of a tenth to half a millisecond, without a corner."""
+    at = place_in_sound(rng, samples, rate)
+    if at is None:
+        return None
+    shape = np.zeros(len(samples))
+    pulse = np.hanning(round(rng.uniform(1e-4, 5e-4) * rate) + 2)
+    first = at - len(pulse) // 2
+    shape[first : first + len(pulse)] = rng.choice([-1.0, 1.0]) * pulse
+    faulty = scaled_to(samples, _in_one_or_all(rng, shape, samples.shape[1]), at, rate, level_db)
+    return None if faulty is None else Injured(faulty, at / rate, at / rate)
+
+
+def _garbled(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """Two to eight samples that stand in the wrong order."""
+    for _ in range(40):
+        at, length = place_in_sound(rng, samples, rate), int(rng.integers(2, 9))
+        if at is None:
+            return None
+        faulty = samples.copy()
+        faulty[at : at + length] = samples[at : at + length][::-1]
+        exceeds = excess_db(faulty, samples, at, rate)
+        sharpness = np.abs(np.diff((faulty - samples)[at - 6 : at + 14], n=6, axis=0)).max() / 20
+        if level_db <= exceeds < level_db + 12 and sharpness > np.abs(samples).max() * 0.01:
+            return Injured(faulty, at / rate, at / rate)
+    return None
 
 
 def _splice(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
@@ -299,4 +330,6 @@ FAULTS = (
     Fault("dc-offset", "shifted", (1.1, 2.0, 5.0), "%", _shifted),
     Fault("hum", "six multiples", HUM_DB, HUM_UNIT, _hum),
     Fault("noise-floor", "hiss", (-58.0, -50.0, -40.0), "dBFS", _noisy),
+    Fault("click", "pop", CLICK_DB, CLICK_UNIT, _pop),
+    Fault("click", "samples in the wrong order", CLICK_DB, CLICK_UNIT, _garbled),
 )

@@ -179,6 +179,59 @@ def whistle(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
     return _stereo(rng, (tone + breath) * _rise(times, 0.03) * _fall(times, 0.05))
 
 
+def drips(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
+    """Drops into water: short tones that rise, some a second, over a cave's faint noise."""
+    frames = round(seconds * rate)
+    cave = lfilter([0.02], [1, -0.98], rng.standard_normal(frames)) * 10 ** (rng.uniform(-50, -30) / 20)
+    at = 0.03
+    while at < seconds - 0.1:
+        start = round(at * rate)
+        inside = np.arange(min(round(rng.uniform(0.03, 0.15) * rate), frames - start)) / rate
+        hz = rng.uniform(400, 2500) * (1 + rng.uniform(2, 12) * inside)
+        drop = np.sin(2 * np.pi * np.cumsum(hz) / rate) * np.exp(-inside * 5 / inside[-1])
+        cave[start : start + len(inside)] += rng.uniform(0.2, 1) * drop * _rise(inside, 0.002)
+        at += rng.uniform(0.02, 0.3)
+    times = np.arange(frames) / rate
+    return _stereo(rng, cave * _rise(times, 0.02) * _fall(times, 0.05))
+
+
+def knocks(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
+    """Strokes on a hollow body that ring at a few low modes, some of them close together."""
+    frames = round(seconds * rate)
+    struck = np.zeros(frames)
+    modes = rng.uniform(70, 220) * np.array([1.0, 1.59, 2.14, 2.65])
+    at = 0.01
+    while at < seconds - 0.1:
+        start = round(at * rate)
+        inside = np.arange(frames - start) / rate
+        body = sum(_tone(rng, hz, inside) / (place + 1) for place, hz in enumerate(modes))
+        slap = rng.standard_normal(len(inside)) * np.exp(-inside / 0.004)
+        stroke = body * np.exp(-inside / rng.uniform(0.04, 0.12)) + 0.5 * slap
+        struck[start:] += rng.uniform(0.3, 1) * stroke * _rise(inside, 0.0007)
+        at += rng.uniform(0.1, 0.5)
+    times = np.arange(frames) / rate
+    return _stereo(rng, struck * _fall(times, 0.05))
+
+
+def chirps(rng: np.random.Generator, rate: int, seconds: float) -> Samples:
+    """A small animal's calls: tones that sweep fast, with gaps, over faint air."""
+    frames = round(seconds * rate)
+    calls = 10 ** (rng.uniform(-70, -45) / 20) * rng.standard_normal(frames)
+    at = 0.02
+    while at < seconds - 0.1:
+        start = round(at * rate)
+        inside = np.arange(min(round(rng.uniform(0.03, 0.2) * rate), frames - start)) / rate
+        share = inside / inside[-1]
+        hz = rng.uniform(2000, 6000) * (1 + rng.uniform(-0.4, 0.6) * share)
+        hz *= 1 + rng.uniform(0, 0.1) * np.sin(2 * np.pi * rng.uniform(10, 40) * inside)
+        calls[start : start + len(inside)] += (
+            rng.uniform(0.3, 1) * np.sin(2 * np.pi * np.cumsum(hz) / rate) * np.sin(np.pi * share)
+        )
+        at += inside[-1] + rng.uniform(0.005, 0.15)
+    times = np.arange(frames) / rate
+    return _stereo(rng, calls * _rise(times, 0.02) * _fall(times, 0.05))
+
+
 FAMILIES: dict[str, Family] = {
     family.__name__: family
     for family in (
@@ -196,6 +249,9 @@ FAMILIES: dict[str, Family] = {
         square,
         jingle,
         whistle,
+        drips,
+        knocks,
+        chirps,
     )
 }
 

@@ -166,14 +166,19 @@ def test_what_cannot_be_foretold(frames: int, order: int):
 
 
 def stands_out(heights: list[float], at: int, reach: int = REACH, times: float = TIMES) -> bool:
-    """Whether one is so many times those around it, of the nearest two the lower."""
+    """Whether one is so many times those around it."""
+    return heights[at] > times * highest_beside(heights, at, reach)
+
+
+def highest_beside(heights: list[float], at: int, reach: int) -> float:
+    """The highest around one, of the nearest two the lower."""
     beside = [heights[near] if 0 <= near < len(heights) else 0.0 for near in (at - 1, at + 1)]
     far = [*heights[max(at - reach, 0) : max(at - CORE, 0)], *heights[at + CORE + 1 : at + reach + 1]]
-    return heights[at] > times * max([min(beside), *far])
+    return max([min(beside), *far])
 
 
 @given(
-    st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=2 * REACH + 1, max_size=40),
+    st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=15, max_size=40),
     st.sampled_from([3, 7]),
 )
 def test_what_stands_out(heights: list[float], reach: int):
@@ -189,10 +194,12 @@ def test_what_stands_out_of_many(seed: int, reach: int):
     assert outstanding(heights.tolist(), reach) == all_that_stand_out(heights.tolist(), reach)
 
 
-def outstanding(heights: list[float], reach: int) -> list[int]:
-    places = np.empty(len(heights), np.int64)
-    found: list[int] = places[: kernel.outstanding(np.array(heights), reach, CORE, TIMES, 0.15, places)].tolist()
-    return found
+def outstanding(heights: list[float], reach: int, least: float = 0.15) -> list[int]:
+    """The places alone, of a sound as loud throughout."""
+    even, out = np.ones(len(heights)), np.empty((len(heights), 5))
+    rows, firsts = np.array([heights]), np.zeros(1, np.int64)
+    found = kernel.outstanding_amid(rows, firsts, TIMES, reach, CORE, least, 0.0, even, even, 2, 0.0, 30.0, out)
+    return [int(place) for place in out[:found, 1]]
 
 
 def all_that_stand_out(heights: list[float], reach: int) -> list[int]:
@@ -210,10 +217,8 @@ def test_a_stretch_that_is_passed_over_has_nothing_that_stands_out(seed: int, cl
     kernel.unforeseen(
         row, np.array([20]), np.hanning(480), 20, 24, 0, CORE, 0.0, -1.0, all_inner, np.empty(1, np.int64)
     )  # a reach of 0: all cells, and each stands out of nothing
-    places = np.empty(20, np.int64)
-    count = kernel.outstanding(all_inner[0], REACH, CORE, TIMES, 0.01, places)
     found = unforeseen(row, np.hanning(480), 20, 20, least=0.01)
-    if count:
+    if outstanding(all_inner[0].tolist(), REACH, 0.01):
         assert found is not None
     if found is not None:
         np.testing.assert_array_equal(found, all_inner[0])
@@ -238,30 +243,31 @@ def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
         kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
 
 
-@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 5.0]), st.sampled_from([0.0, 0.8]))
-def test_what_stands_out_amid_a_sound_that_goes_on(seed: int, above_mean: float, quietest: float):
+@given(st.integers(0, 2**32 - 1), st.sampled_from([2.0, 3.5]), st.sampled_from([0.0, 5.0]), st.sampled_from([0.0, 0.8]))
+def test_what_stands_out_amid_a_sound_that_goes_on(seed: int, times: float, above_mean: float, quietest: float):
     reach, level, before = 7, 5, 3
     rng = np.random.default_rng(seed)
     heights = rng.uniform(0.5, 1.0, (4, 60))
     heights[rng.integers(0, 4, 12), rng.integers(0, 60, 12)] = rng.choice([3.0, 5.0, 9.0], 12)
-    firsts, times = np.array([3, 0, 40, 17]), np.array([3.5, 2.0, 6.0, 3.5])
+    firsts = np.array([3, 0, 40, 17])
     squares, edges = rng.choice([0.1, 1.0, 30.0], (2, 103)) * rng.uniform(0.9, 1.1, (2, 103))
     squares.sort()  # louder and louder, so that both answers come
     wanted = []
-    for row, (all_of_it, first, least) in enumerate(zip(heights, firsts, times, strict=True)):
+    for row, (all_of_it, first) in enumerate(zip(heights, firsts, strict=True)):
         for at in range(reach, 60 - reach):
-            if not (all_of_it[at] > 0.15 and stands_out(all_of_it.tolist(), at, reach, least)):
+            if not (all_of_it[at] > 0.15 and stands_out(all_of_it.tolist(), at, reach, times)):
                 continue
             if all_of_it[reach:-reach].max() < above_mean * all_of_it.mean():
                 continue
             sides = [sorted(sides_of(values, first + at, level)) for values in (squares, edges)]
             if sides[0][0] >= quietest and any(high <= low * before for low, high in sides):
-                wanted.append((row, at, all_of_it[at], sides[0][0]))
-    out = np.empty((100, 4))
+                stands = all_of_it[at] / highest_beside(all_of_it.tolist(), at, reach)
+                wanted.append((row, at, all_of_it[at], sides[0][0], stands))
+    out = np.empty((100, 5))
     found = kernel.outstanding_amid(
         heights, firsts, times, reach, CORE, 0.15, above_mean, squares, edges, level, quietest, before, out
     )
-    np.testing.assert_allclose(out[:found], np.reshape(wanted, (-1, 4)), rtol=1e-12)
+    np.testing.assert_allclose(out[:found], np.reshape(wanted, (-1, 5)), rtol=1e-12)
 
 
 def sides_of(values: np.ndarray, place: int, level: int) -> tuple[float, float]:
@@ -277,7 +283,7 @@ def test_cells_beside_what_may_stand_out_are_wanted(first: int):
         kernel.outstanding_amid(
             np.ones((1, 20)),
             np.array([first]),
-            np.ones(1),
+            1.0,
             2,
             CORE,
             0.1,
@@ -287,8 +293,15 @@ def test_cells_beside_what_may_stand_out_are_wanted(first: int):
             5,
             0.0,
             30.0,
-            np.empty((9, 4)),
+            np.empty((9, 5)),
         )
+
+
+@given(st.lists(st.floats(-10, 10), min_size=2, max_size=40))
+def test_bends(sums: list[float]):
+    out = np.empty(len(sums) - 2)
+    kernel.bends(np.array(sums), out)
+    np.testing.assert_allclose(out, np.abs(np.diff(sums, n=2)) / 2, atol=1e-12)
 
 
 def test_silence_is_foretold():
@@ -301,6 +314,7 @@ def test_silence_is_foretold():
         lambda: kernel.cells(np.zeros((1, 100)), 5, 10, np.empty((5, 9))),
         lambda: kernel.cells(np.zeros((1, 100)), 6, 10, np.empty((5, 10))),
         lambda: kernel.cells(np.zeros((2, 100)), 6, 10, np.empty((5, 9))),
+        lambda: kernel.bends(np.zeros(5), np.empty(4)),
         lambda: unforeseen(np.zeros(300), np.ones(290), 20, 9),
         lambda: unforeseen(np.zeros(300), np.ones(280), 65, 9),
         lambda: unforeseen(np.zeros(300), np.ones(200), 20, 9),

@@ -75,10 +75,13 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     even = channels + channels % 2
     hops = np.empty(frames * 100 // rate + 2)
     kernel.hop_energies(samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), hops, rate, 0, 0)
-    again, places = np.zeros((64, 3), np.int64), np.zeros(frames, np.int64)
+    again, standing, bent = np.zeros((64, 3), np.int64), np.zeros((frames, 5)), np.empty(frames - 2)
     kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, again)
-    kernel.outstanding(np.ascontiguousarray(np.abs(samples[1])), 5, 1, 1.5, 0.1, places)
-    return [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen, hops, again, places]
+    kernel.bends(samples[1], bent)
+    squares = np.square(samples[1])
+    beside = 0.0, squares, squares, 4, 0.0, 30.0
+    kernel.outstanding_amid(np.abs(samples[1:2]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
+    return [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen, hops, again, standing, bent]
 
 
 @pytest.mark.parametrize("channels", [2, 3])
