@@ -88,7 +88,7 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "loudness": lambda layout, _: _loudness(layout),
     "edges": lambda layout, survey: Edges(*_size(layout), survey=survey),
     "cuts": lambda layout, survey: Cuts(*_size(layout), step=_step(layout), survey=survey),
-    "phase": lambda layout, _: Phase(*_size(layout)),
+    "phase": lambda layout, survey: Phase(*_size(layout), survey=survey),
     "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
     "likeness": lambda layout, _: Likeness(*_size(layout)),
     "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),

@@ -125,6 +125,20 @@ typedef struct {
 
 const loops *in_lanes(void);
 
+/* sixteen.c: the same of one or two channels of 16 bit, in whole numbers; NULL where the registers are not wide enough.
+ * Samples stand in rows of int16; WHOLE_BEFORE of them are read before a cell, and fewer after it. */
+enum { WHOLE_PIECE = 4096, WHOLE_BEFORE = 8, WHOLE_CHANNELS = 2, CELLS_AT_ONCE = 8 };
+enum { LONGEST_CELL = WHOLE_PIECE / ROW }; /* so that a piece holds whole rows and, at once, whole cells */
+typedef struct {
+    int32_t (*split)(const uint8_t *raw, Py_ssize_t frames, Py_ssize_t channels, int16_t *const *rows,
+                     double *const *to); /* decodes, and returns all or-ed together */
+    void (*maxima_and_sums)(const int16_t *samples, Py_ssize_t rows, double *maxima, double *figures);
+    void (*stereo)(const int16_t *left, const int16_t *right, Py_ssize_t count, double *figures);
+    void (*cells)(const int16_t *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+} whole_loops;
+
+const whole_loops *in_whole_numbers(void);
+
 /* decode.c: `frames` frames to place `at` of each channel; all integers or-ed together, or the first channel with a
  * number that is not finite (0: none). `sample_bytes` is -1 with an error set for bits that are no container's. */
 Py_ssize_t sample_bytes(PyObject *container_bits, int floats);
@@ -137,6 +151,10 @@ void measure_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, dou
 
 /* levels.c */
 Py_ssize_t rows_of(Py_ssize_t frames);
+enum { STEREO_FIGURES = 4 }; /* of a hop of two channels; `at` frames of the first hop came before */
+int ensure_stereo(const planar *block, Py_ssize_t frames, const planar *hops, Py_ssize_t hop, Py_ssize_t at);
+void measure_stereo(const double *left, const double *right, Py_ssize_t count, Py_ssize_t at, Py_ssize_t hop,
+                    const planar *hops);
 Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
 
 /* What Python may call: each name stands here once. */
@@ -149,6 +167,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
     EACH(extremes, "Raise the highest and the deepest sample known to those of a signal.") \
     EACH(fourier, "Transform rows of complex numbers in place.") \
+    EACH(group_sums, "Add up values in groups.") \
     EACH(hash_add, "Take bytes into one stream of SHA-256, or the same bytes into two.") \
     EACH(hash_begin, "Return a new stream of SHA-256.") \
     EACH(hash_end, "Return the SHA-256 of a stream, which can go on.") \
@@ -156,7 +175,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
-    EACH(loud_rows, "Find the first and the last row with a maximum above a level; both -1 where there is none.") \
+    EACH(loud_frames, "Find the first and the last frame above a level; both -1 where there is none.") \
     EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(bends, "Tell how far each sum lies off the middle between those beside it.") \
@@ -170,6 +189,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
     EACH(silent_runs, "Mark the zeros that stand in long runs.") \
     EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
+    EACH(still_runs, "Find runs of cells in which next to nothing moves; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \

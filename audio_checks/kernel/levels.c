@@ -92,6 +92,26 @@ PyObject *products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_RETURN_NONE;
 }
 
+int ensure_stereo(const planar *block, Py_ssize_t frames, const planar *hops, Py_ssize_t hop, Py_ssize_t at) {
+    if (block->channels == 2 && hops->frames == STEREO_FIGURES && hop >= 1 && at >= 0 && at < hop &&
+        hops->channels >= (at + frames + hop - 1) / hop) {
+        return 0;
+    }
+    PyErr_SetString(PyExc_ValueError, "two channels, and four figures for every hop that they touch, are wanted");
+    return -1;
+}
+
+void measure_stereo(const double *left, const double *right, Py_ssize_t count, Py_ssize_t at, Py_ssize_t hop,
+                    const planar *hops) {
+    const double *end = left + count;
+    for (double *figures = hops->samples; left < end; figures += hops->row) {
+        const Py_ssize_t frames = end - left < hop - at ? end - left : hop - at;
+        in_lanes()->stereo(left, right, frames, figures);
+        left += frames, right += frames;
+        at = 0;
+    }
+}
+
 /* Of two channels: the energy of each, their product, and the energy of their difference, hop by hop; `at` is where in
  * the first hop the block starts. */
 PyObject *stereo_products(PyObject *module, PyObject *const *args, Py_ssize_t count) {
@@ -99,51 +119,89 @@ PyObject *stereo_products(PyObject *module, PyObject *const *args, Py_ssize_t co
     holding held = {.count = 0};
     planar block, hops;
     if (arguments("stereo_products", count, 4) < 0) return NULL;
-    Py_ssize_t at = PyLong_AsSsize_t(args[1]);
-    const Py_ssize_t hop = PyLong_AsSsize_t(args[2]);
-    if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 || take_planar(&held, args[3], &hops, 1) < 0) {
+    const Py_ssize_t at = PyLong_AsSsize_t(args[1]), hop = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 || take_planar(&held, args[3], &hops, 1) < 0 ||
+        ensure_stereo(&block, block.frames, &hops, hop, at) < 0) {
         let_go(&held);
-        return NULL;
-    }
-    if (block.channels != 2 || hops.frames != 4 || hop < 1 || at < 0 || at >= hop ||
-        hops.channels < (at + block.frames + hop - 1) / hop) {
-        let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "two channels, and four figures for every hop that they touch, are wanted");
         return NULL;
     }
     Py_BEGIN_ALLOW_THREADS
-    const double *left = block.samples, *right = left + block.row, *end = left + block.frames;
-    for (double *figures = hops.samples; left < end; figures += hops.row) {
-        const Py_ssize_t frames = end - left < hop - at ? end - left : hop - at;
-        in_lanes()->stereo(left, right, frames, figures);
-        left += frames, right += frames;
-        at = 0;
-    }
+    measure_stereo(block.samples, block.samples + block.row, block.frames, at, hop, &hops);
     Py_END_ALLOW_THREADS
     let_go(&held);
     Py_RETURN_NONE;
 }
 
-/* The first and the last row of which some channel's maximum is above a level. */
-PyObject *loud_rows(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+/* The first and the last frame of a channel that are above a level, looked for before `first` and after `last`. */
+static void find_loud(const double *samples, const double *maxima, Py_ssize_t frames, double level, Py_ssize_t *first,
+                      Py_ssize_t *last) {
+    Py_ssize_t from = 0, until = rows_of(frames) - 1;
+    while (from * ROW < *first && maxima[from] <= level) from++;
+    for (Py_ssize_t at = from * ROW; at < *first; at++) {
+        if (fabs(samples[at]) > level) *first = at;
+    }
+    while ((until + 1) * ROW > *last && until >= 0 && maxima[until] <= level) until--;
+    for (Py_ssize_t at = ((until + 1) * ROW < frames ? (until + 1) * ROW : frames) - 1; at > *last; at--) {
+        if (fabs(samples[at]) > level) *last = at;
+    }
+}
+
+/* samples, maxima of their rows, level -> the first and the last frame of which some channel is above it, or -1 and -1 */
+PyObject *loud_frames(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    planar maxima;
-    if (arguments("loud_rows", count, 2) < 0) return NULL;
-    const double level = PyFloat_AsDouble(args[1]);
-    if (PyErr_Occurred() || take_planar(&held, args[0], &maxima, 0) < 0) {
+    planar block;
+    const double *maxima;
+    if (arguments("loud_frames", count, 3) < 0) return NULL;
+    const double level = PyFloat_AsDouble(args[2]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 ||
+        !(maxima = TAKE_DOUBLES(&held, args[1], block.channels * rows_of(block.frames), 0))) {
         let_go(&held);
         return NULL;
     }
-    Py_ssize_t first = maxima.frames, last = -1;
-    for (Py_ssize_t channel = 0; channel < maxima.channels; channel++) {
-        const double *rows = maxima.samples + channel * maxima.row;
-        Py_ssize_t from = 0, until = maxima.frames - 1;
-        while (from < first && rows[from] <= level) from++;
-        while (until > last && rows[until] <= level) until--;
-        first = from < first ? from : first;
-        last = until > last ? until : last;
+    Py_ssize_t first = block.frames, last = -1;
+    for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
+        find_loud(block.samples + channel * block.row, maxima + channel * rows_of(block.frames), block.frames, level, &first,
+                  &last);
     }
     let_go(&held);
     return Py_BuildValue("nn", last < 0 ? -1 : first, last);
+}
+
+enum { SUM_LANES = 8 }; /* those of numpy's sums, which this one agrees with to the last bit */
+
+static double sum_of(const double *values, Py_ssize_t count) {
+    double lanes[SUM_LANES] = {0};
+    Py_ssize_t at = 0;
+    for (; at + SUM_LANES <= count; at += SUM_LANES) {
+        for (int lane = 0; lane < SUM_LANES; lane++) lanes[lane] += values[at + lane];
+    }
+    double sum = ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+    for (; at < count; at++) sum += values[at];
+    return sum;
+}
+
+/* rows of values, how many are added up, sums to fill */
+PyObject *group_sums(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar values, sums;
+    if (arguments("group_sums", count, 3) < 0) return NULL;
+    const Py_ssize_t size = PyLong_AsSsize_t(args[1]);
+    if (PyErr_Occurred() || take_planar(&held, args[0], &values, 0) < 0 || take_planar(&held, args[2], &sums, 1) < 0) {
+        let_go(&held);
+        return NULL;
+    }
+    if (size < 1 || sums.channels != values.channels || sums.frames > values.frames / size) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "as many whole groups of values as sums, in as many rows, are wanted");
+        return NULL;
+    }
+    for (Py_ssize_t channel = 0; channel < values.channels; channel++) {
+        for (Py_ssize_t at = 0; at < sums.frames; at++) {
+            sums.samples[channel * sums.row + at] = sum_of(values.samples + channel * values.row + at * size, size);
+        }
+    }
+    let_go(&held);
+    Py_RETURN_NONE;
 }

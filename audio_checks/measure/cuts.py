@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
-from audio_checks.measure.maxima import ROW_FRAMES
 from audio_checks.measure.survey import Survey
 
 SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
@@ -68,28 +67,26 @@ class Cuts:
         """Take the next samples, shape (n, channels)."""
         if not len(block):
             return
-        planar = block.T
-        maxima = self._survey.maxima(block)
-        self._peak = max(self._peak, float(self._survey.peaks(block).max()))
-        first_row, last_row = kernel.loud_rows(maxima, self._silent)
+        planar = kernel.by_channel(block)
+        self._peak = max(self._peak, self._survey.highest(block))
+        first, last = kernel.loud_frames(planar, self._survey.maxima(block), self._silent)
         if self._head_at < 0:
-            if first_row >= 0:
-                first = self._loud_frames(planar, first_row)[0]
+            if first >= 0:
                 self._head_at = self._seen + first
                 self._head = planar[:, first : first + self._length].copy()
         elif self._head.shape[1] < self._length:
             self._head = np.concatenate((self._head, planar[:, : self._length - self._head.shape[1]]), axis=1)
-        last = self._loud_frames(planar, last_row)[-1] if last_row >= 0 else -1
         if last >= 0:
-            before = (
-                np.concatenate((self._tail, *self._after), axis=1) if last + 1 < self._length else self._tail[:, :0]
-            )
-            self._tail = np.concatenate((before, planar[:, max(0, last + 1 - self._length) : last + 1]), axis=1)
-            self._tail = self._tail[:, -self._length :]
+            start = last + 1 - self._length
+            if start >= 0:
+                self._tail = planar[:, start : last + 1].copy()
+            else:
+                pieces = (self._tail, *self._after, planar[:, : last + 1])
+                self._tail = np.concatenate(pieces, axis=1)[:, -self._length :]
             self._tail_end = self._seen + last + 1
             self._after = []
-        if sum(piece.shape[1] for piece in self._after) < self._length:
-            self._after.append(planar[:, last + 1 :][:, : self._length].copy())
+        if last + 1 < len(block) and sum(piece.shape[1] for piece in self._after) < self._length:
+            self._after.append(planar[:, last + 1 : last + 1 + self._length].copy())
         self._seen += len(block)
 
     def result(self) -> dict[str, Any]:
@@ -100,13 +97,6 @@ class Cuts:
             "start_edge": self._judge(self._head, self._head_at),
             "end_edge": self._judge(self._tail[:, ::-1], self._tail_end),
         }
-
-    def _loud_frames(self, planar: NDArray[np.float64], row: int) -> list[int]:
-        """Return the frames of a row of the block at which some channel is not silent."""
-        start = row * ROW_FRAMES
-        sizes = np.abs(planar[:, start : start + ROW_FRAMES]).max(axis=0)
-        frames: list[int] = (np.flatnonzero(sizes > self._silent) + start).tolist()
-        return frames
 
     def _judge(self, samples: NDArray[np.float64], at: int) -> Edge:
         """Return the most conspicuous channel's edge; `samples` run from the edge into the sound."""

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 
 STILL = 1.4e-4  # steps up to 4.5 units of 16 bit, dither in the hole included, are no movement
@@ -62,6 +63,7 @@ class Dropouts:
         self._seen = 0  # cells
         self._searched = 0  # holes that end up to here are known
         self._found: list[_Hole] = []
+        self._runs = np.empty((0, 2), np.int64)  # where the kernel writes
 
     def add(self, cells: Cells, new: int) -> None:
         """Take the next cells, the last `new` of these; BACK others or more come before, zeros before the first."""
@@ -83,14 +85,13 @@ class Dropouts:
     def _search(self, channel: int, cells: Cells, until: int) -> None:
         steps, squares = cells.steps[channel], cells.squares[channel]
         first = self._seen - len(steps)  # the cell that the first of these is
-        still = np.zeros(len(steps) + 2, np.bool_)
-        np.less_equal(steps, self._still, out=still[1:-1])
-        edges = np.flatnonzero(still[1:] != still[:-1])
-        starts, ends = edges[::2], edges[1::2]
-        lengths = ends - starts
-        wanted = (lengths >= SHORTEST) & (lengths <= LONGEST) & (starts + first > REACH)
-        wanted &= (ends + first > self._searched) & (ends + first <= until) & (ends + REACH < len(steps))
-        for start, end in zip(starts[wanted].tolist(), ends[wanted].tolist(), strict=True):
+        if len(self._runs) < len(steps) // 2 + 1:
+            self._runs = np.empty((len(steps) // 2 + 1, 2), np.int64)
+        ends_by = min(until - first, len(steps) - REACH - 1)
+        count = kernel.still_runs(
+            steps, self._still, SHORTEST, LONGEST, REACH - first, self._searched - first, ends_by, self._runs
+        )
+        for start, end in self._runs[:count].tolist():
             before, after = slice(start - REACH, start - 1), slice(end + 1, end + REACH)
             least = LOUDER * max(float(steps[start:end].max()), 1e-6)
             if not _goes_on(steps[before][::-1], squares[before][::-1], least):

@@ -57,7 +57,7 @@ class Edges:
             return
         rows = kernel.by_channel(block)
         loudest = float(self._head_levels[-1]) if len(self._head_levels) else 0.0
-        self._peak = max(self._peak, float(self._survey.peaks(block).max()))
+        self._peak = max(self._peak, self._survey.highest(block))
         if loudest < CEILING:
             levels, places = self._records(rows, loudest, backward=False)
             self._head_levels = np.concatenate((self._head_levels, levels))

@@ -97,6 +97,7 @@ class Levels:
         self._survey = survey or Survey()
         self._seen = 0
         self._peaks = np.zeros(channels)
+        self._highest = 0.0
         self._peak_frame = 0
         self._sums = np.zeros((channels, 2))  # of each channel: sum, sum of squares
 
@@ -104,9 +105,9 @@ class Levels:
         """Take the next samples, shape (n, channels)."""
         if not len(block):
             return
-        maxima, peaks = self._survey.maxima(block), self._survey.peaks(block)
-        highest = float(peaks.max())
-        if highest > self._peaks.max():
+        maxima, peaks, highest = self._survey.maxima(block), self._survey.peaks(block), self._survey.highest(block)
+        if highest > self._highest:
+            self._highest = highest
             self._peak_frame = self._seen + min(
                 first_reaching(block[:, channel], maxima[channel], highest)
                 for channel in np.flatnonzero(peaks == highest)
@@ -120,7 +121,7 @@ class Levels:
         peaks = self._peaks.tolist()
         sums, squares = self._sums.T.tolist()
         seen = max(self._seen, 1)
-        highest = max(peaks)
+        highest = self._highest
         peak = decibels(highest)
         rms = power_decibels(math.fsum(squares) / (seen * len(squares)))
         return {

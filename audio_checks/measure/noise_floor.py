@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import power_decibels
 
@@ -44,8 +45,9 @@ class NoiseFloor:
         """Take the next cells, the last `new` of these; at least BACK others come before them."""
         fresh = cells.squares[:, cells.squares.shape[1] - new - self._waiting :]
         count = fresh.shape[1] // CELLS
-        steps = fresh[:, : count * CELLS].reshape(self._channels, count, CELLS).sum(axis=2) / self._frames
-        self._steps.append(steps.astype(np.float32))
+        sums = np.empty((self._channels, count))
+        kernel.group_sums(fresh, CELLS, sums)
+        self._steps.append((sums / self._frames).astype(np.float32))
         self._waiting = fresh.shape[1] - count * CELLS
 
     def result(self) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.survey import StereoHops, Survey
 
 HOP_S = 0.1
 MOST_HOPS = 65_536  # 1.8 h; the hops of what lasts longer are longer
@@ -26,29 +27,30 @@ class Phase:
     ----------
     sample_rate_hz, channels, frames : int
         Of the whole signal.
+    survey : Survey, optional
+        Shared with others that look at the same blocks.
     """
 
     FIGURES = ("channel_correlation", "mono_loss_db", "channel_difference_db", "mono_loss_spans")
 
-    def __init__(self, sample_rate_hz: int, channels: int, frames: int) -> None:
+    def __init__(self, sample_rate_hz: int, channels: int, frames: int, *, survey: Survey | None = None) -> None:
         self._rate = sample_rate_hz
+        self._survey = survey or Survey()
         self._hop = max(1, round(HOP_S * sample_rate_hz), -(-frames // MOST_HOPS))
         self._products = np.zeros((channels, channels))
-        self._energies = np.zeros(
-            (-(-frames // self._hop), 4)
-        )  # by hop: left, right, left times right, left less right
-        self._seen = 0
+        self._stereo = StereoHops(self._hop, -(-frames // self._hop) if channels == 2 else 0)
+        if channels == 2:
+            self._survey.follow(self._stereo)
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
+        if self._survey.has_compared(block):
+            return
         rows = kernel.by_channel(block)
         if len(rows) > 2:
             kernel.products(rows, self._products)
-        if len(rows) != 2:
-            return
-        first = self._seen // self._hop
-        kernel.stereo_products(rows, self._seen - first * self._hop, self._hop, self._energies[first:])
-        self._seen += len(block)
+        elif len(rows) == 2:
+            self._stereo.add(rows)
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name.
@@ -62,7 +64,7 @@ class Phase:
         """
         if len(self._products) != 2:
             return {**dict.fromkeys(self.FIGURES), "channel_correlation": _least_correlation(self._products)}
-        left, right, both, apart = (float(one) for one in self._energies.sum(axis=0))
+        left, right, both, apart = (float(one) for one in self._stereo.energies.sum(axis=0))
         if not (left or right):
             return dict.fromkeys(self.FIGURES)
         sums, means = self._by_hop()
@@ -76,7 +78,7 @@ class Phase:
 
     def _by_hop(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the energy of the mono sum and the mean energy of the channels, hop by hop."""
-        left, right, both, _ = self._energies.T
+        left, right, both, _ = self._stereo.energies.T
         return np.maximum((left + right + 2 * both) / 4, 0.0), (left + right) / 2
 
     def _spans(self, limit_db: float) -> Spans:
@@ -84,7 +86,7 @@ class Phase:
         lost = (means > LOUD_ENOUGH * means.mean()) & (means > sums * 10 ** (limit_db / 10))
         turns = np.flatnonzero(np.diff(np.concatenate(([0], lost.astype(np.int8), [0]))))
         seconds = self._hop / self._rate
-        end_s = self._seen / self._rate
+        end_s = self._stereo.frames / self._rate
         return [(int(a) * seconds, min(int(b) * seconds, end_s)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
 
 

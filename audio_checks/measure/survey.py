@@ -9,6 +9,42 @@ from audio_checks import kernel
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 
+class StereoHops:
+    """What two channels have in common, hop by hop.
+
+    Parameters
+    ----------
+    frames : int
+        Of each hop, 1 or more.
+    count : int
+        Hops of the whole signal.
+
+    Attributes
+    ----------
+    energies : ndarray, shape (count, 4)
+        Of each hop the energy of the left channel, of the right one, of left times right, and of left less right;
+        zeros for digital silence and for what has not come yet.
+    frames : int
+        Of the signal that came so far.
+    """
+
+    def __init__(self, frames: int, count: int) -> None:
+        self._hop = frames
+        self.energies = np.zeros((count, 4))
+        self.frames = 0
+
+    def place(self) -> tuple[NDArray[np.float64], int, int]:
+        """Return the hops from the one that the next frame lies in, frames of a hop, and how many of that one came."""
+        first = self.frames // self._hop
+        return self.energies[first:], self._hop, self.frames - first * self._hop
+
+    def add(self, rows: NDArray[np.float64]) -> None:
+        """Take the next samples, shape (2, n)."""
+        hops, hop, at = self.place()
+        kernel.stereo_products(rows, at, hop, hops)
+        self.frames += rows.shape[1]
+
+
 class Survey:
     """Knows the maxima, the peaks and the sums of the block at hand.
 
@@ -20,6 +56,9 @@ class Survey:
         self._maxima = np.empty((0, 0))
         self._sums: NDArray[np.float64] | None = None
         self._peaks: NDArray[np.float64] | None = None
+        self._highest: float | None = None
+        self._stereo: StereoHops | None = None
+        self._compared: NDArray[np.float64] | None = None  # the block that is in the hops already
 
     def maxima(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the highest magnitude of each 32 frames, shape (channels, rows); the last row may have fewer.
@@ -30,7 +69,7 @@ class Survey:
             Full scale is ±1.0. No frames have no rows; digital silence has zeros.
         """
         if block is not self._block:
-            self._block, self._sums, self._peaks = block, None, None
+            self._block, self._sums, self._peaks, self._highest = block, None, None, None
             self._maxima = maxima_of(kernel.by_channel(block))
         return self._maxima
 
@@ -47,6 +86,19 @@ class Survey:
             self._peaks = maxima.max(axis=1, initial=0.0)
         return self._peaks
 
+    def highest(self, block: NDArray[np.float64]) -> float:
+        """Return the highest magnitude of all channels.
+
+        Parameters
+        ----------
+        block : ndarray, shape (frames, channels)
+            Full scale is ±1.0. 0 for no frames and for digital silence.
+        """
+        peaks = self.peaks(block)
+        if self._highest is None:
+            self._highest = float(peaks.max(initial=0.0))
+        return self._highest
+
     def sums(self, block: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the sum and the sum of squares of each channel, shape (channels, 2).
 
@@ -60,6 +112,14 @@ class Survey:
             kernel.sums(kernel.by_channel(block), sums)
             return sums
         return self._sums
+
+    def follow(self, stereo: StereoHops) -> None:
+        """Compare the channels of every block that is decoded from now on, hop by hop; there must be two."""
+        self._stereo = stereo
+
+    def has_compared(self, block: NDArray[np.float64]) -> bool:
+        """Tell whether a block's samples, shape (frames, channels), are in the hops that are followed."""
+        return block is self._compared
 
     def decode(
         self,
@@ -102,9 +162,14 @@ class Survey:
         channels = len(samples)
         frames = len(raw) // (channels * container_bits // 8)
         self._maxima = np.empty((channels, -(-frames // ROW_FRAMES)))
-        self._sums, self._peaks = np.zeros((channels, 2)), None
+        figures = np.zeros((channels, 3))
+        self._sums, self._peaks, self._highest = figures[:, :2], figures[:, 2], None
+        hops, hop, at = self._stereo.place() if self._stereo else (None, 1, 0)
         used, broken = kernel.survey(
-            raw, container_bits, floats, samples, first, self._maxima, self._sums, cells, cell_frames
+            raw, container_bits, floats, samples, first, self._maxima, figures, cells, cell_frames, hops, hop, at
         )
         self._block = samples[:, first : first + frames].T
+        if self._stereo:
+            self._stereo.frames += frames
+            self._compared = self._block
         return self._block, used, broken

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
+from audio_checks.measure.maxima import ROW_FRAMES
 from audio_checks.measure.survey import Survey
 
 OVERSAMPLING = 8
@@ -96,20 +97,24 @@ class TruePeak:
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
+        self._take(kernel.by_channel(block), self._survey.maxima(block))
+
+    def _take(self, rows: NDArray[np.float64], maxima: NDArray[np.float64]) -> None:
         self._best, self._place = kernel.true_peak(
-            kernel.by_channel(block),
-            self._survey.maxima(block),
+            rows,
+            maxima,
             self._history,
             *_plan(),
             self._best,
             self._place,
             self._seen,
         )
-        self._seen += len(block)
+        self._seen += rows.shape[1]
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
-        self.add(np.zeros(self._history.T.shape))
+        channels, frames = self._history.shape
+        self._take(np.zeros((channels, frames)), np.zeros((channels, -(-frames // ROW_FRAMES))))
         last = max(self._frames - 1, 0)
         return {
             "true_peak_dbtp": decibels(self._best),

@@ -327,41 +327,27 @@ def test_what_would_reach_beyond_the_samples_is_refused(wrong):
         wrong()
 
 
-@given(signals(most_frames=5_000, most_channels=4), st.integers(1, 50), st.sampled_from([True, False]))
-def test_a_survey_finds_what_each_loop_finds_alone(samples: Samples, size: int, floats: bool):
-    channels, frames = samples.shape[1], len(samples)
-    raw = samples.astype("<f8") if floats else (samples * 2**24).astype("<i4")
-    whole = np.zeros((channels, HISTORY + frames + 10))
-    maxima, sums = np.empty((channels, -(-frames // 32))), np.zeros((channels, 2))
-    cells = np.empty((5 * channels, frames // size))
-    used, broken = kernel.survey(raw.tobytes(), 64 if floats else 32, floats, whole, HISTORY, maxima, sums, cells, size)
-    block = np.zeros((channels, frames))
-    if floats:
-        assert (used, broken) == (0, kernel.decode_float(raw.tobytes(), 64, block))
-    else:
-        assert (used, broken) == (kernel.decode_pcm(raw.tobytes(), 32, block), 0)
-    np.testing.assert_array_equal(whole[:, HISTORY : HISTORY + frames], block)
-    np.testing.assert_array_equal(maxima, maxima_of(block))
-    alone, squares = np.empty_like(cells), np.zeros((channels, 2))
-    kernel.cells(whole, HISTORY, size, alone)
-    np.testing.assert_array_equal(cells, alone[:, : frames // size])
-    kernel.sums(block, squares)
-    np.testing.assert_allclose(sums, squares, rtol=1e-11, atol=1e-9 * (1 + np.abs(block).max(initial=0)))
+def runs_of(still: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Where each run of True starts, and where it has ended."""
+    turns = np.flatnonzero(np.diff(np.concatenate(([False], still, [False])).astype(np.int8))).tolist()
+    return list(zip(turns[::2], turns[1::2], strict=True))
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        lambda whole, cells: kernel.survey(bytes(81), 16, False, whole, 6, np.empty(4), np.zeros(4), cells, 10),
-        lambda whole, cells: kernel.survey(bytes(80), 16, False, whole, 5, np.empty(2), np.zeros(4), cells, 10),
-        lambda whole, cells: kernel.survey(bytes(80), 16, False, whole, 27, np.empty(2), np.zeros(4), cells, 10),
-        lambda whole, cells: kernel.survey(bytes(80), 16, False, whole, 6, np.empty(2), np.zeros(4), cells, 5),
-        lambda whole, cells: kernel.survey(bytes(80), 16, False, whole, 6, np.empty(2), np.zeros(4), cells[:9], 10),
-        lambda whole, cells: kernel.survey(bytes(80), 12, False, whole, 6, np.empty(2), np.zeros(4), cells, 10),
-        lambda whole, cells: kernel.survey(bytes(80), 16, True, whole, 6, np.empty(2), np.zeros(4), cells, 10),
-        lambda whole, cells: kernel.survey(bytes(80), 16, False, whole, 6, np.empty(1), np.zeros(4), cells, 10),
-    ],
+@given(
+    st.lists(st.sampled_from([0.0, 1e-4, 0.5]), max_size=80),
+    st.sampled_from([0.0, 1e-4]),
+    st.tuples(*[st.integers(-9, 90)] * 5),
 )
-def test_a_survey_refuses_what_does_not_fit(wrong):
-    with pytest.raises(ValueError, match="wanted"):
-        wrong(np.zeros((2, 46)), np.empty((10, 2)))
+def test_runs_of_cells_that_are_still(steps: list[float], still: float, bounds: tuple[int, ...]):
+    shortest, longest, starts_after, ends_after, ends_by = bounds
+    row, out = np.array(steps), np.empty((len(steps) // 2 + 1, 2), np.int64)
+    found = kernel.still_runs(row, still, shortest, longest, starts_after, ends_after, ends_by, out)
+    assert [tuple(run) for run in out[:found].tolist()] == [
+        (start, end)
+        for start, end in runs_of(row <= still)
+        if shortest <= end - start <= longest and start > starts_after and ends_after < end <= ends_by
+    ]
+
+
+def test_no_more_runs_are_told_than_there_is_room_for():
+    assert kernel.still_runs(np.array([0.0, 1.0, 0.0, 1.0, 0.0]), 0.0, 1, 9, -1, 0, 9, np.empty((2, 2), np.int64)) == 2

@@ -77,10 +77,25 @@ def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
 
 
 @given(signals(), st.sampled_from([0.0, 1e-3, 0.5]))
-def test_the_first_and_the_last_loud_row(samples: Samples, level: float):
-    maxima = maxima_of(kernel.by_channel(samples))
-    loud = np.flatnonzero((maxima > level).any(axis=0)).tolist()
-    assert kernel.loud_rows(maxima, level) == ((loud[0], loud[-1]) if loud else (-1, -1))
+def test_the_first_and_the_last_loud_frame(samples: Samples, level: float):
+    block = kernel.by_channel(samples)
+    loud = np.flatnonzero((np.abs(samples) > level).any(axis=1)).tolist()
+    assert kernel.loud_frames(block, maxima_of(block), level) == ((loud[0], loud[-1]) if loud else (-1, -1))
+
+
+@given(signals(), st.integers(1, 40))
+def test_groups_are_added_up_as_numpy_does(samples: Samples, size: int):
+    rows = kernel.by_channel(samples)
+    whole = rows[:, : len(samples) // size * size].reshape(len(rows), -1, size)
+    sums = np.empty(whole.shape[:2])
+    kernel.group_sums(rows, size, sums)
+    np.testing.assert_array_equal(sums, whole.sum(axis=2))
+
+
+@pytest.mark.parametrize(("size", "rows", "sums"), [(0, 2, 1), (-1, 2, 1), (10, 2, 11), (10, 1, 10), (10, 3, 10)])
+def test_whole_groups_are_wanted(size: int, rows: int, sums: int):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.group_sums(np.zeros((2, 100)), size, np.empty((rows, sums)))
 
 
 @pytest.mark.parametrize(("at", "hop", "room"), [(0, 10, 9), (10, 10, 11), (-1, 10, 11), (0, 0, 11), (5, 10, 10)])

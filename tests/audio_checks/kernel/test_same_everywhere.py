@@ -50,14 +50,17 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     kernel.maxima(samples, rows)
     kernel.sums(samples, sums)
     raw, decoded = (samples.T * 2**23).astype("<i4").tobytes(), np.zeros((channels, 6 + frames + 24))
-    surveyed = np.empty_like(rows), np.zeros_like(sums), np.empty((5 * channels, frames // 24))
-    kernel.survey(raw, 32, False, decoded, 6, *surveyed, 24)
+    surveyed = np.empty_like(rows), np.zeros((channels, 3)), np.empty((5 * channels, frames // 24))
+    kernel.survey(raw, 32, False, decoded, 6, *surveyed, 24, None, 1, 0)
+    raw, sixteen, hops = (samples.T * 2**15).astype("<i2").tobytes(), np.zeros_like(decoded), np.zeros((100, 4))
+    whole = np.empty_like(rows), np.zeros((channels, 3)), np.empty((5 * channels, frames // 22))
+    kernel.survey(raw, 16, False, sixteen, 6, *whole, 22, *((hops, 997, 5) if channels == 2 else (None, 1, 0)))
     kernel.products(samples, products)
     cells = [np.empty((5 * channels, (frames - 6) // size)) for size in (1, 3, 22, 24, 48)]
     for figures, size in zip(cells, (1, 3, 22, 24, 48), strict=True):
         kernel.cells(samples, 6, size, figures)
     stereo = np.zeros((frames // 1_000 + 1, 4))
-    kernel.stereo_products(samples[:2], 0, 1_000, stereo)
+    kernel.stereo_products(samples[[0, -1]], 0, 1_000, stereo)
     unforeseen = np.empty((2, 20))
     kernel.unforeseen(
         samples[0],
@@ -73,18 +76,21 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         np.empty(2, np.int64),
     )
     even = channels + channels % 2
-    hops = np.empty(frames * 100 // rate + 2)
-    kernel.hop_energies(samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), hops, rate, 0, 0)
+    energies = np.empty(frames * 100 // rate + 2)
+    kernel.hop_energies(
+        samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), energies, rate, 0, 0
+    )
     again, standing, bent = np.zeros((64, 3), np.int64), np.zeros((frames, 5)), np.empty(frames - 2)
     kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, again)
-    kernel.bends(samples[1], bent)
-    squares = np.square(samples[1])
+    kernel.bends(samples[-1], bent)
+    squares = np.square(samples[-1])
     beside = 0.0, squares, squares, 4, 0.0, 30.0
-    kernel.outstanding_amid(np.abs(samples[1:2]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
-    return [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen, hops, again, standing, bent]
+    kernel.outstanding_amid(np.abs(samples[-1:]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
+    found_in_doubles = [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen]
+    return [*found_in_doubles, *whole, sixteen, hops, energies, again, standing, bent]
 
 
-@pytest.mark.parametrize("channels", [2, 3])
+@pytest.mark.parametrize("channels", [1, 2, 3])
 def test_figures_are_the_same_to_the_last_bit(other, channels):
     samples = np.random.Generator(np.random.Philox(6)).uniform(-1, 1, (channels, 48_017))
     samples[:, 9_000:15_000] *= 1e-5
