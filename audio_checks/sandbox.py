@@ -11,6 +11,7 @@ import contextlib
 import ctypes
 import dataclasses
 import enum
+import functools
 import gc
 import io
 import os
@@ -29,6 +30,9 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
+
+with contextlib.suppress(ImportError):  # where there is no fork there are no limits either
+    import resource
 
 from audio_checks.errors import (
     AudioChecksError,
@@ -53,11 +57,12 @@ ENVIRONMENT = {
     "OPENBLAS_NUM_THREADS": "1",
     "OMP_NUM_THREADS": "1",
     "MKL_NUM_THREADS": "1",
-    # glibc would give a block of samples back to the system when it is let go of, and take and clear the same pages
-    # for the next one. A child ends soon, and all of it goes back.
-    "MALLOC_MMAP_THRESHOLD_": str(32 << 20),
-    "MALLOC_TRIM_THRESHOLD_": str(256 << 20),
+    # What the server lets go of must leave no holes in its heap: see _settle_memory.
+    "MALLOC_MMAP_THRESHOLD_": str(64 << 10),
+    # Where the system has huge pages to give, a block of samples is a few of them and not hundreds of small ones.
+    "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1",
 }
+M_TRIM_THRESHOLD, M_TOP_PAD, M_MMAP_THRESHOLD = -1, -2, -3  # of glibc's mallopt
 
 # What may be made from a child's answer, beside classes that carry data: a child whose decoder was
 # taken over must not run code here.
@@ -397,6 +402,7 @@ def serve(control_descriptor: int, preload: Sequence[str], rehearsal: tuple[str,
     # A collection in a child would write to all that it shares with this process, and so copy it.
     gc.collect()
     gc.freeze()
+    _settle_memory()
     control = socket.socket(fileno=control_descriptor)
     _prctl(PR_SET_CHILD_SUBREAPER, 1)
     wake_reader, wake_writer = socket.socketpair()
@@ -507,13 +513,30 @@ def _be_child(work: int) -> None:
 def _prctl(option: int, value: int) -> None:
     """Set a trait of this process where the system is Linux."""
     with contextlib.suppress(OSError, AttributeError, TypeError):
-        ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
+        _libc().prctl(option, value, 0, 0, 0)
+
+
+@functools.cache
+def _libc() -> ctypes.CDLL:
+    return ctypes.CDLL(None)
+
+
+def _settle_memory() -> None:
+    """Have children take memory that is new, in large pieces, and keep it until they end.
+
+    What is free but was written to before is shared with the server, and each page of it that a child writes to
+    is copied first. And glibc would give a block of samples back to the system when it is let go of, and take and
+    clear the same pages for the next one.
+    """
+    with contextlib.suppress(OSError, AttributeError, TypeError):
+        _libc().malloc_trim(0)
+        _libc().mallopt(M_MMAP_THRESHOLD, 32 << 20)
+        _libc().mallopt(M_TRIM_THRESHOLD, 256 << 20)
+        _libc().mallopt(M_TOP_PAD, 16 << 20)
 
 
 def _limit(limits: _Limits) -> None:
     """Take from this process what it does not need."""
-    import resource
-
     for kind, most in (
         (resource.RLIMIT_AS, limits.memory_bytes),
         (resource.RLIMIT_CORE, 0),

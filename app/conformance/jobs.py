@@ -40,7 +40,7 @@ def check_take(runtime: Runtime, payload: Payload) -> None:
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
         is_news = service.record_check(session, order, report)
-        if is_news:
+        if is_news and report["verdict"] != "conforming":
             mends.make_ready(session, order.take_id)
         kill.point("conformance.before_commit")
     if is_news:

@@ -37,7 +37,8 @@ def run_with_key(session: Session, studio_id: UUID, key: str) -> CheckRun | None
 
 def retire_runs(session: Session, take_id: UUID) -> None:
     """Make room for a new current run."""
-    session.execute(update(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current).values(is_current=False))
+    retired = update(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current).values(is_current=False)
+    session.execute(retired, execution_options={"synchronize_session": False})
 
 
 def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
@@ -53,7 +54,7 @@ def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
 
 def take_before(session: Session, take: Take) -> Take | None:
     """Return the newest earlier take by the same designer for the same place, if a check could read it."""
-    if take.number is None:
+    if take.number is None or take.number == 1:
         return None
     return session.scalar(
         select(Take)

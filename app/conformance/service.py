@@ -131,7 +131,8 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
             tool_version=audio_checks.TOOL_VERSION,
         )
     )
-    change_state(session, take, state_after(report, _codes_waived(session, take)))
+    waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
+    change_state(session, take, state_after(report, waived))
     publish(
         session,
         "take.checked",

@@ -5,6 +5,7 @@ from datetime import date
 from uuid import UUID
 
 import aiosmtplib
+from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.builds.models import Build
@@ -56,9 +57,10 @@ def _label(project: Project, cue: Cue | None) -> str:
 
 
 def _take_with_place(session: Session, take_id: str) -> tuple[Take, Project, Cue | None]:
-    take = session.get_one(Take, UUID(take_id))
-    project = session.get_one(Project, take.project_id)
-    return take, project, session.get(Cue, take.cue_id) if take.cue_id else None
+    found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
+    found = found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == UUID(take_id))
+    take, project, cue = session.execute(found).one()
+    return take, project, cue
 
 
 @job("notifications.mail_link")

@@ -12,7 +12,7 @@ from app.accounts.rules import Role
 from app.deliveries.models import Take
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
-from app.projects.queries import decider_of
+from app.projects.queries import decider_id
 from app.projects.rules import EngagementKind
 from app.reviews.models import ChangeRequest
 from app.sound_lists.models import Cue
@@ -89,7 +89,7 @@ def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
 
 def decider_address(session: Session, project: Project) -> str:
     """Return the address of the project's decider."""
-    return address_of(session, decider_of(session, project))
+    return session.scalars(select(Person.email).where(Person.id == decider_id(project))).one()
 
 
 def speaker_addresses(session: Session, project: Project) -> set[str]:

@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import Select, Uuid, and_, bindparam, exists, func, or_, select
+from sqlalchemy import ColumnElement, Select, Uuid, and_, bindparam, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Person
@@ -109,15 +109,15 @@ def is_engaged_address(session: Session, project_id: UUID, email: str) -> bool:
     return session.scalar(running) is not None
 
 
+def decider_id(project: Project) -> ColumnElement[UUID]:
+    """Return, as part of a query, who has the last word: the one named last, else who opened the project."""
+    named = select(DeciderChange.person_id).where(DeciderChange.project_id == project.id)
+    return func.coalesce(named.order_by(DeciderChange.id.desc()).limit(1).scalar_subquery(), project.created_by)
+
+
 def decider_of(session: Session, project: Project) -> UUID:
-    """Return who has the last word: the one named last, else the producer who opened the project."""
-    named = session.scalar(
-        select(DeciderChange.person_id)
-        .where(DeciderChange.project_id == project.id)
-        .order_by(DeciderChange.id.desc())
-        .limit(1)
-    )
-    return named or project.created_by
+    """Return who has the last word in a project."""
+    return session.scalars(select(decider_id(project))).one()
 
 
 def deciders_of(session: Session, projects: Collection[Project]) -> dict[UUID, Person]:

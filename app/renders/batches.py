@@ -169,7 +169,7 @@ def record(
     if batch is None or item is None:
         return
     if render is not None:
-        service.keep_render(session, render, picture)
+        service.keep_made(session, [(render, picture)])
     if item.state is ItemState.WAITING:
         _become(item, order, render, fault)
         session.flush()

@@ -21,7 +21,6 @@ from audio_checks import (
     RenderRefused,
     Target,
     Unreadable,
-    WaveShape,
     average_spectrum,
     plays_as_preview,
     preview,
@@ -34,6 +33,7 @@ from audio_checks import (
 THUMB_POINTS = 160
 PEAKS_POINTS = 4096
 THUMB_FULL_SCALE = 127
+PEAKS_FULL_SCALE = 10_000  # a step is 80 dB below, less than a pixel
 PLAYABLE_RATE_HZ = 48_000
 MASTER = ""  # beside the names of targets, none of which is empty
 PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
@@ -88,12 +88,19 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, A
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
     bands = known.bands or average_spectrum(path)
-    shape = {"points": large.points, "duration_s": facts.duration_s, **large.to_dict(), "bands": _in_tenths(bands)}
+    shape = {
+        "frames": facts.frames,
+        "sample_rate_hz": facts.sample_rate_hz,
+        "duration_s": facts.duration_s,
+        "full_scale": PEAKS_FULL_SCALE,
+        **large.in_steps(PEAKS_FULL_SCALE),
+        "bands": _in_tenths(bands),
+    }
     (folder / PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
     plays_itself = _plays_itself(path)
     preview_of = "" if plays_itself else known.preview_of
     if not plays_itself and not preview_of:
-        preview(path, folder / PREVIEW, loop=loop)
+        preview(path, folder / PREVIEW, loop=loop, durable=False)
     # Of what plays: its 16 bits reach below black, and its 48 kHz above the top row.
     spectrum = known.preview_png if preview_of else _spectrum(path if plays_itself else folder / PREVIEW)
     (folder / SPECTRUM).write_bytes(spectrum)
@@ -107,7 +114,7 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, A
             "channels": facts.channels,
             "frames": facts.frames,
         },
-        "thumb": _thumb(small),
+        "thumb": small.in_steps(THUMB_FULL_SCALE),
         "plays_itself": plays_itself,
         "preview_of": preview_of,
     }
@@ -135,19 +142,12 @@ def _plays_itself(path: str) -> bool:
         return False
 
 
-def _thumb(shape: WaveShape) -> dict[str, Any]:
-    """Return a shape in integers; ±127 is full scale."""
-    lines = {"min": shape.lowest, "max": shape.highest, "rms": shape.rms}
-    whole = {name: np.rint(np.clip(line, -1, 1) * THUMB_FULL_SCALE) for name, line in lines.items()}
-    return {"points": shape.points, **{name: line.astype(int).tolist() for name, line in whole.items()}}
-
-
 def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> dict[str, Any]:
     """Make a game file and draw it; return what was made, and its drawing."""
     out = folder / GAME_FILE
     with AudioFile(path) as file:
         master_rate_hz = file.facts.sample_rate_hz
-    rendered = render_master(path, out_path=out, **recipe)
+    rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its own copy
     own = _Known()
     if rendered.loss is not None and rendered.sample_rate_hz == master_rate_hz:
         spectra = rendered.loss.spectra

@@ -74,7 +74,7 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
         else:
             picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn, None)
     with runtime.database.writing() as session:
-        service.keep_picture(session, picture)
+        service.keep_made(session, [], picture)
 
 
 def _tried(call: Callable[[], R]) -> R:
@@ -162,7 +162,9 @@ def make_renders(runtime: Runtime, payload: Payload) -> None:
     renders, picture = _prepared(runtime, order, order.missing, draws=order.draws)
     kill.point("renders.after_render")
     with runtime.database.writing() as session:
-        service.keep_renders(session, order, renders, picture)
+        service.keep_made(session, renders, picture)
+        if order.may_ship:
+            service.complete(session, order)
         kill.point("renders.before_commit")
     kill.point("renders.after_commit")
     for render, _ in renders:
@@ -175,7 +177,7 @@ job("renders.draw_take")(make_renders)
 
 def _prepared(
     runtime: Runtime, order: service.RenderOrder, recipes: dict[str, Recipe], *, draws: bool
-) -> tuple[list[tuple[Render, Picture | None]], Picture | None]:
+) -> tuple[service.Made, Picture | None]:
     """Return game files of a take, or why they were refused, with their pictures; and that of its master."""
     if not recipes and not draws:
         return [], None
@@ -185,7 +187,7 @@ def _prepared(
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
     ):
         found = _outcomes(str(master), folder, recipes, loop=order.loop, draws=draws)
-        renders: list[tuple[Render, Picture | None]] = []
+        renders: service.Made = []
         files: dict[str, StoredBlob] = {}
         for target, recipe in recipes.items():
             outcome, place = found[target]

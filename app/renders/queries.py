@@ -3,6 +3,7 @@
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Row, and_, exists, func, or_, select
@@ -40,7 +41,8 @@ def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe
     return recipes(parsed_spec(toml), category=category, loop=loop)
 
 
-def _renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:
+def renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:
+    """Return the renders of takes, by take, target and key."""
     renders = session.scalars(select(Render).where(Render.take_id.in_(list(take_ids))))
     return {(render.take_id, render.target, render.key): render for render in renders}
 
@@ -65,8 +67,27 @@ def timbre_of(session: Session, studio_id: UUID, sha256: str) -> Timbre | None:
 
 def has_palette(session: Session, project_id: UUID) -> bool:
     """Whether a project's list marks any cue as its palette."""
-    marked = select(Cue.id).where(Cue.project_id == project_id, Cue.palette, Cue.state != CueState.CUT)
-    return bool(session.scalar(select(marked.exists())))
+    return bool(session.scalar(select(_marks_a_palette(Cue.project_id == project_id))))
+
+
+def _marks_a_palette(in_project: ColumnElement[bool]) -> ColumnElement[bool]:
+    return exists().where(in_project, Cue.palette, Cue.state != CueState.CUT)
+
+
+class TakeNow(NamedTuple):
+    """What tells whether an order for a take still holds, and whether its project has a palette."""
+
+    edition: int
+    spec_id: UUID
+    has_palette: bool
+
+
+def take_now(session: Session, take_id: UUID) -> TakeNow | None:
+    """Return how a take and the newest spec of its project stand at this moment."""
+    newest = select(Spec.id).where(Spec.project_id == Take.project_id).order_by(Spec.version.desc()).limit(1)
+    found = select(Take.edition, newest.scalar_subquery(), _marks_a_palette(Cue.project_id == Take.project_id))
+    row = session.execute(found.where(Take.id == take_id)).one_or_none()
+    return TakeNow._make(row) if row else None
 
 
 def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
@@ -128,7 +149,7 @@ def current_renders(
     `specs` are the newest specs by project.
     """
     takes = list(takes)
-    stored = _renders_by_key(session, [take.id for take in takes])
+    stored = renders_by_key(session, [take.id for take in takes])
     return {
         take.id: {
             target: stored.get((take.id, target, recipe.key(take.master_sha256)))
@@ -144,11 +165,6 @@ def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UU
         Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.in_(cue_ids)
     )
     return session.scalars(query.order_by(Take.id)).all()
-
-
-def render_of(session: Session, take_id: UUID, target: str, key: str) -> Render | None:
-    """Return the render of a take for one target under one key."""
-    return session.scalar(select(Render).where(Render.take_id == take_id, Render.target == target, Render.key == key))
 
 
 def admitted_takes(session: Session, project_id: UUID) -> Sequence[Take]:

@@ -27,12 +27,13 @@ class BandsRead(Schema):
 
 
 class PeaksRead(Schema):
-    """The shape of a sound across a screen: ±1.0 is full scale."""
+    """The shape of a sound across a screen."""
 
     points: int
     frames: int
     sample_rate_hz: int
     duration_s: float
+    full_scale: int = Field(1, description="What stands for full scale; sounds drawn by an earlier version have 1.")
     min: list[float]
     max: list[float]
     rms: list[float]

@@ -21,6 +21,8 @@ from app.renders.models import Picture, Render, RenderSet, Timbre
 from app.renders.rules import RENDERED_STATES, Recipe
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 
+Made = list[tuple[Render, Picture | None]]  # game files, each with its picture where there is a file
+
 
 def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead:
     """Return what can be seen and heard of a take: its master, and its game files at the current spec."""
@@ -181,41 +183,29 @@ def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
     )
 
 
-def keep_picture(session: Session, picture: Picture) -> None:
-    """Put a picture on record unless the same sound is drawn already."""
-    if queries.picture_of(session, picture.studio_id, picture.sound_sha256) is None:
-        session.add(picture)
-        session.flush()
-
-
-def keep_render(session: Session, render: Render, picture: Picture | None) -> None:
-    """Put a render and its picture on record, once."""
-    if queries.render_of(session, render.take_id, render.target, render.key) is None:
-        session.add(render)
-    if picture is not None:
-        keep_picture(session, picture)
-
-
-def keep_renders(
-    session: Session, order: RenderOrder, renders: list[tuple[Render, Picture | None]], picture: Picture | None
-) -> None:
-    """Put all that was made of a take on record, once."""
-    for render, drawn in renders:
-        keep_render(session, render, drawn)
-    if picture is not None:
-        keep_picture(session, picture)
-    if order.may_ship:
-        complete(session, order)
+def keep_made(session: Session, renders: Made, picture: Picture | None = None) -> None:
+    """Put game files with their pictures, and the picture of another sound, on record, each once."""
+    drawn = [one for _, one in renders] + [picture]
+    pictures = {one.sound_sha256: one for one in drawn if one is not None}
+    if pictures:
+        known = queries.pictures_of_sounds(session, {one.studio_id for one in pictures.values()}, pictures)
+        session.add_all(one for sha256, one in pictures.items() if sha256 not in known)
+    if renders:
+        there = queries.renders_by_key(session, {render.take_id for render, _ in renders})
+        session.add_all(one for one, _ in renders if (one.take_id, one.target, one.key) not in there)
+    session.flush()
 
 
 def complete(session: Session, order: RenderOrder) -> None:
     """Say that every render of a take is made or refused, unless take or spec moved on meanwhile."""
-    take = session.get(Take, order.take_id)
-    if take is None or take.edition != order.edition or current_spec(session, take.project_id).id != order.spec_id:
+    now = queries.take_now(session, order.take_id)
+    if now is None or (now.edition, now.spec_id) != (order.edition, order.spec_id):
         return
-    session.merge(RenderSet(take_id=take.id, studio_id=take.studio_id, spec_id=order.spec_id, edition=order.edition))
-    if queries.has_palette(session, take.project_id):
-        publish(session, "take.rendered", studio_id=take.studio_id, priority=BULK, take_id=take.id)
+    session.merge(
+        RenderSet(take_id=order.take_id, studio_id=order.studio_id, spec_id=order.spec_id, edition=order.edition)
+    )
+    if now.has_palette:
+        publish(session, "take.rendered", studio_id=order.studio_id, priority=BULK, take_id=order.take_id)
 
 
 def keep_timbre(session: Session, timbre: Timbre) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 SMALL_POINTS = 240  # a row of a list
+MOST_STEPS = 2**31 - 1
 LARGE_POINTS = 4096  # a review room across a wide screen
 
 
@@ -24,6 +25,15 @@ class WaveShape:
     def points(self) -> int:
         """Number of points."""
         return len(self.rms)
+
+    def in_steps(self, full_scale: int) -> dict[str, Any]:
+        """Return the shape as whole numbers of 32 bits, ±`full_scale` standing for ±1.0."""
+        lines = {"min": self.lowest, "max": self.highest, "rms": self.rms}
+        whole = {
+            name: np.rint(np.clip(line * full_scale, -MOST_STEPS, MOST_STEPS)).astype(int)
+            for name, line in lines.items()
+        }
+        return {"points": self.points, **{name: line.tolist() for name, line in whole.items()}}
 
     def to_dict(self, decimals: int = 4) -> dict[str, Any]:
         """Return the shape as plain numbers; four decimals are 80 dB below full scale, less than a pixel."""

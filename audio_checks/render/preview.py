@@ -36,7 +36,12 @@ MAKE_A_PREVIEW = (  # what a target says of its files, but for their peaks
 
 
 def preview(
-    path: str | os.PathLike[str], out_path: str | os.PathLike[str], *, backwards: bool = False, loop: bool = False
+    path: str | os.PathLike[str],
+    out_path: str | os.PathLike[str],
+    *,
+    backwards: bool = False,
+    loop: bool = False,
+    durable: bool = True,
 ) -> Rendered:
     """Write a stand-in of a master that every browser plays: 16-bit WAV of at most 48 kHz, mono or stereo.
 
@@ -50,6 +55,8 @@ def preview(
         From the last frame to the first, to hear what was recorded before it was turned round.
     loop : bool
         The master is a loop: its preview loops without a seam too.
+    durable : bool
+        The file is on the disk before this returns; without, after a power cut it may be cut short.
 
     Returns
     -------
@@ -73,7 +80,7 @@ def preview(
             loop=loop,
             tells_loss=False,
         )
-        rendered = render(sound, recipe, out)
+        rendered = render(sound, recipe, out, durable=durable)
     if backwards:
         _turn_round(out)
     return rendered

@@ -50,6 +50,7 @@ def render_master(
     true_peak_limit_dbtp: float | None = None,
     tolerance_db: float = TOLERANCE_DB,
     mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB,
+    durable: bool = True,
 ) -> Rendered:
     """Make the game file of a target from a master; the master is only read.
 
@@ -74,6 +75,8 @@ def render_master(
         How far a peak may lie beyond its limit and still be let be.
     mono_loss_limit_db : float
         What a stereo sound may lose in mono before a warning is given.
+    durable : bool
+        The file is on the disk before this returns; without, after a power cut it may be cut short.
 
     Returns
     -------
@@ -114,10 +117,10 @@ def render_master(
             fade_in_ms=target.fade_in_ms,
             fade_out_ms=target.fade_out_ms,
         )
-        return render(sound, recipe, Path(out_path))
+        return render(sound, recipe, Path(out_path), durable=durable)
 
 
-def render(sound: OpenSound, recipe: Recipe, out_path: Path) -> Rendered:
+def render(sound: OpenSound, recipe: Recipe, out_path: Path, *, durable: bool = True) -> Rendered:
     """Make a file by a recipe; see `render_master`."""
     ensure_shapeable(recipe.dither, recipe.sample_rate_hz)
     work = _Work(sound, recipe)
@@ -125,7 +128,7 @@ def render(sound: OpenSound, recipe: Recipe, out_path: Path) -> Rendered:
     try:
         lowered_db = 0.0
         for _ in range(ATTEMPTS):
-            attempt = work.write(scratch, lowered_db)
+            attempt = work.write(scratch, lowered_db, durable=durable)
             over_db = attempt.over_db(recipe)
             if over_db <= 0:
                 break
@@ -181,7 +184,7 @@ class _Work:
     def _loops(self) -> bool:
         return self._circular or bool(self._points)
 
-    def write(self, path: Path, lowered_db: float) -> Attempt:
+    def write(self, path: Path, lowered_db: float, *, durable: bool) -> Attempt:
         """Write the whole file once, lowered by so many dB, and measure it on its way."""
         recipe = self._recipe
         bit_depth, dither = self._depth(lowered_db)
@@ -226,6 +229,7 @@ class _Work:
             channel_mask=self._mask if self._channels > 2 else None,
             chunks=before,
             chunks_after=after,
+            durable=durable,
         )
         if move.changed and recipe.chunks == "all":
             tell_loudness_anew(self._sound, path, attempt.figures())

@@ -30,6 +30,7 @@ def write_wav(
     channel_mask: int | None = None,
     chunks: Sequence[tuple[str, bytes]] = (),
     chunks_after: Sequence[tuple[str, bytes]] = (),
+    durable: bool = True,
 ) -> None:
     """Write a WAV file whose header is right; RF64 where it would pass 4 GiB, extensible where it must be.
 
@@ -47,6 +48,8 @@ def write_wav(
         Speaker positions; asks for an extensible header.
     chunks, chunks_after : sequence of (id, payload)
         Further chunks before and after `data`.
+    durable : bool
+        A path is on the disk before this returns; without, after a power cut it may be cut short.
 
     Raises
     ------
@@ -66,13 +69,15 @@ def write_wav(
     try:
         with open(temporary, "xb") as file:
             _write_all(file, header, coded, tail)
-            file.flush()
-            os.fsync(file.fileno())
+            if durable:
+                file.flush()
+                os.fsync(file.fileno())
         os.replace(temporary, path)
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
-    _sync_directory(path.parent)
+    if durable:
+        _sync_directory(path.parent)
 
 
 def copy_wav(file: BinaryIO, layout: WavLayout, target: str | os.PathLike[str], chunks: Mapping[str, bytes]) -> None:

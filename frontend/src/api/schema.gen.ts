@@ -7516,7 +7516,7 @@ export interface components {
         };
         /**
          * PeaksRead
-         * @description The shape of a sound across a screen: ±1.0 is full scale.
+         * @description The shape of a sound across a screen.
          */
         PeaksRead: {
             /** Points */
@@ -7527,6 +7527,12 @@ export interface components {
             sample_rate_hz: number;
             /** Duration S */
             duration_s: number;
+            /**
+             * Full Scale
+             * @description What stands for full scale; sounds drawn by an earlier version have 1.
+             * @default 1
+             */
+            full_scale: number;
             /** Min */
             min: number[];
             /** Max */

@@ -39,6 +39,11 @@ describe('columns', () => {
     expect([columns.min[0], columns.max[0], columns.rms[0]]).toEqual([-0.5, 0.25, 0.125])
   })
 
+  test('fine peaks in steps of a full scale draw the same', () => {
+    const columns = columnsOf(finePeaks({ points: 1, min: [-5000], max: [2500], rms: [1250], full_scale: 10_000 }), 1)
+    expect([columns.min[0], columns.max[0], columns.rms[0]]).toEqual([-0.5, 0.25, 0.125])
+  })
+
   test('no points draw nothing', () => {
     expect([...columnsOf({ points: 0, min: [], max: [], rms: [] }, 2).max]).toEqual([0, 0])
   })

@@ -1,7 +1,7 @@
 /** A sound's shape as the server measured it, channels merged. */
 export interface Peaks {
   points: number
-  /** What stands for full scale: 127 in the whole numbers of a thumb, 1 in the fine peaks of a sound. */
+  /** What stands for full scale: 127 in the whole numbers of a thumb, what they say in the fine peaks of a sound. */
   fullScale?: number
   min: readonly number[]
   max: readonly number[]
@@ -16,8 +16,11 @@ export interface Columns {
 
 const FULL = 127
 
-/** The fine peaks of one sound, which come as parts of full scale. */
-export const finePeaks = (read: Omit<Peaks, 'fullScale'>): Peaks => ({ ...read, fullScale: 1 })
+/** The fine peaks of one sound: in steps of the full scale that they name, or parts of it where they name none. */
+export const finePeaks = ({ full_scale, ...read }: Omit<Peaks, 'fullScale'> & { full_scale?: number }): Peaks => ({
+  ...read,
+  fullScale: full_scale ?? 1,
+})
 
 /** One value a column of pixels, full scale ±1. Extremes stay extremes, and nothing is ever scaled up to fill. */
 export function columnsOf(peaks: Peaks, count: number): Columns {

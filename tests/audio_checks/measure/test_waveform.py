@@ -77,3 +77,10 @@ def test_plain_numbers():
         "max": [0.1235, 0.0],
         "rms": [0.1235, 0.0],
     }
+
+
+def test_in_steps_what_lies_beyond_full_scale_stays_beyond_it():
+    shape = waveform(np.array([[0.5], [-1.25], [0.00004], [1e300]]), 48_000).in_steps(10_000)
+    assert shape["points"] == 4
+    assert shape["min"] == shape["max"] == [5_000, -12_500, 0, 2**31 - 1]
+    assert shape["rms"][:3] == [5_000, 12_500, 0]
