@@ -6,7 +6,8 @@ How to fix: remove the lines with a hum remover or narrow notches, and look for 
 next recording. A tone that is meant, and happens to be tuned to the mains, may stay.
 Source: mains stay within 0.4 % of 50 Hz (Commission Regulation (EU) 2017/1485, Annex III). Three or
 more multiples, in tune with each other, stand 12 dB over what lies beside them in a quarter of all
-windows or more, and together reach -70 dBFS. Sounds under a second cannot tell hum from a note.
+windows or more, or keep one phase between loud strokes from start to end, and together reach -70 dBFS.
+Sounds under a second cannot tell hum from a note.
 """
 
 from collections.abc import Iterator

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.in_phase import LONGEST_S, lines_in_phase
 from audio_checks.measure.window_powers import hann_powers
 
 MAINS_HZ = (50.0, 60.0)
@@ -23,7 +24,8 @@ STEADY = 0.25  # the quietest quarter of the windows counts: what comes and goes
 PROMINENT = 16.0  # in power, 12 dB over what lies beside the line
 NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it,
 NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
-LINES = 3  # of these multiples must be there, one of the first three among them,
+LINES = 3  # of these multiples must be there, one of the first LOW among them,
+LOW = 3
 LOOSER = 2.0  # or one more, so many times less in tune: noise moves faint lines
 FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
@@ -53,6 +55,8 @@ class Hum:
         self._channels = channels
         self._pending: list[NDArray[np.float64]] = []  # sums that wait to be looked at
         self._waiting = 0  # how many
+        self._cells_per_s, self._cell = cells_per_s, cell_frames
+        self._begin = np.empty((channels, 0))  # the first sums, for a closer look
         if cells >= SHORTEST_S * cells_per_s:
             # Whole sixteens: transforms of 2,005 would take five times as long as those of 2,000.
             lengths = (min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S)
@@ -79,11 +83,24 @@ class Hum:
             power, mains_hz = windows.loudest()
             if power:
                 return {"hum_dbfs": power_decibels(power), "hum_hz": mains_hz}
-        return {"hum_dbfs": -math.inf, "hum_hz": None}
+        power, mains_hz = self._in_phase()
+        return {"hum_dbfs": power_decibels(power), "hum_hz": mains_hz if power else None}
+
+    def _in_phase(self) -> tuple[float, float]:
+        """Return the same of what keeps its phase, where the windows show a line or two but no hum."""
+        loudest = 0.0, MAINS_HZ[0]
+        for channel, mains_hz in sorted(set().union(*(windows.doubtful for windows in self._windows))):
+            means = self._begin[channel] / self._cell
+            lines = lines_in_phase(means, self._cells_per_s, mains_hz, MULTIPLES, OFF)
+            if len(lines.multiples) >= LINES and lines.multiples[0] <= LOW and lines.power >= LEAST:
+                loudest = max(loudest, (lines.power, mains_hz))
+        return loudest
 
     def _look(self) -> None:
         sums = np.concatenate(self._pending, axis=1) if self._pending else np.empty((self._channels, 0))
         self._pending, self._waiting = [], 0
+        if not self._begin.shape[1]:
+            self._begin = sums[:, : round(LONGEST_S * self._cells_per_s)].copy()
         for windows in self._windows:
             windows.add(sums)
 
@@ -103,6 +120,7 @@ class _Windows:
         self._kept = np.empty((channels, 0))
         self._spectra: list[NDArray[np.float64]] = []
         self._every, self._number = 1, 0
+        self.doubtful: set[tuple[int, float]] = set()  # channels, and the mains of which lines are found there
         while -(-((cells - length) // self._hop + 1) // self._every) > self._most:  # would be left out in the end
             self._every *= 2
 
@@ -128,9 +146,13 @@ class _Windows:
         spectra = np.asarray(self._spectra)
         place = int(STEADY * (len(spectra) - 1))
         steady = np.partition(spectra, place, axis=0)[place] * self._scale
-        return max((self._hum(channel, mains), mains) for channel in steady for mains in MAINS_HZ)
+        return max(
+            (self._hum(channel, spectrum, mains), mains)
+            for channel, spectrum in enumerate(steady)
+            for mains in MAINS_HZ
+        )
 
-    def _hum(self, spectrum: NDArray[np.float64], mains: float) -> float:
+    def _hum(self, channel: int, spectrum: NDArray[np.float64], mains: float) -> float:
         """Return the power of a hum's lines; 0 where they make no hum."""
         found = [
             (multiple, *line)
@@ -139,6 +161,7 @@ class _Windows:
         ]
         if not found:
             return 0.0
+        self.doubtful.add((channel, mains))
         strongest = max(line[2] for line in found)
         found = [line for line in found if line[2] >= FAINTEST * strongest]
         # A line of something else is no line of this hum: the most lines that agree on a frequency count.
@@ -146,7 +169,7 @@ class _Windows:
         loose = max((self._in_tune(found, hz / multiple, LOOSER) for multiple, hz, _ in found), key=_weight)
         tuned = exact if len(exact) >= LINES else loose if len(loose) > LINES else []
         power = sum(line[2] for line in tuned)
-        return power if tuned and tuned[0][0] <= 3 and power >= LEAST else 0.0
+        return power if tuned and tuned[0][0] <= LOW and power >= LEAST else 0.0
 
     def _in_tune(self, lines: list[_Line], base_hz: float, times: float) -> list[_Line]:
         """Return the lines that are multiples of a frequency, as exactly as such a window can tell."""

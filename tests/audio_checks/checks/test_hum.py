@@ -49,6 +49,20 @@ def test_three_lines_make_a_hum(codes_of, multiples, codes):
     assert codes_of("hum", sound() + hum(multiples=multiples)) == codes
 
 
+def strokes(seconds=3.0):
+    """Bursts of noise eight times a second, so that every window of a fifth of a second holds one or two."""
+    times = np.arange(round(seconds * 48_000)) / 48_000
+    return noise(dbfs=-14, seconds=seconds) * np.exp(-(times % 0.125) / 0.015)[:, np.newaxis]
+
+
+@pytest.mark.parametrize("hz", [49.9, 60.1])
+def test_hum_between_strokes_is_found_by_its_phase(found_by, hz):
+    assert found_by("hum", strokes()) == []
+    (finding,) = found_by("hum", strokes() + hum(hz, dbfs=-54))
+    assert f"{round(hz, -1):g} Hz" in finding.message
+    assert finding.measured == pytest.approx(-54, abs=0.5)
+
+
 def test_what_comes_and_goes_is_no_hum(codes_of):
     played = hum(dbfs=-20)
     played[48_000:] = 0

@@ -295,6 +295,17 @@ def _hum(rng: np.random.Generator, samples: Samples, rate: int, level_db: float)
     return None if faulty is None else Injured(faulty, 0.0, len(samples) / rate)
 
 
+def _buzz(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """Three or four multiples, no two sounds the same ones; in one channel of two at times."""
+    multiples = np.sort(np.append(rng.integers(1, 4), rng.permutation(np.arange(4, 9))[: rng.integers(2, 4)]))
+    faulty = hum_over(rng, samples, rate, level_db, multiples, rng.uniform(0.3, 1, len(multiples)))
+    if faulty is None:
+        return None
+    if rng.random() < 0.5:
+        faulty[:, 1:] = samples[:, 1:]
+    return Injured(faulty, 0.0, len(samples) / rate)
+
+
 def with_noise(samples: Samples, noise: Samples, rate: int, floor_dbfs: float) -> Injured | None:
     """The sound twice, half a second between, over noise; where its loudest 0.2 s lies 15 dB over the noise."""
     loud = samples / np.abs(samples).max() * 0.7
@@ -332,4 +343,5 @@ FAULTS = (
     Fault("noise-floor", "hiss", (-58.0, -50.0, -40.0), "dBFS", _noisy),
     Fault("click", "pop", CLICK_DB, CLICK_UNIT, _pop),
     Fault("click", "samples in the wrong order", CLICK_DB, CLICK_UNIT, _garbled),
+    Fault("hum", "three or four multiples", HUM_DB, HUM_UNIT, _buzz),
 )
