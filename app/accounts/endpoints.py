@@ -63,6 +63,7 @@ from app.kit.http import (
     DbSession,
     Problem,
     Route,
+    Router,
     come_in,
     database_of,
     problems,
@@ -224,7 +225,7 @@ class SecretRoute(APIRoute):
         return _patiently(super().get_route_handler())
 
 
-router = APIRouter(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
+router = Router(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
 _secret_router = APIRouter(tags=["accounts"], route_class=SecretRoute)
 
 

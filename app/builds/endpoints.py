@@ -5,7 +5,7 @@ from typing import Annotated
 from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Response
+from fastapi import Query, Response
 from fastapi.responses import StreamingResponse
 
 from app.accounts.endpoints import allows
@@ -40,11 +40,11 @@ from app.builds.schemas import (
     TargetsRead,
 )
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
-router = APIRouter(prefix="/v1", tags=["builds"], route_class=Route)
+router = Router(prefix="/v1", tags=["builds"], route_class=Route)
 PAGE = 50
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]

@@ -3,7 +3,7 @@
 from typing import Any
 from uuid import UUID
 
-from fastapi import APIRouter, Response
+from fastapi import Response
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
@@ -13,10 +13,10 @@ from app.conformance.schemas import CheckRead, MendOffer, MendRead, WaiverAdd
 from app.deliveries.errors import TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
-from app.kit.http import DbSession, Route, problems
+from app.kit.http import DbSession, Route, Router, problems
 from app.projects.errors import DeciderNeeded, ProjectNotFound
 
-router = APIRouter(prefix="/v1", tags=["conformance"], route_class=Route)
+router = Router(prefix="/v1", tags=["conformance"], route_class=Route)
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeRead, "description": "The mend was used before; this is its take."}
 }

@@ -1,5 +1,6 @@
 """Check runs and waivers, read from the database; callers have checked who looks."""
 
+from collections import defaultdict
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
 from uuid import UUID
@@ -12,6 +13,7 @@ from app.conformance.models import CheckRun, Mend, Waiver
 from app.conformance.rules import MENDABLE_STATES
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState
+from app.kit.among import among
 from app.projects.models import Spec
 from app.sound_lists.models import Cue
 
@@ -78,7 +80,7 @@ def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] 
     """Return the takes that are not yet decided upon; those of some cues where they are given."""
     query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(CHECKABLE))
     if cue_ids is not None:
-        query = query.where(Take.cue_id.in_(cue_ids))
+        query = query.where(among(Take.cue_id, cue_ids))
     return session.scalars(query.order_by(Take.id)).all()
 
 
@@ -136,12 +138,39 @@ def _heard_takes(session: Session, *where: ColumnElement[bool]) -> list[HeardTak
     return [HeardTake._make(row) for row in session.execute(query)]
 
 
-def takes_in_sets(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> list[HeardTake]:
-    """Return the takes that stand in the sets of some cues."""
-    where: list[ColumnElement[bool]] = [Take.cue_id.in_(list(cue_ids)), Take.state.in_(STANDING)]
+def heard_takes(session: Session, take_ids: Collection[UUID]) -> list[HeardTake]:
+    """Return some takes with what checks over files together read."""
+    return _heard_takes(session, among(Take.id, take_ids)) if take_ids else []
+
+
+class TakeInSet(NamedTuple):
+    """A take that stands in a set, by all that may change of it."""
+
+    id: UUID
+    variation: int
+    alternate: int | None
+    number: int | None
+    state: TakeState
+    run_id: UUID  # a report stays as it was written
+
+
+def sets_of_takes(
+    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
+) -> dict[UUID, tuple[TakeInSet, ...]]:
+    """Return the checked takes that stand in the sets of some cues, by cue, in the order in which they came."""
+    query = (
+        select(Take.id, Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id, Take.cue_id)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(among(Take.cue_id, cue_ids), Take.state.in_(STANDING))
+        .order_by(Take.received_at, Take.id)
+    )
     if designer_id is not None:
-        where.append(Take.designer_id == designer_id)
-    return _heard_takes(session, *where)
+        query = query.where(Take.designer_id == designer_id)
+    sets: dict[UUID, list[TakeInSet]] = defaultdict(list)
+    for row in session.execute(query):
+        if row.cue_id is not None:
+            sets[row.cue_id].append(TakeInSet._make(row[:-1]))
+    return {cue_id: tuple(takes) for cue_id, takes in sets.items()}
 
 
 def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[HeardTake]:
@@ -194,7 +223,7 @@ def takes_with_findings(
 
 def mends_of(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str], Mend]:
     """Return the mends of takes, by take and by the check that they answer."""
-    found = session.scalars(select(Mend).where(Mend.take_id.in_(take_ids)))
+    found = session.scalars(select(Mend).where(among(Mend.take_id, take_ids)))
     return {(mend.take_id, mend.key): mend for mend in found}
 
 

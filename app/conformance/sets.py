@@ -1,15 +1,16 @@
 """What is found over files together: looked up when it is shown. It informs the decider, and returns no take."""
 
-from collections import defaultdict
+from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from threading import Lock
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 import audio_checks
 from app.conformance import queries
-from app.conformance.queries import HeardTake
+from app.conformance.queries import HeardTake, TakeInSet
 from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -18,6 +19,8 @@ from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts
 
 Findings = tuple[dict[str, object], ...]
+Judged = tuple[str, audio_checks.CueFacts, tuple[TakeInSet, ...]]  # spec, cue, takes: nothing else is looked at
+SETS_REMEMBERED = 4_000  # some 2 kB each
 OVER_A_CUE = ("variation-set", "duplicate")  # takes go by their cue's name here, so no two of them are twins
 
 
@@ -40,17 +43,50 @@ def words_on_sets(
     sets = {cue.id: cue for cue in cues if cue.variations > 1}
     if not sets:
         return {}
-    by_cue: dict[Cue, list[HeardTake]] = defaultdict(list)
-    for take in queries.takes_in_sets(session, sets, designer_id):
+    judged = {
+        cue_id: (specs[sets[cue_id].project_id].toml, cue_facts(sets[cue_id]), takes)
+        for cue_id, takes in queries.sets_of_takes(session, sets, designer_id).items()
+    }
+    words = {cue_id: _remembered.get(judged[cue_id]) for cue_id in judged}
+    unknown: dict[UUID, list[HeardTake]] = {cue_id: [] for cue_id, known in words.items() if known is None}
+    for take in queries.heard_takes(session, [each.id for cue_id in unknown for each in judged[cue_id][-1]]):
         if take.cue_id is not None:
-            by_cue[sets[take.cue_id]].append(take)
-    words: dict[UUID, SetWord] = {}
-    for cue, takes in by_cue.items():
-        words |= _of_one_set(cue, takes, parsed_spec(specs[cue.project_id].toml))
-    return words
+            unknown[take.cue_id].append(take)
+    for cue_id, takes in unknown.items():
+        toml, facts, _ = judged[cue_id]
+        words[cue_id] = _remembered.keep(judged[cue_id], _of_one_set(cue_id, takes, parsed_spec(toml), facts))
+    return {take_id: word for known in words.values() if known for take_id, word in known.items()}
 
 
-def _of_one_set(cue: Cue, takes: Sequence[HeardTake], spec: audio_checks.DeliverySpec) -> dict[UUID, SetWord]:
+class Remembered:
+    """What was found lately over sets, by all that it depends on: pages ask for the same again and again."""
+
+    def __init__(self) -> None:
+        self._words: OrderedDict[Judged, dict[UUID, SetWord]] = OrderedDict()
+        self._lock = Lock()
+
+    def get(self, judged: Judged) -> dict[UUID, SetWord] | None:
+        """Return what is said of the takes of a set; None where it is to be found anew."""
+        with self._lock:
+            if (words := self._words.get(judged)) is not None:
+                self._words.move_to_end(judged)
+            return words
+
+    def keep(self, judged: Judged, words: dict[UUID, SetWord]) -> dict[UUID, SetWord]:
+        """Remember what was found, and forget what was not asked for longest."""
+        with self._lock:
+            self._words[judged] = words
+            while len(self._words) > SETS_REMEMBERED:
+                self._words.popitem(last=False)
+        return words
+
+
+_remembered = Remembered()
+
+
+def _of_one_set(
+    cue_id: UUID, takes: Sequence[HeardTake], spec: audio_checks.DeliverySpec, facts: audio_checks.CueFacts
+) -> dict[UUID, SetWord]:
     chosen = set(
         members_of_set(
             MemberFact(take.id, take.variation, take.alternate, take.number or 0, take.state is TakeState.APPROVED)
@@ -58,11 +94,10 @@ def _of_one_set(cue: Cue, takes: Sequence[HeardTake], spec: audio_checks.Deliver
         )
     )
     members = [take for take in takes if take.id in chosen]
-    facts = cue_facts(cue)
     judged = [_judged(take, spec, facts) for take in members]
     found, away = audio_checks.set_findings(judged), audio_checks.off_its_set_lu(judged)
     return {
-        take.id: SetWord(cue.id, _plain(findings), off)
+        take.id: SetWord(cue_id, _plain(findings), off)
         for take, findings, off in zip(members, found, away, strict=True)
     }
 

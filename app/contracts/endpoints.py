@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import Path, Query, Request, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
@@ -30,10 +30,10 @@ from app.contracts.rules import ContractState, Party
 from app.contracts.sight import contract_in_sight
 from app.contracts.template_endpoints import attachment, clauses_of
 from app.contracts.text import Block, blocks_of
-from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
-router = APIRouter(prefix="/v1", tags=["contracts"], route_class=Route)
+router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 

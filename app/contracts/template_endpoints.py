@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import APIRouter
 from fastapi.responses import PlainTextResponse
 
 from app.accounts.endpoints import allows
@@ -15,10 +14,10 @@ from app.contracts import clauses, schemas, templates
 from app.contracts.errors import BadTemplate, ContractNotFound, TemplateNameTaken, TemplateNotFound
 from app.contracts.models import ContractTemplate
 from app.contracts.rules import ContractKind
-from app.kit.http import DbSession, Route, problems
+from app.kit.http import DbSession, Route, Router, problems
 from app.projects.errors import ProducerNeeded
 
-router = APIRouter(prefix="/v1", tags=["contracts"], route_class=Route)
+router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
 TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
 
 

@@ -3,18 +3,18 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import APIRouter, Query
+from fastapi import Query
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.contracts.errors import MilestoneNotFound
 from app.dashboards import money, schemas, service, standing
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, problems
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, Router, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
 
-router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=Route)
+router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
 @router.get("/me")

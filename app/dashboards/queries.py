@@ -13,6 +13,7 @@ from app.conformance.models import CheckRun
 from app.dashboards.rules import WITH_DESIGNER
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
+from app.kit.among import among
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
@@ -31,7 +32,7 @@ def my_projects(session: Session, person_id: UUID, studio_ids: Collection[UUID])
     engaged = select(Engagement.project_id).where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
     return session.scalars(
         select(Project)
-        .where(or_(Project.studio_id.in_(studio_ids), Project.id.in_(engaged)), Project.archived_at.is_(None))
+        .where(or_(among(Project.studio_id, studio_ids), Project.id.in_(engaged)), Project.archived_at.is_(None))
         .options(joinedload(Project.studio))
         .order_by(Project.created_at.desc())
     ).all()
@@ -132,7 +133,7 @@ def cues_by_id(session: Session, project_id: UUID) -> dict[UUID, Cue]:
 
 def loops(session: Session, cue_ids: Collection[UUID]) -> set[UUID]:
     """Return those of the cues that are played as loops."""
-    return set(session.scalars(select(Cue.id).where(Cue.id.in_(cue_ids), Cue.loop)))
+    return set(session.scalars(select(Cue.id).where(among(Cue.id, cue_ids), Cue.loop)))
 
 
 def placeholders(session: Session, project_id: UUID) -> int:
@@ -143,7 +144,7 @@ def placeholders(session: Session, project_id: UUID) -> int:
 
 def current_runs(session: Session, take_ids: Collection[UUID]) -> dict[UUID, CheckRun]:
     """Return the standing check run of each take."""
-    rows = session.scalars(select(CheckRun).where(CheckRun.take_id.in_(take_ids), CheckRun.is_current))
+    rows = session.scalars(select(CheckRun).where(among(CheckRun.take_id, take_ids), CheckRun.is_current))
     return {run.take_id: run for run in rows}
 
 
@@ -174,7 +175,7 @@ def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[C
             and_(Round.sending_id == ChangeRequest.sending_id, Round.cue_id == ChangeRequest.cue_id),
             isouter=True,
         )
-        .where(ChangeRequest.take_id.in_(take_ids), ChangeRequest.sending_id.is_not(None))
+        .where(among(ChangeRequest.take_id, take_ids), ChangeRequest.sending_id.is_not(None))
         .order_by(ChangeRequest.created_at)
     ).all()
 
@@ -324,14 +325,14 @@ def cue_by_number(session: Session, project_id: UUID, number: int) -> Cue | None
 
 def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the names of studios."""
-    return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).all())
+    return dict(session.execute(select(Studio.id, Studio.name).where(among(Studio.id, ids))).all())
 
 
 def conforming_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
     """Return when takes came that the checks let through, by cue."""
     let_through = (TakeState.CONFORMING, TakeState.APPROVED, TakeState.CHANGE_REQUESTED, TakeState.SET_ASIDE)
     rows = session.execute(
-        select(Take.cue_id, Take.received_at).where(Take.cue_id.in_(cue_ids), Take.state.in_(let_through))
+        select(Take.cue_id, Take.received_at).where(among(Take.cue_id, cue_ids), Take.state.in_(let_through))
     )
     return [(cue_id, at) for cue_id, at in rows if cue_id is not None]
 
@@ -340,7 +341,7 @@ def changes_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUI
     """Return when changes were sent to the designer, by cue."""
     rows = session.execute(
         select(Verdict.cue_id, Verdict.created_at).where(
-            Verdict.cue_id.in_(cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
+            among(Verdict.cue_id, cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
         )
     )
     return [(cue_id, at) for cue_id, at in rows]
@@ -352,7 +353,7 @@ def questions_since(
     """Return when questions were asked and answered, by cue."""
     rows = session.execute(
         select(Question.cue_id, Question.asked_at, Question.answered_at).where(
-            Question.project_id == project_id, Question.cue_id.in_(cue_ids)
+            Question.project_id == project_id, among(Question.cue_id, cue_ids)
         )
     )
     return [(cue_id, asked_at, answered_at) for cue_id, asked_at, answered_at in rows]

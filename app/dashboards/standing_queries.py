@@ -15,6 +15,7 @@ from app.conformance.models import CheckRun, Waiver
 from app.dashboards.rules import CODE_BASE, STATE_CODES
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.kit.among import among
 from app.renders.models import Picture
 from app.reviews.models import Round
 from app.sound_lists.models import Cue, Question
@@ -115,7 +116,7 @@ def variation_rows(session: Session, cue_ids: Collection[UUID], designer_id: UUI
     waiting = func.count(case((Take.state == TakeState.CONFORMING, 1)))
     summed = select(
         Take.cue_id, Take.variation, _packed(), waiting, func.max(Take.number), func.max(Take.state_since)
-    ).where(Take.cue_id.in_(cue_ids))
+    ).where(among(Take.cue_id, cue_ids))
     rows = session.execute(_seen_by(summed, designer_id).group_by(Take.cue_id, Take.variation))
     return [VariationRow._make(row) for row in rows]
 
@@ -128,11 +129,11 @@ def shown_takes(
     newer = select(later.id).where(later.cue_id == Cue.id).order_by(later.received_at.desc(), later.id.desc())
     if designer_id is not None:
         newer = newer.where(later.designer_id == designer_id)
-    newest = select(newer.limit(1).correlate(Cue).scalar_subquery()).where(Cue.id.in_(cue_ids))
+    newest = select(newer.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, cue_ids))
     newest_ids = [take_id for take_id in session.scalars(newest) if take_id is not None]
-    shown = {take.cue_id: take for take in session.scalars(select(Take).where(Take.id.in_(newest_ids)))}
+    shown = {take.cue_id: take for take in session.scalars(select(Take).where(among(Take.id, newest_ids)))}
     approved = _seen_by(select(Take), designer_id).where(
-        Take.cue_id.in_(accepted), Take.state == TakeState.APPROVED, Take.variation == 1
+        among(Take.cue_id, accepted), Take.state == TakeState.APPROVED, Take.variation == 1
     )
     shown |= {take.cue_id: take for take in session.scalars(approved)}
     return {cue_id: take for cue_id, take in shown.items() if cue_id is not None}
@@ -151,7 +152,7 @@ def first_open_questions(session: Session, project_id: UUID, cue_ids: Collection
     """Return the question that waits longest for an answer, by cue."""
     rows = session.execute(
         select(Question.cue_id, Question.text)
-        .where(Question.project_id == project_id, Question.cue_id.in_(cue_ids), Question.answered_at.is_(None))
+        .where(Question.project_id == project_id, among(Question.cue_id, cue_ids), Question.answered_at.is_(None))
         .order_by(Question.asked_at.desc())
     )
     return dict(rows.all())
@@ -165,7 +166,7 @@ def standing_findings(
     rows = session.execute(
         _seen_by(select(Take.cue_id, findings), designer_id)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(Take.cue_id.in_(cue_ids), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
+        .where(among(Take.cue_id, cue_ids), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
         .where(findings.as_string() != "[]")
         .order_by(Take.received_at, Take.id)
     )
@@ -180,7 +181,7 @@ def waived_cues(session: Session, cue_ids: Collection[UUID], designer_id: UUID |
     waived = (
         _seen_by(select(Take.cue_id), designer_id)
         .join(Waiver, Waiver.take_id == Take.id)
-        .where(Take.cue_id.in_(cue_ids), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)))
+        .where(among(Take.cue_id, cue_ids), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)))
     )
     return {cue_id for cue_id in session.scalars(waived) if cue_id is not None}
 
@@ -192,7 +193,7 @@ def cues_of_other_specs(
     found = (
         _seen_by(select(Take.cue_id), designer_id)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(Take.cue_id.in_(cue_ids), Take.state == TakeState.APPROVED, CheckRun.spec_id != spec_id)
+        .where(among(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED, CheckRun.spec_id != spec_id)
     )
     return {cue_id for cue_id in session.scalars(found) if cue_id is not None}
 
@@ -226,7 +227,7 @@ def pictures(session: Session, studio_id: UUID, sounds: Collection[str]) -> dict
     """Return the pictures of stored sounds by their SHA-256, with what a line shows of them."""
     shown = load_only(Picture.sound_sha256, Picture.duration_s, Picture.thumb, raiseload=True)
     rows = session.scalars(
-        select(Picture).where(Picture.studio_id == studio_id, Picture.sound_sha256.in_(sounds)).options(shown)
+        select(Picture).where(Picture.studio_id == studio_id, among(Picture.sound_sha256, sounds)).options(shown)
     )
     return {picture.sound_sha256: picture for picture in rows}
 
@@ -234,6 +235,6 @@ def pictures(session: Session, studio_id: UUID, sounds: Collection[str]) -> dict
 def rounds_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many rounds cues have had; those without any are left out."""
     rows = session.execute(
-        select(Round.cue_id, func.max(Round.number)).where(Round.cue_id.in_(cue_ids)).group_by(Round.cue_id)
+        select(Round.cue_id, func.max(Round.number)).where(among(Round.cue_id, cue_ids)).group_by(Round.cue_id)
     )
     return {cue_id: number or 0 for cue_id, number in rows}

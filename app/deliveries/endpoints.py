@@ -3,7 +3,7 @@
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Request, Response
+from fastapi import Query, Request, Response
 from sqlalchemy.orm import Session
 
 from app.accounts.endpoints import allows
@@ -32,7 +32,7 @@ from app.deliveries.schemas import (
 )
 from app.deliveries.upload_endpoints import router as uploads_router
 from app.kit.blob_answer import blob_answer
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.projects.errors import DesignerNeeded, ProjectNotFound
@@ -40,7 +40,7 @@ from app.projects.service import standing_in
 from app.sound_lists.errors import CueNotFound
 
 PAGE = 50
-router = APIRouter(prefix="/v1", tags=["deliveries"], route_class=Route)
+router = Router(prefix="/v1", tags=["deliveries"], route_class=Route)
 router.include_router(uploads_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {

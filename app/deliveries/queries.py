@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.deliveries.models import Archive, Delivery, Take
 from app.deliveries.rules import TakeState
+from app.kit.among import among
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue, Stem
@@ -33,7 +34,7 @@ def deliveries_of(
 def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many takes each delivery has; deliveries without any are left out."""
     rows = session.execute(
-        select(Take.delivery_id, func.count()).where(Take.delivery_id.in_(delivery_ids)).group_by(Take.delivery_id)
+        select(Take.delivery_id, func.count()).where(among(Take.delivery_id, delivery_ids)).group_by(Take.delivery_id)
     )
     return {row[0]: row[1] for row in rows}
 

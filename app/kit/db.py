@@ -1,15 +1,19 @@
 """The database: one engine, sessions for requests and jobs, ids, and the types that both databases share."""
 
+import select
 import sqlite3
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from enum import StrEnum
+from functools import cache
 from pathlib import Path
 from typing import Any
 from uuid import UUID
 
+import psycopg
 import sqlalchemy as sa
+from pydantic_core import from_json
 from sqlalchemy import Dialect, MetaData, event
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.dialects.postgresql import JSONB
@@ -43,7 +47,7 @@ CONNECTION = {
     "keepalives_count": "3",
     "tcp_user_timeout": "30000",
 }
-REACH = "reach"  # key in a session's info
+REACH, SAID_REACH = "reach", "said reach"  # keys in a session's info: whose it is, and what its transaction was told
 
 
 def new_id() -> UUID:
@@ -125,7 +129,9 @@ class Database:
         if self.is_sqlite:
             if parsed.database:
                 Path(parsed.database).parent.mkdir(parents=True, exist_ok=True)
-            self.engine = sa.create_engine(parsed, pool_size=20, max_overflow=20, hide_parameters=True)
+            self.engine = sa.create_engine(
+                parsed, pool_size=20, max_overflow=20, json_deserializer=from_json, hide_parameters=True
+            )
             event.listen(self.engine, "connect", _prepare_sqlite)
             event.listen(self.engine, "begin", _begin_sqlite)
         else:
@@ -137,15 +143,17 @@ class Database:
                 max_overflow=10,
                 pool_timeout=10,
                 pool_use_lifo=True,
-                pool_pre_ping=True,
+                json_deserializer=from_json,
                 hide_parameters=True,
             )
+            event.listen(self.engine, "checkout", self._ensure_open)
         self._writer = self.engine.execution_options(**{WRITES: True})
         self._reader = (
             self.engine
             if self.is_sqlite
             else self.engine.execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
         )
+        self._glancer = self.engine if self.is_sqlite else self.engine.execution_options(isolation_level="AUTOCOMMIT")
 
     @contextmanager
     def reading(self, reach: Reach | None = None) -> Iterator[Session]:
@@ -154,6 +162,12 @@ class Database:
         Without a reach it is the server's own: jobs, and what happens before it is known who comes.
         """
         with self._session(self._reader, reach) as session:
+            yield session
+
+    @contextmanager
+    def glancing(self) -> Iterator[Session]:
+        """Give a session of the server's own for one SELECT, which PostgreSQL is not asked to begin and to end."""
+        with self._session(self._glancer, None) as session:
             yield session
 
     @contextmanager
@@ -168,6 +182,21 @@ class Database:
             session.info[REACH] = reach
         return session
 
+    def _ensure_open(self, connection: Any, _record: Any, _proxy: Any) -> None:
+        """Have the pool make new connections where the server has ended this one.
+
+        Nobody has asked it anything, so what can be read is a farewell, or a notice; only then is it asked whether it
+        is there, for a question before each transaction costs as much as a statement.
+        """
+        line = select.poll()
+        line.register(connection.fileno(), select.POLLIN)
+        if not line.poll(0):
+            return
+        try:
+            self.engine.dialect.do_ping(connection)
+        except psycopg.OperationalError as error:
+            raise sa.exc.InvalidatePoolError from error
+
     def dispose(self) -> None:
         """Close every connection."""
         self.engine.dispose()
@@ -180,7 +209,9 @@ def reach_further(session: Session, reach: Reach) -> None:
     session.info[REACH] = reach
     if _is_guarded(session):
         session.flush()
-        _say_reach(session.connection(), reach)
+        connection = session.connection()
+        if session.info[SAID_REACH] != reach:  # a transaction that began just now has said it
+            _say_reach(session, connection)
 
 
 def insert_unless_there(
@@ -226,16 +257,28 @@ def _is_guarded(session: Session) -> bool:
 @event.listens_for(_Session, "after_begin")
 def _begin_within_reach(session: Session, _transaction: Any, connection: sa.Connection) -> None:
     if _is_guarded(session):
-        _say_reach(connection, session.info[REACH])
+        _say_reach(session, connection)
 
 
-def _say_reach(connection: sa.Connection, reach: Reach) -> None:
+def _say_reach(session: Session, connection: sa.Connection) -> None:
+    reach: Reach = session.info[REACH]
+    session.info[SAID_REACH] = reach
     known = {PERSON: reach.person_id, PROJECT: reach.project_id}
     _set_locally(connection, role=REQUEST_ROLE, **{name: str(value or "") for name, value in known.items()})
 
 
 def _set_locally(connection: sa.Connection, **values: str) -> None:
-    connection.execute(sa.select(*(sa.func.set_config(name, value, True) for name, value in values.items())))
+    connection.execute(_setting(*values), {f"to_{place}": value for place, value in enumerate(values.values())})
+
+
+@cache
+def _setting(*names: str) -> sa.Select[*tuple[str, ...]]:
+    return sa.select(
+        *(
+            sa.func.set_config(name, sa.bindparam(f"to_{place}", type_=sa.String()), True)
+            for place, name in enumerate(names)
+        )
+    )
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:

@@ -5,13 +5,14 @@ import re
 import time
 from collections.abc import AsyncIterator, Iterator, Sequence
 from datetime import datetime
+from functools import cached_property
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
 import anyio
 import structlog
 from anyio.lowlevel import RunVar
-from fastapi import Depends, FastAPI, HTTPException, Request, Response
+from fastapi import APIRouter, Depends, FastAPI, HTTPException, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from fastapi.routing import APIRoute
@@ -22,6 +23,7 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 from starlette.concurrency import run_in_threadpool
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException as StarletteHTTPException
+from starlette.routing import Match, compile_path
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
@@ -33,6 +35,7 @@ from app.kit.runtime import Runtime
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
+GROUP_NAME = re.compile(r"\?P<\w+>")
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
@@ -107,7 +110,11 @@ def database_of(request: Request) -> Database:
     return runtime_of(request).database
 
 
-CurrentRuntime = Annotated[Runtime, Depends(runtime_of)]
+async def _runtime(request: Request) -> Runtime:
+    return runtime_of(request)  # async, so that no thread is sent for it
+
+
+CurrentRuntime = Annotated[Runtime, Depends(_runtime)]
 
 
 def come_in(request: Request, reach: Reach) -> None:
@@ -154,6 +161,29 @@ class Route(APIRoute):
     async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
         await _once(super().handle)(scope, receive, send)
+
+
+class Router(APIRouter):
+    """A room's routes, which one look at an address rules out together: most requests are for other rooms."""
+
+    def matches(self, scope: Scope) -> tuple[Match, Scope]:
+        """Say whether one of them is asked for."""
+        return super().matches(scope) if self._addresses.match(scope["path"]) else (Match.NONE, {})
+
+    @cached_property
+    def _addresses(self) -> re.Pattern[str]:
+        return re.compile("|".join(GROUP_NAME.sub("?:", compile_path(path)[0].pattern) for path in _paths(self)))
+
+
+def _paths(router: APIRouter) -> Iterator[str]:
+    for route in router.routes:
+        if isinstance(route, APIRoute):
+            yield route.path
+        else:
+            within: Any = route  # what FastAPI keeps of a router that another one includes
+            if isinstance(within.original_router, Router):
+                raise TypeError("a router within a Router does not know its whole addresses: make it an APIRouter")
+            yield from (f"{router.prefix}{path}" for path in _paths(within.original_router))
 
 
 def _once(route: ASGIApp) -> ASGIApp:

@@ -2,19 +2,17 @@
 
 from uuid import UUID
 
-from fastapi import APIRouter
-
 from app.accounts.endpoints import allows
 from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.rules import Actor, Sight
-from app.kit.http import CurrentRuntime, DbSession, Route, problems
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.notifications import service
 from app.notifications.errors import MailNotFound
 from app.notifications.models import Mail
 from app.notifications.rules import text_of
 from app.notifications.schemas import MailRead, OutboxRead
 
-router = APIRouter(prefix="/v1", tags=["notifications"], route_class=Route)
+router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 
 
 def _read(mail: Mail) -> MailRead:

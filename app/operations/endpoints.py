@@ -2,13 +2,11 @@
 
 from uuid import UUID
 
-from fastapi import APIRouter
-
 from app.accounts.endpoints import allows
 from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.rules import Actor, Sight
 from app.kit.health import WORKER_SILENT_AFTER
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, problems
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
 from app.operations import service
 from app.operations.errors import JobNotFound, JobNotParked, OperatorNeeded
 from app.operations.schemas import (
@@ -20,7 +18,7 @@ from app.operations.schemas import (
     StudioOperations,
 )
 
-router = APIRouter(prefix="/v1", tags=["operations"], route_class=Route)
+router = Router(prefix="/v1", tags=["operations"], route_class=Route)
 
 
 @router.get("/studios/{studio_id}/operations", responses=problems(StudioNotFound, ProducerNeeded))

@@ -28,7 +28,7 @@ from app.accounts.errors import (
 from app.accounts.models import Person, Token
 from app.accounts.rules import Actor, Scope, Sight
 from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Router, cursor_of, problems, uuid_cursor
 from app.projects import engagements, queries, schemas, service, specs
 from app.projects.errors import (
     AlreadyEngaged,
@@ -48,7 +48,7 @@ from app.projects.errors import (
 from app.projects.models import DeciderChange, Engagement, ProjectInvitation, Spec
 
 PAGE_ROWS = 50
-router = APIRouter(prefix="/v1", tags=["projects"], route_class=PatientRoute)
+router = Router(prefix="/v1", tags=["projects"], route_class=PatientRoute)
 _secret_router = APIRouter(tags=["projects"], route_class=SecretRoute)
 
 

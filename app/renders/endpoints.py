@@ -2,13 +2,13 @@
 
 from uuid import UUID
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.deliveries.errors import TakeNotFound
 from app.kit.blob_answer import blob_answer
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders import batches, master_exports, reels, service
@@ -43,7 +43,7 @@ from app.renders.schemas import (
 )
 from app.sound_lists.errors import CueNotFound
 
-router = APIRouter(prefix="/v1", tags=["renders"], route_class=Route)
+router = Router(prefix="/v1", tags=["renders"], route_class=Route)
 MAY_SEE: Actor = allows(Sight.PROJECT)
 TEAM: Actor = allows(Sight.TEAM)
 PAGE = 50

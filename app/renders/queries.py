@@ -13,6 +13,7 @@ import audio_checks
 from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
+from app.kit.among import among
 from app.projects.models import Engagement, Spec
 from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
@@ -41,16 +42,16 @@ def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe
     return recipes(parsed_spec(toml), category=category, loop=loop)
 
 
-def renders_by_key(session: Session, take_ids: Iterable[UUID]) -> dict[tuple[UUID, str, str], Render]:
+def renders_by_key(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str, str], Render]:
     """Return the renders of takes, by take, target and key."""
-    renders = session.scalars(select(Render).where(Render.take_id.in_(list(take_ids))))
+    renders = session.scalars(select(Render).where(among(Render.take_id, take_ids)))
     return {(render.take_id, render.target, render.key): render for render in renders}
 
 
-def pictures_of_sounds(session: Session, studio_ids: Iterable[UUID], sha256s: Iterable[str]) -> dict[str, Picture]:
+def pictures_of_sounds(session: Session, studio_ids: Collection[UUID], sha256s: Collection[str]) -> dict[str, Picture]:
     """Return the pictures of stored sounds, by their hashes."""
     pictures = session.scalars(
-        select(Picture).where(Picture.studio_id.in_(list(studio_ids)), Picture.sound_sha256.in_(set(sha256s)))
+        select(Picture).where(among(Picture.studio_id, studio_ids), among(Picture.sound_sha256, sha256s))
     )
     return {picture.sound_sha256: picture for picture in pictures}
 
@@ -162,7 +163,7 @@ def current_renders(
 def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> Sequence[UUID]:
     """Return the matched takes of some cues that may still ship."""
     query = select(Take.id).where(
-        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.in_(cue_ids)
+        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), among(Take.cue_id, cue_ids)
     )
     return session.scalars(query.order_by(Take.id)).all()
 
@@ -230,7 +231,7 @@ def item_counts(session: Session, batch_ids: Collection[UUID]) -> dict[UUID, dic
     counts: dict[UUID, dict[ItemState, int]] = defaultdict(dict)
     rows = session.execute(
         select(BatchItem.batch_id, BatchItem.state, func.count())
-        .where(BatchItem.batch_id.in_(batch_ids))
+        .where(among(BatchItem.batch_id, batch_ids))
         .group_by(BatchItem.batch_id, BatchItem.state)
     )
     for batch_id, state, count in rows:
@@ -299,7 +300,7 @@ def visible_takes_of_cue(session: Session, actor: Actor, cue_id: UUID, *, newest
 
 def sees_takes(session: Session, actor: Actor, take_ids: Collection[UUID]) -> bool:
     """Whether the caller sees every one of some takes."""
-    seen = session.scalar(select(func.count()).where(Take.id.in_(take_ids), _in_reach(actor)))
+    seen = session.scalar(select(func.count()).where(among(Take.id, take_ids), _in_reach(actor)))
     return seen == len(take_ids)
 
 

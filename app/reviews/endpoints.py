@@ -3,12 +3,10 @@
 from typing import Literal
 from uuid import UUID
 
-from fastapi import APIRouter
-
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
-from app.kit.http import BadCursor, DbSession, Page, Route, problems
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import DeciderNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import comments, fit, review_room, sendings, service
 from app.reviews.errors import (
@@ -50,7 +48,7 @@ from app.reviews.schemas import (
 from app.sound_lists.errors import CueIsCut, CueNotFound
 from app.sound_lists.models import Cue
 
-router = APIRouter(prefix="/v1", tags=["reviews"], route_class=Route)
+router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
 
 
 @router.get("/review-queue", response_model=Page[QueueItem], responses=problems(ProjectNotFound, TeamNeeded, BadCursor))

@@ -5,6 +5,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Row, ScalarSelect, Select, and_, exists, func, select, tuple_
@@ -16,6 +17,7 @@ from app.contracts.models import Contract, ContractCue
 from app.contracts.rules import ContractState
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
+from app.kit.among import among
 from app.projects.models import Project, Spec
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.queries import current_renders, pictures_of_sounds
@@ -34,36 +36,44 @@ def in_project(project_id: UUID) -> ColumnElement[bool]:
 
 def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
     """Admit the takes of some studios."""
-    return Take.studio_id.in_(list(studio_ids))
+    return among(Take.studio_id, studio_ids)
 
 
-def _newest_spec_id(take: type[Take]) -> ScalarSelect[UUID]:
+def _newest_spec_id() -> ScalarSelect[UUID]:
     newer = aliased(Spec)
     return (
         select(newer.id)
-        .where(newer.project_id == take.project_id)
+        .where(newer.project_id == Take.project_id)
         .order_by(newer.version.desc())
         .limit(1)
-        .correlate(take)
+        .correlate(Take)
         .scalar_subquery()
     )
 
 
 @cache
-def _waits(take: type[Take] = Take) -> ColumnElement[bool]:
+def _waits() -> ColumnElement[bool]:
     """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
     rendered = exists().where(
-        RenderSet.take_id == take.id, RenderSet.edition == take.edition, RenderSet.spec_id == _newest_spec_id(take)
+        RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
     )
-    drawn = exists().where(Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256)
-    wanted = exists().where(Cue.id == take.cue_id, Cue.state != CueState.CUT)
-    return and_(take.state == TakeState.CONFORMING, *(each.correlate(take) for each in (wanted, rendered, drawn)))
+    drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
+    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
+    return and_(Take.state == TakeState.CONFORMING, *(each.correlate(Take) for each in (wanted, rendered, drawn)))
+
+
+class WaitingCue(NamedTuple):
+    """A cue that waits for the decider, since its first take does."""
+
+    id: UUID
+    since: datetime
+    take_ids: list[UUID]  # all that wait
 
 
 def waiting_cues(
     session: Session, reach: ColumnElement[bool], *, after: tuple[datetime, UUID] | None, limit: int
-) -> list[tuple[UUID, datetime]]:
-    """Return the cues that takes wait for, with the instant since when, oldest first.
+) -> list[WaitingCue]:
+    """Return the cues that takes wait for, oldest first.
 
     Walks the takes in order of waiting, a stretch at a time, and keeps the first of each cue: a page costs the same
     however long the queue is. Left to itself PostgreSQL reads all that conforms before it sorts.
@@ -71,15 +81,32 @@ def waiting_cues(
     order = (Take.state_since, Take.cue_id, Take.id)
     walk = select(*order).where(reach, Take.state == TakeState.CONFORMING).order_by(*order).limit(STRETCH * limit)
     stretch = walk if after is None else walk.where(tuple_(*order[:2]) > tuple_(*after))
-    waiting: list[tuple[UUID, datetime]] = []
+    waiting: list[WaitingCue] = []
     while len(waiting) < limit:
         rows = session.execute(stretch).all()
-        first = _first_of_their_cues(session, [take_id for _, _, take_id in rows])
-        waiting += [(cue_id, since) for since, cue_id, take_id in rows if cue_id is not None and take_id in first]
+        by_cue = _waiting_by_cue(session, {cue_id for _, cue_id, _ in rows if cue_id is not None})
+        waiting += [
+            WaitingCue(cue_id, since, by_cue[cue_id])
+            for since, cue_id, take_id in rows
+            if cue_id in by_cue and take_id == by_cue[cue_id][0]
+        ]
         if len(rows) < STRETCH * limit:
             break
         stretch = walk.where(tuple_(*order) > tuple_(*rows[-1]))
     return waiting[:limit]
+
+
+def cues_under_contract(session: Session, cue_ids: Collection[UUID]) -> Sequence[UUID]:
+    """Return those of the cues that an agreed contract covers and that are not settled there."""
+    return session.scalars(
+        select(ContractCue.cue_id)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .where(among(ContractCue.cue_id, cue_ids), *_is_open())
+    ).all()
+
+
+def _is_open() -> tuple[ColumnElement[bool], ...]:
+    return Contract.state == ContractState.AGREED, ContractCue.accepted_at.is_(None), ContractCue.cut_at.is_(None)
 
 
 def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequence[Row[Take, Contract, Project]]:
@@ -89,13 +116,7 @@ def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequ
         .join(ContractCue, ContractCue.cue_id == Take.cue_id)
         .join(Contract, and_(Contract.id == ContractCue.contract_id, Contract.designer_id == Take.designer_id))
         .join(Project, Project.id == Take.project_id)
-        .where(
-            reach,
-            _waits(),
-            Contract.state == ContractState.AGREED,
-            ContractCue.accepted_at.is_(None),
-            ContractCue.cut_at.is_(None),
-        )
+        .where(reach, _waits(), *_is_open())
         .options(joinedload(Take.cue))
         .order_by(Take.cue_id, Take.variation, Take.number.desc())
     ).all()
@@ -103,19 +124,17 @@ def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequ
 
 def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Reminder]:
     """Return the reminders that were sent of cues."""
-    return session.scalars(select(Reminder).where(Reminder.cue_id.in_(list(cue_ids)))).all()
+    return session.scalars(select(Reminder).where(among(Reminder.cue_id, cue_ids))).all()
 
 
-def _first_of_their_cues(session: Session, take_ids: Collection[UUID]) -> set[UUID]:
-    """Return those of the takes that wait, and longer than any other of their cue."""
-    return set(session.scalars(select(Take.id).where(Take.id.in_(list(take_ids)), _waits(), _is_first_of_its_cue())))
-
-
-@cache
-def _is_first_of_its_cue() -> ColumnElement[bool]:
-    earlier = aliased(Take)
-    longer = tuple_(earlier.state_since, earlier.id) < tuple_(Take.state_since, Take.id)
-    return ~exists().where(earlier.cue_id == Take.cue_id, longer, _waits(earlier)).correlate(Take)
+def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
+    """Return the takes of some cues that wait, by cue, those first that wait longest."""
+    query = select(Take.cue_id, Take.id).where(among(Take.cue_id, cue_ids), _waits())
+    by_cue: dict[UUID, list[UUID]] = {}
+    for cue_id, take_id in session.execute(query.order_by(Take.state_since, Take.id)):
+        if cue_id is not None:
+            by_cue.setdefault(cue_id, []).append(take_id)
+    return by_cue
 
 
 @dataclass(frozen=True)
@@ -136,7 +155,6 @@ class TakeOnReview:
 def _takes() -> Select[Take, Picture, CheckRun]:
     return (
         select(Take, Picture, CheckRun)
-        .join(Delivery, Delivery.id == Take.delivery_id)
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
         .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .options(joinedload(Take.cue), joinedload(Take.delivery).joinedload(Delivery.designer))
@@ -144,9 +162,9 @@ def _takes() -> Select[Take, Picture, CheckRun]:
     )
 
 
-def waiting_takes(session: Session, cue_ids: Collection[UUID]) -> list[TakeOnReview]:
-    """Return the takes of some cues that wait for review."""
-    return _with_what_is_shown(session, _takes().where(Take.cue_id.in_(list(cue_ids)), _waits()))
+def takes_on_review(session: Session, take_ids: Collection[UUID]) -> list[TakeOnReview]:
+    """Return some takes, newest first of each variation."""
+    return _with_what_is_shown(session, _takes().where(among(Take.id, take_ids)))
 
 
 def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
@@ -165,12 +183,12 @@ def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]
     drafts = {draft.take_id: draft for draft in open_drafts(session, ids)}
     waivers = {
         waiver.take_id: waiver
-        for waiver in session.scalars(select(Waiver).where(Waiver.take_id.in_(ids)).order_by(Waiver.id))
+        for waiver in session.scalars(select(Waiver).where(among(Waiver.take_id, ids)).order_by(Waiver.id))
     }
     comments = dict(
         session.execute(
             select(Comment.take_id, func.count())
-            .where(Comment.take_id.in_(ids), Comment.resolved_at.is_(None))
+            .where(among(Comment.take_id, ids), Comment.resolved_at.is_(None))
             .group_by(Comment.take_id)
         ).all()
     )
@@ -194,7 +212,7 @@ def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, 
     """Return the newest spec of each project."""
     newest = (
         select(Spec.project_id, func.max(Spec.version).label("version"))
-        .where(Spec.project_id.in_(list(project_ids)))
+        .where(among(Spec.project_id, project_ids))
         .group_by(Spec.project_id)
         .subquery()
     )
@@ -206,13 +224,13 @@ def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, 
 
 def cue_prefixes(session: Session, project_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the letters that cue numbers of projects start with."""
-    query = select(Project.id, Project.cue_prefix).where(Project.id.in_(list(project_ids)))
+    query = select(Project.id, Project.cue_prefix).where(among(Project.id, project_ids))
     return dict(session.execute(query).all())
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many rounds count for cues."""
-    query = select(Round.cue_id, func.count(Round.number)).where(Round.cue_id.in_(list(cue_ids))).group_by(Round.cue_id)
+    query = select(Round.cue_id, func.count(Round.number)).where(among(Round.cue_id, cue_ids)).group_by(Round.cue_id)
     return dict(session.execute(query).all())
 
 
@@ -225,7 +243,7 @@ def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]
     """Return what was asked last of cues, of which something was sent."""
     sent = (
         select(ChangeRequest.cue_id, ChangeRequest.text)
-        .where(ChangeRequest.cue_id.in_(list(cue_ids)), ChangeRequest.sending_id.is_not(None))
+        .where(among(ChangeRequest.cue_id, cue_ids), ChangeRequest.sending_id.is_not(None))
         .order_by(ChangeRequest.id)
     )
     return {cue_id: text for cue_id, text in session.execute(sent)}  # noqa: C416  a Row is no pair to dict's types
@@ -236,7 +254,7 @@ def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUI
     found: dict[UUID, list[int]] = defaultdict(list)
     query = (
         select(Take.cue_id, Take.variation)
-        .where(Take.cue_id.in_(list(cue_ids)), Take.state == TakeState.APPROVED)
+        .where(among(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED)
         .order_by(Take.variation)
     )
     for cue_id, variation in session.execute(query):
@@ -301,7 +319,7 @@ def open_takes(session: Session, cue_id: UUID, *, variation: int | None = None) 
 
 def takes_by_id(session: Session, take_ids: Collection[UUID]) -> dict[UUID, Take]:
     """Return takes by id, as they stand now."""
-    query = select(Take).where(Take.id.in_(list(take_ids))).execution_options(populate_existing=True)
+    query = select(Take).where(among(Take.id, take_ids)).execution_options(populate_existing=True)
     return {take.id: take for take in session.scalars(query)}
 
 
@@ -311,7 +329,7 @@ def standing_verdicts(session: Session, take_ids: Collection[UUID]) -> Sequence[
     return session.scalars(
         select(Verdict)
         .where(
-            Verdict.take_id.in_(list(take_ids)),
+            among(Verdict.take_id, take_ids),
             Verdict.kind != VerdictKind.WITHDRAW,
             ~exists().where(back.withdraws_id == Verdict.id),
         )
@@ -342,7 +360,7 @@ def _change_requests() -> Select[ChangeRequest]:
 def open_drafts(session: Session, take_ids: Collection[UUID]) -> Sequence[ChangeRequest]:
     """Return the drafts on takes."""
     return session.scalars(
-        _change_requests().where(ChangeRequest.take_id.in_(list(take_ids)), ChangeRequest.sending_id.is_(None))
+        _change_requests().where(among(ChangeRequest.take_id, take_ids), ChangeRequest.sending_id.is_(None))
     ).all()
 
 

@@ -19,6 +19,7 @@ from app.conformance.sets import SetWord, with_set_word, words_on_sets
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
+from app.kit.among import among
 from app.kit.http import BadCursor, Page, cursor_of
 from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
@@ -57,7 +58,7 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     shown = waiting[:PAGE_CUES]
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
-    for one in queries.waiting_takes(session, [cue_id for cue_id, _ in shown]):
+    for one in queries.takes_on_review(session, [take_id for cue in shown for take_id in cue.take_ids]):
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
@@ -70,19 +71,19 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     items = [
         _queue_item(
             takes,
-            since,
+            cue.since,
             prefixes,
-            rounds.get(cue_id, 0),
-            changes.get(cue_id),
-            approved.get(cue_id, []),
+            rounds.get(cue.id, 0),
+            changes.get(cue.id),
+            approved.get(cue.id, []),
             words,
-            last.get(cue_id),
+            last.get(cue.id),
         )
-        for cue_id, since in shown
-        if (takes := by_cue.get(cue_id))
+        for cue in shown
+        if (takes := by_cue.get(cue.id))
     ]
     has_more = len(waiting) > PAGE_CUES
-    return Page(items=items, next=cursor_of(shown[-1][1].isoformat(), shown[-1][0]) if has_more else None)
+    return Page(items=items, next=cursor_of(shown[-1].since.isoformat(), shown[-1].id) if has_more else None)
 
 
 def _read_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
@@ -255,7 +256,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         decider=PersonBrief.model_validate(people_by_id(session, {decider_id})[decider_id]),
         may_decide=standing.is_decider,
         takes=takes,
-        comments=[comment_read(one) for one in queries.comments_on(session, Comment.take_id.in_(ids))],
+        comments=[comment_read(one) for one in queries.comments_on(session, among(Comment.take_id, ids))],
         verdicts=list(_verdicts_read(verdicts)),
         change_requests=[
             change_request_read(one, prefix)

@@ -12,6 +12,7 @@ from app.contracts.models import Contract
 from app.contracts.money_queries import agreed_terms
 from app.contracts.silence import Silence
 from app.deliveries.models import Take
+from app.kit.among import among
 from app.projects.models import Project
 from app.reviews import queries
 from app.reviews.rules import missing_variations
@@ -55,6 +56,8 @@ def silent_cues(session: Session, reach: ColumnElement[bool]) -> list[SilentCue]
         if take.cue_id is not None:
             by_cue.setdefault(take.cue_id, []).append(take)
             contracts[take.cue_id] = contract, project
+    if not by_cue:
+        return []
     approved = queries.approved_variations(session, by_cue)
     clauses: dict[UUID, Silence | None] = {}
     found: list[SilentCue] = []
@@ -76,4 +79,5 @@ def silent_cues(session: Session, reach: ColumnElement[bool]) -> list[SilentCue]
 
 def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, date]:
     """Return by cue the day after which it is accepted when nobody says anything; others are left out."""
-    return {one.cue.id: one.last_day for one in silent_cues(session, Take.cue_id.in_(list(cue_ids)))}
+    owed = queries.cues_under_contract(session, cue_ids)
+    return {one.cue.id: one.last_day for one in silent_cues(session, among(Take.cue_id, owed))} if owed else {}

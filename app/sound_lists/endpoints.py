@@ -5,12 +5,12 @@ import binascii
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Response
+from fastapi import Query, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
-from app.kit.http import BadCursor, DbSession, Page, Route, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
@@ -53,7 +53,7 @@ from app.sound_lists.schemas import (
 )
 from app.sound_lists.sheets import Sheet, read_bytes, read_text
 
-router = APIRouter(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
 REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
 PageLength = Annotated[int, Query(ge=1, le=LONGEST_PAGE, description="How many cues to answer at most.")]
 

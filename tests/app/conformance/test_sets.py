@@ -6,8 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.conformance import sets
 from app.conformance.rules import MemberFact, members_of_set
 from app.kit.db import new_id
+from audio_checks import CueFacts
+from benchmarks.plans import heard
 from tests.support.deliver import add_cues, checked, deliver, open_delivery
 from tests.support.server import World
 from tests.support.waves import noise, wav_bytes
@@ -92,6 +95,33 @@ def test_where_the_spec_turns_it_off(world: World, table: str) -> None:
     saved = world.producer.put(path, json={"toml": toml, "note": "", "based_on_version": now["version"]})
     assert saved.status_code == 200, saved.text
     assert of_sets(checked(world, takes[2])) == []
+
+
+def test_what_was_found_is_remembered_until_something_of_it_changes(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
+    takes = deliver_set(world, {1: -20, 2: -14})
+    assert of_sets(checked(world, takes[2]))
+    path = f"/v1/projects/{world.project_id}/spec"
+    now = world.producer.get(path).json()
+    toml = f'{now["toml"]}\n[categories.impact.checks]\nvariation-set = "off"\n'
+    world.producer.put(path, json={"toml": toml, "note": "", "based_on_version": now["version"]})
+    assert of_sets(checked(world, takes[2]))
+    with heard(world.server.runtime.database.engine) as statements:
+        assert of_sets(checked(world, takes[2]))
+    assert not [text for text, _ in statements if "likeness_print" in text]
+    changed = world.producer.patch(f"/v1/cues/{cue['id']}", json={"category": "impact", "edition": cue["edition"]})
+    assert changed.status_code == 200, changed.text
+    assert of_sets(checked(world, takes[2])) == []
+
+
+def test_no_more_than_so_many_sets_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sets, "SETS_REMEMBERED", 2)
+    remembered, judged = sets.Remembered(), [(str(number), CueFacts("1"), ()) for number in range(3)]
+    for each in judged[:2]:
+        remembered.keep(each, {})
+    assert remembered.get(judged[0]) == {}  # asked for last
+    remembered.keep(judged[2], {})
+    assert [remembered.get(each) for each in judged] == [{}, None, {}]
 
 
 def test_one_sound_under_two_names_of_a_delivery(world: World) -> None:

@@ -1,0 +1,70 @@
+"""Whether a column is among many values, which are one parameter.
+
+`IN (…)` has a place for each value, so that each number of values is another statement: written, sent and planned anew.
+"""
+
+import json
+from collections.abc import Collection
+from typing import Any, Self, TypeVar
+
+import sqlalchemy as sa
+from sqlalchemy import Dialect
+from sqlalchemy.dialects.postgresql import ARRAY
+from sqlalchemy.ext.compiler import compiles
+from sqlalchemy.sql.compiler import SQLCompiler
+from sqlalchemy.sql.functions import FunctionElement
+from sqlalchemy.sql.operators import OperatorType
+from sqlalchemy.types import TypeDecorator, TypeEngine
+
+Value = TypeVar("Value")
+
+
+class _Values(TypeDecorator[Collection[Any]]):
+    """Values of one type: an array on PostgreSQL, a JSON list on SQLite."""
+
+    impl = sa.String
+    cache_ok = True
+
+    def __init__(self, of: TypeEngine[Any]) -> None:
+        super().__init__()
+        self.of = of
+
+    def load_dialect_impl(self, dialect: Dialect) -> TypeEngine[Any]:
+        """Return what a database takes many values as."""
+        return ARRAY(self.of) if dialect.name == "postgresql" else dialect.type_descriptor(sa.String())
+
+    def process_bind_param(self, value: Collection[Any] | None, dialect: Dialect) -> Any:
+        """Write the values as that database keeps each of them."""
+        if dialect.name == "postgresql":
+            return list(value or ())
+        write = self.of.dialect_impl(dialect).bind_processor(dialect)
+        return json.dumps([write(each) if write else each for each in value or ()])
+
+
+class _Among(FunctionElement[bool]):
+    """A column and the values."""
+
+    type = sa.Boolean()
+    inherit_cache = True
+
+    def self_group(self, against: OperatorType | None = None) -> Self:  # noqa: ARG002  SQLAlchemy gives it
+        """Stand as it is: a comparison needs no `= 1` where there is no boolean type."""
+        return self
+
+
+def among(column: sa.orm.InstrumentedAttribute[Value] | sa.ColumnElement[Value], values: Collection[Any]) -> _Among:
+    """Say that a column is one of the values, however many there are."""
+    return _Among(column, sa.bindparam(None, values, type_=_Values(column.type), unique=True))
+
+
+@compiles(_Among, "postgresql")
+def _any(element: _Among, compiler: SQLCompiler, **options: Any) -> str:
+    column, values = element.clauses
+    return compiler.process(column == sa.func.any(values), **options)
+
+
+@compiles(_Among, "sqlite")
+def _in_json(element: _Among, compiler: SQLCompiler, **options: Any) -> str:
+    column, values = element.clauses
+    listed = sa.select(sa.func.json_each(values).table_valued("value").c.value)
+    return compiler.process(column.in_(listed), **options)
