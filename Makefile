@@ -41,7 +41,7 @@ frontend-test: setup  ## Tests of the frontend's parts
 e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
 
-kill: setup .make/postgresql  ## Kill real processes at every named point, 20 times each
+kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest tests/kill --kill-runs 20
 
 false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
@@ -110,9 +110,13 @@ clean:  ## Remove what set-up made; data stays
 	  { echo "Installing PostgreSQL" && sh .ci/install postgresql; }
 	@touch $@
 
-.make/s3: .ci/s3
+.make/s3: .ci/s3 .ci/go-program
 	@mkdir -p .make
 	@PYTHON=$(PYTHON) nohup .ci/s3 >$@ 2>.make/s3.log </dev/null &  # takes minutes the first time; the tests that need it wait
+
+.make/caddy: .ci/caddy .ci/go-program
+	@mkdir -p .make
+	@PYTHON=$(PYTHON) .ci/caddy >$@
 
 .make/browser:
 	@mkdir -p .make

@@ -245,6 +245,10 @@ class TestProxy:
         [kept_s] = re.findall(r"keepalive ([0-9]+)s", (DEPLOY / "Caddyfile").read_text())
         assert int(kept_s) < serving.IDLE_LINE_S
 
+    def test_it_is_the_one_that_rolling_restarts_are_tried_with(self, compose: dict[str, Any]):
+        [version] = re.findall(r"caddy v([0-9.]+)$", (ROOT / ".ci" / "caddy").read_text(), re.MULTILINE)
+        assert compose["services"]["proxy"]["image"] == f"caddy:{version}"
+
     def test_caddy_itself_takes_it_where_there_is_one(self):
         caddy = shutil.which("caddy")
         if caddy is not None:

@@ -1,8 +1,10 @@
-"""A reverse proxy before several web processes: keeps connections open, and never sends a request twice."""
+"""Reverse proxies before several web processes: Caddy, and one that never sends a request twice."""
 
 import asyncio
+import re
 from collections.abc import AsyncIterator, Iterator, Sequence
 from contextlib import asynccontextmanager, contextmanager
+from pathlib import Path
 
 import httpx
 from starlette.applications import Starlette
@@ -11,7 +13,10 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from tests.support.listening import listening
+from tests.support.s3 import free_port, run_program
 
+ROOT = Path(__file__).resolve().parents[2]
+CADDY = ROOT / ".make" / "caddy"  # says where it is
 CHECK_EVERY_S = 0.2
 TRY_FOR_S = 20.0
 UNUSED_FOR_S = 30.0
@@ -77,4 +82,24 @@ def running_proxy(ports: Sequence[int], *, checks_health: bool) -> Iterator[int]
 
     app = Starlette(routes=[Route("/{path:path}", proxy.forward, methods=METHODS)], lifespan=checking)
     with listening(app, access_log=False) as port:
+        yield port
+
+
+@contextmanager
+def running_caddy(ports: Sequence[int], folder: Path) -> Iterator[int]:
+    """Run Caddy with our Caddyfile before these ports, without names and certificates, and give its own port."""
+    containers = re.compile(r"dynamic a web 8000 \{.*?\}", re.DOTALL)
+    here = "to " + " ".join(f"127.0.0.1:{port}" for port in ports)
+    written, replaced = containers.subn(here, (ROOT / "deploy" / "Caddyfile").read_text())
+    assert replaced == 1
+    port, ready_port = free_port(), free_port()
+    config = folder / "Caddyfile"
+    config.write_text(f"{{\n\tadmin off\n}}\nhttp://127.0.0.1:{ready_port} {{\n\trespond 200\n}}\n{written}")
+    sites = {
+        "SOUNDLIST_DOMAIN": f"http://127.0.0.1:{port}",
+        "SOUNDLIST_FILES_DOMAIN": f"http://127.0.0.1:{free_port()}",
+        "HOME": str(folder),
+    }
+    command = [CADDY.read_text().strip(), "run", "--adapter", "caddyfile", "--config", str(config)]
+    with run_program(command, f"http://127.0.0.1:{ready_port}", folder / "caddy.log", sites):
         yield port

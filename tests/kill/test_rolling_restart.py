@@ -4,6 +4,8 @@ import signal
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
+from pathlib import Path
 from uuid import UUID
 
 import httpx
@@ -14,17 +16,17 @@ from app.accounts.endpoints import SESSION_COOKIE
 from app.deliveries.models import Delivery
 from tests.kill.effects import rows
 from tests.kill.processes import ProcessServer, free_port, wait_until
-from tests.kill.proxy import running_proxy
+from tests.kill.proxy import CADDY, running_caddy, running_proxy
 from tests.support.server import World
 
 pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
-PEOPLE = 4  # half come by a proxy that asks for health, half by one that goes to the next where no line opens
+PEOPLE = 4  # shared out among the proxies
 PAUSE_S = 0.05
 DRAIN_S = 1.0  # a health check comes round several times in it
 
 
 @pytest.mark.killed_on("sqlite")
-def test_nobody_sees_a_rolling_restart(server: ProcessServer, world: World) -> None:
+def test_nobody_sees_a_rolling_restart(server: ProcessServer, world: World, tmp_path: Path) -> None:
     signed_in: TestClient = world.designer
     ports = [free_port(), free_port()]
     webs = [server.serve(port=port, drain_s=DRAIN_S) for port in ports]
@@ -56,12 +58,11 @@ def test_nobody_sees_a_rolling_restart(server: ProcessServer, world: World) -> N
                 time.sleep(PAUSE_S)
         return requests
 
-    with (
-        running_proxy(ports, checks_health=True) as asking,
-        running_proxy(ports, checks_health=False) as trying,
-        ThreadPoolExecutor(PEOPLE) as people,
-    ):
-        working = [people.submit(work, (asking, trying)[each % 2]) for each in range(PEOPLE)]
+    with ExitStack() as proxies, ThreadPoolExecutor(PEOPLE) as people:
+        doors = [proxies.enter_context(running_proxy(ports, checks_health=asks)) for asks in (True, False)]
+        if CADDY.exists():
+            doors.append(proxies.enter_context(running_caddy(ports, tmp_path)))
+        working = [people.submit(work, doors[each % len(doors)]) for each in range(PEOPLE)]
         try:
             for place, port in enumerate(ports):
                 webs[place].send(signal.SIGTERM)
