@@ -8,7 +8,8 @@ from pathlib import Path
 
 from audio_checks.errors import SpecError
 from audio_checks.sound_list import AUDIO_SUFFIXES
-from audio_checks.spec import DeliverySpec, has_spec, load_spec
+from audio_checks.spec import DeliverySpec, load_spec
+from audio_checks.spec_files import has_spec
 from audio_checks.windows import reachable, unlimited
 
 SPEC_NAMES = ("audio-checks.toml", "pyproject.toml")
