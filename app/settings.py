@@ -71,7 +71,7 @@ class Settings(BaseSettings):
     drain_s: float = Field(
         0.0, ge=0, le=60, description="How long a web process told to stop goes on, so that proxies turn away from it."
     )
-    worker_jobs: int = Field(2, ge=1, le=64, description="Jobs that one worker process runs at once.")
+    worker_jobs: int = Field(4, ge=1, le=64, description="Jobs that one worker process runs at once.")
     operators: Annotated[frozenset[str], NoDecode] = Field(
         frozenset(), description="Addresses, with commas between, of the people who see the whole server's jobs."
     )

@@ -1,9 +1,10 @@
 """Deliveries and takes, read from the database; a designer's own only."""
 
 from collections.abc import Collection, Sequence
+from functools import cache
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, func, select
+from sqlalchemy import ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.deliveries.models import Archive, Delivery, Take
@@ -89,10 +90,16 @@ def stem_of(session: Session, take: Take) -> str | None:
 
 def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take | None:
     """Return a take with its cue and designer, without asking who looks; locked where it is going to change."""
-    query = select(Take).where(Take.id == take_id).options(joinedload(Take.cue), joinedload(Take.designer))
+    return session.scalar(_by_id(locked=locked), {"take_id": take_id})
+
+
+@cache  # every job asks for its take: to build the statement takes as long as to run it
+def _by_id(*, locked: bool) -> Select[Take]:
+    query = select(Take).where(Take.id == bindparam("take_id"))
+    query = query.options(joinedload(Take.cue), joinedload(Take.designer))
     if locked:
         query = query.with_for_update(of=Take, key_share=True).execution_options(populate_existing=True)
-    return session.scalar(query)
+    return query
 
 
 def take_of_upload(session: Session, upload_id: UUID) -> Take | None:

@@ -10,6 +10,7 @@ turns, urgent ones more often, and whoever comes with little never waits for all
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 from uuid import UUID
 
@@ -186,7 +187,13 @@ class JobQueue:
             self._client.enqueue_in_transaction(session, options, *work)
 
     def _place(self, session: Session, lane: str, cost: int) -> int:
-        """Return the place in the line of the next job of a lane: two reads at the ends of indices."""
+        """Return the place in the line of the next job of a lane."""
+        ahead = session.connection().execute(self._ahead, {"lane": lane}).one()
+        return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
+
+    @cached_property
+    def _ahead(self) -> sa.Select[int | None, int | None]:
+        """The places of the head of the line and of the last job of a lane: two reads at the ends of indices."""
         jobs = self._workflows
         waiting = sa.select(jobs.c.priority).where(
             jobs.c.queue_name == JOB_QUEUE,
@@ -195,13 +202,12 @@ class JobQueue:
         )
         head = waiting.order_by(jobs.c.priority).limit(1).scalar_subquery()
         last = (
-            waiting.where(jobs.c.queue_partition_key == lane)
+            waiting.where(jobs.c.queue_partition_key == sa.bindparam("lane"))
             .order_by(jobs.c.priority.desc())
             .limit(1)
             .scalar_subquery()
         )
-        ahead = session.connection().execute(sa.select(head, last)).one()
-        return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
+        return sa.select(head, last)
 
     def try_again(self, job_id: str, work: Work, error: Exception) -> bool:
         """Write the next attempt at a job that failed; return False, and park it, where that was the last."""

@@ -1,6 +1,7 @@
 """Projects within the caller's reach."""
 
 from collections.abc import Collection, Sequence
+from functools import cache
 from typing import NamedTuple
 from uuid import UUID
 
@@ -184,13 +185,13 @@ def spec_versions_of(session: Session, project_ids: Collection[UUID]) -> dict[UU
 
 def current_spec(session: Session, project_id: UUID) -> Spec:
     """Return the newest version of the delivery spec; every project has one from its first moment."""
-    return session.scalars(
-        select(Spec)
-        .where(Spec.project_id == project_id)
-        .options(joinedload(Spec.author))
-        .order_by(Spec.version.desc())
-        .limit(1)
-    ).one()
+    return session.scalars(_newest_spec(), {"project_id": project_id}).one()
+
+
+@cache  # asked for so often that building the statement would show
+def _newest_spec() -> Select[Spec]:
+    of_project = select(Spec).where(Spec.project_id == bindparam("project_id"))
+    return of_project.options(joinedload(Spec.author)).order_by(Spec.version.desc()).limit(1)
 
 
 def spec_version(session: Session, project_id: UUID, version: int) -> Spec | None:

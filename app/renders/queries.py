@@ -2,11 +2,11 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, and_, exists, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
 import audio_checks
@@ -85,10 +85,15 @@ class TakeNow(NamedTuple):
 
 def take_now(session: Session, take_id: UUID) -> TakeNow | None:
     """Return how a take and the newest spec of its project stand at this moment."""
+    row = session.execute(_take_now(), {"take_id": take_id}).one_or_none()
+    return TakeNow._make(row) if row else None
+
+
+@cache
+def _take_now() -> Select[int, UUID, bool]:
     newest = select(Spec.id).where(Spec.project_id == Take.project_id).order_by(Spec.version.desc()).limit(1)
     found = select(Take.edition, newest.scalar_subquery(), _marks_a_palette(Cue.project_id == Take.project_id))
-    row = session.execute(found.where(Take.id == take_id)).one_or_none()
-    return TakeNow._make(row) if row else None
+    return found.where(Take.id == bindparam("take_id"))
 
 
 def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
