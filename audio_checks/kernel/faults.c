@@ -122,7 +122,7 @@ static double mean_without(const double *values, Py_ssize_t size, Py_ssize_t wit
     return (sum + rest * top[without]) / (double)(size - without);
 }
 
-static Py_ssize_t sharper_than(const double *sharpness, Py_ssize_t size, double square) {
+CLONES static Py_ssize_t sharper_than(const double *sharpness, Py_ssize_t size, double square) {
     Py_ssize_t sharper = 0;
     for (Py_ssize_t at = 0; at < size; at++) sharper += sharpness[at] * sharpness[at] >= square;
     return sharper;
@@ -416,10 +416,12 @@ PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t c
     Py_ssize_t found = 0;
     for (Py_ssize_t at = 0; at < heights.channels; at++) {
         const double *row = heights.samples + at * heights.row;
-        const double level = above_mean * mean_of(row, heights.frames);
         const Py_ssize_t standing =
             find_outstanding(row, heights.frames, reach, heights.frames - reach, reach, sound.core, times, least, places);
-        if (standing && in_lanes()->highest(row + reach, heights.frames - 2 * reach) < level) continue;
+        if (standing && above_mean > 0 &&
+            in_lanes()->highest(row + reach, heights.frames - 2 * reach) < above_mean * mean_of(row, heights.frames)) {
+            continue;
+        }
         for (Py_ssize_t which = 0; which < standing && found < most; which++) {
             double quieter;
             if (!goes_on(&sound, firsts[at] + places[which], &quieter)) continue;

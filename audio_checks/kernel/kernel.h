@@ -127,7 +127,7 @@ const loops *in_lanes(void);
 
 /* sixteen.c: the same of one or two channels of 16 bit, in whole numbers; NULL where the registers are not wide enough.
  * Samples stand in rows of int16; WHOLE_BEFORE of them are read before a cell, and fewer after it. */
-enum { WHOLE_PIECE = 4096, WHOLE_BEFORE = 8, WHOLE_CHANNELS = 2, CELLS_AT_ONCE = 8 };
+enum { WHOLE_PIECE = 16384, WHOLE_BEFORE = 8, WHOLE_CHANNELS = 2, CELLS_AT_ONCE = 8 };
 enum { LONGEST_CELL = WHOLE_PIECE / ROW }; /* so that a piece holds whole rows and, at once, whole cells */
 typedef struct {
     int32_t (*split)(const uint8_t *raw, Py_ssize_t frames, Py_ssize_t channels, int16_t *const *rows,

@@ -8,6 +8,7 @@
 #endif
 
 #define LOOP static
+#define ALWAYS_LOOP ALWAYS
 #define NAMED(name) name##_by_two
 #define VECTOR together
 #define WIDTH TOGETHER
@@ -20,9 +21,18 @@
 #if defined(__GNUC__)
 #define ALL(number) BOTH(number, number)
 #define GATHERED(streams, first, at) BOTH((streams)[first][at], (streams)[(first) + 1][at])
+#define ACROSS(streams, at, next) across_two(streams, at, next)
 #else
 #define ALL(number) (number)
 #define GATHERED(streams, first, at) ((streams)[first][at])
+#define ACROSS(streams, at, next) ((next)[0] = (streams)[0][at])
+#endif
+
+#if defined(__GNUC__)
+/* The next samples of two streams, one of each in a register. */
+ALWAYS void across_two(const double *const *streams, Py_ssize_t at, together *next) {
+    for (int which = 0; which < TOGETHER; which++) next[which] = BOTH(streams[0][at + which], streams[1][at + which]);
+}
 #endif
 
 /* The samples without the first `over`, which become zero. */
@@ -38,12 +48,14 @@ ALWAYS together kept_by_two(together these, Py_ssize_t over) {
 #if WIDER_REGISTERS
 #include <immintrin.h>
 #undef LOOP
+#undef ALWAYS_LOOP
 #undef NAMED
 #undef VECTOR
 #undef WIDTH
 #undef AT
 #undef ALL
 #undef GATHERED
+#undef ACROSS
 #undef LARGER
 #undef SIZES
 #undef LARGEST
@@ -54,6 +66,7 @@ typedef double quartet __attribute__((vector_size(32)));
 
 #define WIDE __attribute__((target("avx2")))
 #define LOOP WIDE static
+#define ALWAYS_LOOP WIDE ALWAYS
 #define NAMED(name) name##_by_four
 #define VECTOR quartet
 #define WIDTH 4
@@ -61,11 +74,22 @@ typedef double quartet __attribute__((vector_size(32)));
 #define ALL(number) ((quartet)_mm256_set1_pd(number))
 #define GATHERED(streams, first, at) \
     ((quartet)_mm256_set_pd((streams)[3][at], (streams)[2][at], (streams)[1][at], (streams)[0][at]))
+#define ACROSS(streams, at, next) across_four(streams, at, next)
 #define LARGER(one, other) ((quartet)_mm256_max_pd((__m256d)(one), (__m256d)(other)))
 #define SIZES(samples) ((quartet)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)(samples)))
 #define LARGEST(each) largest_of_four(each)
 #define ABOVE(one, other) _mm256_movemask_pd(_mm256_cmp_pd((__m256d)(one), (__m256d)(other), _CMP_GT_OQ))
 #define KEPT(these, over, which) kept_of_four(these, over)
+
+/* The next samples of four streams, one of each in a register. */
+WIDE ALWAYS void across_four(const double *const *streams, Py_ssize_t at, quartet *next) {
+    const __m256d a = _mm256_loadu_pd(streams[0] + at), b = _mm256_loadu_pd(streams[1] + at);
+    const __m256d c = _mm256_loadu_pd(streams[2] + at), d = _mm256_loadu_pd(streams[3] + at);
+    const __m256d ab = _mm256_unpacklo_pd(a, b), cd = _mm256_unpacklo_pd(c, d);
+    const __m256d ba = _mm256_unpackhi_pd(a, b), dc = _mm256_unpackhi_pd(c, d);
+    next[0] = (quartet)_mm256_permute2f128_pd(ab, cd, 0x20), next[1] = (quartet)_mm256_permute2f128_pd(ba, dc, 0x20);
+    next[2] = (quartet)_mm256_permute2f128_pd(ab, cd, 0x31), next[3] = (quartet)_mm256_permute2f128_pd(ba, dc, 0x31);
+}
 
 WIDE ALWAYS double largest_of_four(quartet each) {
     const __m128d half = _mm_max_pd(_mm256_extractf128_pd((__m256d)each, 1), _mm256_castpd256_pd128((__m256d)each));

@@ -213,33 +213,54 @@ LOOP void NAMED(foretell)(const double *RESTRICT samples, const double *RESTRICT
     }
 }
 
-/* The two biquads of the K-weighting over four streams at once, and the sum of squares of each. Written by what came
- * out last, the only loop that the processor waits for is one product and one difference long. */
+/* What the K-weighting knows of the samples before, of as many streams as a register has lanes. */
+typedef struct {
+    VECTOR x1, x2, u1, u2, rise, y1, y2, sum;
+} NAMED(weighing);
+
+/* Written by what came out last, the only loop that the processor waits for is one product and one difference long. */
+ALWAYS_LOOP void NAMED(weigh_next)(NAMED(weighing) *known, VECTOR x, const VECTOR *by) {
+    const VECTOR w = (by[0] * x + by[1] * known->x1) + by[2] * known->x2;
+    const VECTOR u = (w - by[4] * known->u2) - by[3] * known->u1;
+    const VECTOR rise = u - known->u1, d = rise - known->rise;
+    const VECTOR y = (d - by[6] * known->y2) - by[5] * known->y1;
+    known->sum += y * y;
+    known->x2 = known->x1, known->x1 = x;
+    known->u2 = known->u1, known->u1 = u, known->rise = rise;
+    known->y2 = known->y1, known->y1 = y;
+}
+
+/* The two biquads of the K-weighting over four streams at once, and the sum of squares of each. */
 LOOP void NAMED(weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t until, const double *coefficients,
                        double *state, double *energies) {
-    const VECTOR b0 = ALL(coefficients[0]), b1 = ALL(coefficients[1]), b2 = ALL(coefficients[2]);
-    const VECTOR a1 = ALL(coefficients[3]), a2 = ALL(coefficients[4]);
-    const VECTOR c1 = ALL(coefficients[5]), c2 = ALL(coefficients[6]);
-    VECTOR seen[K_SEEN][NAMED(FOUR)], sum[NAMED(FOUR)];
-    memcpy(seen, state, sizeof seen);
-    memset(sum, 0, sizeof sum);
-    for (Py_ssize_t at = from; at < until; at++) {
-        for (int which = 0; which < NAMED(FOUR); which++) {
-            const VECTOR x = GATHERED(streams, which * WIDTH, at);
-            const VECTOR x1 = seen[0][which], x2 = seen[1][which], u1 = seen[2][which], u2 = seen[3][which];
-            const VECTOR y1 = seen[4][which], y2 = seen[5][which];
-            const VECTOR w = (b0 * x + b1 * x1) + b2 * x2;
-            const VECTOR u = (w - a2 * u2) - a1 * u1;
-            const VECTOR d = (u - u1) - (u1 - u2);
-            const VECTOR y = (d - c2 * y2) - c1 * y1;
-            sum[which] += y * y;
-            seen[1][which] = x1, seen[0][which] = x;
-            seen[3][which] = u1, seen[2][which] = u;
-            seen[5][which] = y1, seen[4][which] = y;
+    enum { COEFFICIENTS = 7 };
+    VECTOR by[COEFFICIENTS];
+    for (int which = 0; which < COEFFICIENTS; which++) by[which] = ALL(coefficients[which]);
+    NAMED(weighing) known[NAMED(FOUR)];
+    for (int which = 0; which < NAMED(FOUR); which++) {
+        VECTOR seen[K_SEEN];
+        for (int one = 0; one < K_SEEN; one++) seen[one] = AT(state + one * K_LANES + which * WIDTH);
+        known[which] = (NAMED(weighing)){seen[0], seen[1], seen[2], seen[3], seen[2] - seen[3], seen[4], seen[5], ALL(0)};
+    }
+    Py_ssize_t at = from;
+    for (; at + WIDTH <= until; at += WIDTH) {
+        VECTOR next[NAMED(FOUR)][WIDTH];
+        for (int which = 0; which < NAMED(FOUR); which++) ACROSS(streams + which * WIDTH, at, next[which]);
+        for (int place = 0; place < WIDTH; place++) {
+            for (int which = 0; which < NAMED(FOUR); which++) NAMED(weigh_next)(known + which, next[which][place], by);
         }
     }
-    memcpy(state, seen, sizeof seen);
-    memcpy(energies, sum, sizeof sum);
+    for (; at < until; at++) {
+        for (int which = 0; which < NAMED(FOUR); which++) {
+            NAMED(weigh_next)(known + which, GATHERED(streams, which * WIDTH, at), by);
+        }
+    }
+    for (int which = 0; which < NAMED(FOUR); which++) {
+        const NAMED(weighing) *now = known + which;
+        const VECTOR seen[K_SEEN] = {now->x1, now->x2, now->u1, now->u2, now->y1, now->y2};
+        for (int one = 0; one < K_SEEN; one++) memcpy(state + one * K_LANES + which * WIDTH, seen + one, sizeof(VECTOR));
+        memcpy(energies + which * WIDTH, &now->sum, sizeof(VECTOR));
+    }
 }
 
 static const loops NAMED(loops) = {

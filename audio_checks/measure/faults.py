@@ -20,7 +20,7 @@ from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
 from audio_checks.measure.survey import Survey
 
-STRETCH_FRAMES = 1 << 18  # samples that are looked at together
+STRETCH_FRAMES = 1 << 20  # samples that are looked at together
 MOST_SAMPLES = 1 << 22  # of all channels, so that a header of many channels cannot ask for much memory
 
 
