@@ -8,6 +8,7 @@ SOUNDS_DIR real recordings are part of both sides. What was measured of each sou
 import argparse
 import hashlib
 import json
+import math
 import os
 import time
 import warnings
@@ -33,13 +34,15 @@ from training.dataset import Known
 from training.tables import as_table, write_tables
 
 Floats = NDArray[np.float64]
+Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by kind, layout and length of decay
 KINDS = ("event", "natural-decay", "ambience", "voice", "music", "unknown")
 LAYOUTS = ("mono", "stereo")
 # That thresholds aim at, under the 2 and 5 % that are allowed: who is blamed for what is not there, trusts no more.
-FALSE_ALARMS = {"event": 0.002, "natural-decay": 0.004, "unknown": 0.001}
-MOST_WRONG = 0.4  # of the sounds that are decided by a hair; of all that are decided far fewer are
+FALSE_ALARMS = {"event": 0.003, "natural-decay": 0.004, "unknown": 0.001}
+MOST_WRONG = 0.42  # of the sounds that are decided by a hair; of all that are decided far fewer are
 FOLDS = 5
 FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
+FEWEST_FAMILIES = 3  # from which on it may call reverb sooner than where the kind is unsaid
 TREES = {"max_leaf_nodes": 12, "max_iter": 300, "learning_rate": 0.05, "min_samples_leaf": 15, "max_features": 0.25}
 NETS = {"hidden_layer_sizes": (48, 16), "alpha": 1.0, "batch_size": 128, "max_iter": 25}
 NETS_AVERAGED = 3
@@ -163,64 +166,103 @@ def learned_rt60(some: Set) -> HistGradientBoostingRegressor:
     return trees.fit(some.features[heard], np.log2(some.column(lambda one: one.rt60_s or 1.0)[heard]))
 
 
-def scores_by_others(some: Set, beside: Set) -> Floats:
-    """Return each sound's score by what never met its family of sources: what thresholds are set on."""
+def said_by_others(some: Set, beside: Set) -> tuple[Floats, Floats]:
+    """Return each sound's score and decay time by what never met its family of sources: what thresholds are set on."""
     families = some.column(lambda one: one.source)
     names = sorted(set(families))
-    scores = np.zeros(len(families))
+    scores, rt60_s = np.zeros((2, len(families)))
     for fold in range(FOLDS):
         held = np.isin(families, names[fold::FOLDS])
         others = Set([one for one, out in zip(some.known, held, strict=True) if not out], some.features[~held])
         said = Learned.of(together([others, beside])).numbers()
         trees, nets = Trees(said["reverb"]), Nets(said["nets"])
         scores[held] = [reverb.score_by(trees, nets, NETS_SHARE, one) for one in some.features[held]]
-    return scores
+        rt60_s[held] = np.exp2(learned_rt60(others).predict(some.features[held]))
+    return scores, rt60_s
 
 
-def thresholds(some: Set, scores: Floats) -> dict[str, dict[str, list[float]]]:
-    """Return for each kind and layout under which score a sound is dry, and from which on it has reverb."""
+def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
+    """Return by kind, layout and length under which score a sound is dry, and from which on it has reverb."""
     wet, kinds, layouts = some.wet, some.column(lambda one: one.kind), layouts_of(some)
     families, real = some.column(lambda one: one.source), some.column(lambda one: one.is_real)
-    table: dict[str, dict[str, list[float]]] = {kind: {} for kind in KINDS}
+    is_long = rt60_s >= reverb.LONG_FROM_S
+    counts = {kind: len(set(families[~real & (kinds == kind)])) for kind in KINDS}
+    table: Table = {kind: {} for kind in KINDS}
     for layout in LAYOUTS:
         here = layouts == layout
-        enough = [
-            kind
-            for kind in KINDS
-            if (here & (kinds == kind)).sum() >= FEWEST and len(set(families[~real & (kinds == kind)])) > 1
-        ]
-        for kind in enough:
-            known = here & (kinds == kind)
-            table[kind][layout] = limits(scores[known], wet[known], FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]))
+        rows_of = {kind: here & (kinds == kind) for kind in KINDS}
+        known = [kind for kind in KINDS if rows_of[kind].sum() >= FEWEST and counts[kind] > 1]
+        for kind in known:
+            aim, rows = FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]), rows_of[kind]
+            table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim)
         # Where nobody says the kind it may be any, a long natural decay too: as sure as of the hardest.
-        dry_below, _ = limits(scores[here], wet[here], FALSE_ALARMS["unknown"])
-        cautious = max(
-            np.quantile(scores[here & (kinds == kind) & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in enough
+        unsaid = limits(scores[here], wet[here], is_long[here], FALSE_ALARMS["unknown"])
+        surest = max(
+            *(np.quantile(scores[rows_of[kind] & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in known),
+            *(reverb_from for kind in known for _, reverb_from in table[kind][layout].values()),
         )
-        for kind in set(KINDS) - set(enough):
-            table[kind][layout] = [dry_below, float(cautious)]
+        for kind in KINDS:
+            if kind not in known or counts[kind] < FEWEST_FAMILIES:  # how others of the kind would score is not known
+                own = table[kind].get(layout, unsaid)
+                table[kind][layout] = {length: (dry_below, surest) for length, (dry_below, _) in own.items()}
     return {
-        kind: {layout: [round(min(pair), 4), round(pair[1], 4)] for layout, pair in pairs.items()}
-        for kind, pairs in table.items()
+        kind: {
+            layout: {length: (round(min(pair), 4), math.ceil(pair[1] * 1e4) / 1e4) for length, pair in pairs.items()}
+            for layout, pairs in by_layout.items()
+        }
+        for kind, by_layout in table.items()
     }
 
 
-def limits(scores: Floats, wet: NDArray[np.bool_], false_alarms: float) -> list[float]:
-    """Return the score under which sounds are dry, and the one from which on they have reverb.
+def limits(
+    scores: Floats, wet: NDArray[np.bool_], is_long: NDArray[np.bool_], false_alarms: float
+) -> dict[str, tuple[float, float]]:
+    """Return by length of decay the score under which sounds are dry, and the one from which on they have reverb.
 
-    Of the sounds of just such a score no more than MOST_WRONG are called wrongly, and of the dry ones no more than
-    a share of `false_alarms` is called reverberant.
+    Of the sounds of just such a score and length no more than MOST_WRONG are called wrongly. Of all dry ones no more
+    than a share of `false_alarms` is called reverberant; the lengths share these so that most reverb is found.
     """
-    share = IsotonicRegression().fit(scores, wet)  # of sounds with reverb among those of a score
+    likely, reverb_from = {}, {}
+    allowed = np.arange(int(false_alarms * (~wet).sum()) + 1)
+    found = np.zeros(len(allowed))
+    for length, rows, mistaken in (("short", ~is_long, allowed[::-1]), ("long", is_long, allowed)):
+        known, has_reverb = scores[rows], wet[rows]
+        likely[length], from_likely = _likely(known, has_reverb)
+        reverb_from[length] = np.maximum(from_likely, _over_all_but(known[~has_reverb], mistaken))
+        found -= np.searchsorted(np.sort(known[has_reverb]), reverb_from[length])  # but for these all are found
+    best = found.argmax()
+    return {length: (likely[length], float(reverb_from[length][best])) for length in likely}
+
+
+def _likely(scores: Floats, wet: NDArray[np.bool_]) -> tuple[float, float]:
+    """Return up to which score few have reverb, and from which on most do."""
+    if not len(scores):
+        return 0.0, 1.0
     known = np.sort(scores)
-    shares = share.predict(known)
-    dry_below = known[np.flatnonzero(shares <= MOST_WRONG)[-1]]
-    likely_from = known[np.flatnonzero(shares >= 1 - MOST_WRONG)[0]]
-    return [float(dry_below), float(max(likely_from, np.quantile(scores[~wet], 1 - false_alarms)))]
+    shares = IsotonicRegression().fit(scores, wet).predict(known)  # of sounds with reverb among those of a score
+    dry, reverberant = known[shares <= MOST_WRONG], known[shares >= 1 - MOST_WRONG]
+    return float(max(dry, default=0.0)), float(min(reverberant, default=1.0))
+
+
+def _over_all_but(scores: Floats, counts: NDArray[np.int64]) -> Floats:
+    """Return for each count the lowest limit that no more of the scores reach."""
+    lowest: Floats = np.append(np.nextafter(np.sort(scores)[::-1], 2), 0.0)
+    return lowest[np.minimum(counts, len(scores))]
 
 
 def layouts_of(some: Set) -> NDArray[Any]:
     return some.column(lambda one: "mono" if one.channels == 1 else "stereo")
+
+
+def limits_on(some: Set, *, says_kind: bool = True) -> tuple[Floats, Floats]:
+    """Return under which score each sound is dry and from which on it has reverb, as the judgement ships."""
+    kinds, layouts = some.column(lambda one: one.kind), layouts_of(some)
+    found = [
+        reverb.limits_of(kind if says_kind else None, layout, reverb.rt60_of(features))
+        for kind, layout, features in zip(kinds, layouts, some.features, strict=True)
+    ]
+    low, high = np.array(found).T
+    return low, high
 
 
 def numbers_of(trees: Any) -> dict[str, Any]:
@@ -263,9 +305,7 @@ def figures_on(some: Set, *, says_kind: bool = True) -> dict[str, float]:
     wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
     audible = some.column(lambda one: one.is_audible)
     scores = np.array([reverb.score_of(one) for one in some.features])
-    table = reverb.weights()["thresholds"]
-    limits = [table[kind if says_kind else "unknown"][layout] for kind, layout in zip(kinds, layouts, strict=True)]
-    low, high = np.array(limits).T
+    low, high = limits_on(some, says_kind=says_kind)
     positive = scores >= high
     decided = positive | (scores < low)
     events, natural = kinds == "event", kinds == "natural-decay"
@@ -310,11 +350,10 @@ MUST = {
 
 def by_family(some: Set) -> str:
     """Return where it fails: for each family of sources how often dry is called reverb, and reverb found and missed."""
-    wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
+    wet = some.wet
     families = np.where(some.column(lambda one: one.is_real), "real recordings", some.column(lambda one: one.source))
     scores = np.array([reverb.score_of(one) for one in some.features])
-    table = reverb.weights()["thresholds"]
-    low, high = np.array([table[kind][layout] for kind, layout in zip(kinds, layouts, strict=True)]).T
+    low, high = limits_on(some)
     lines = [
         "| source | sounds | AUC | dry called reverb | reverb called dry | cannot tell |",
         "|---|---|---|---|---|---|",
@@ -342,7 +381,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if not options.tables_only:
         learning, beside = (together([measured(made, options.cache) for made in some]) for some in (LEARNING, BESIDE))
         numbers = {
-            "thresholds": thresholds(learning, scores_by_others(learning, beside)),
+            "thresholds": thresholds(learning, *said_by_others(learning, beside)),
             **Learned.of(together([learning, beside])).numbers(),
             "rt60": numbers_of(learned_rt60(learning)),
         }

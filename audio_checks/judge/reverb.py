@@ -3,7 +3,7 @@
 Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
 beside its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
 Boosted trees and small nets weigh these; both were learned from sounds and rooms made by our own code (`make weights`).
-How sure they must be is set for each kind of sound, and for mono and stereo.
+How sure they must be is set for each kind of sound, for mono and stereo, and for short and long decay times.
 
 A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
 "cannot tell". `docs/judgements.md` has the table of how often it is right, and where it fails.
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 FIGURES = ("decay",)
 WEIGHTS = Path(__file__).with_suffix(".json")
 SHORTEST_RT60_S, LONGEST_RT60_S = 0.1, 6.0
+LONG_FROM_S = 0.8  # few dry sounds die away as slowly as such a room, so less of a score is enough there
 
 
 def judge(file: AudioFile, kind: str | None) -> Judgement:
@@ -47,12 +48,21 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     features = features_of(decay)
     if features is None:
         return Judgement(CANNOT_TELL, None, {"rt60_s": None})
-    score = score_of(features)
-    layout = "mono" if decay.sides is None else "stereo"
-    dry_below, reverb_above = weights()["thresholds"][kind or "unknown"][layout]
-    verdict = "reverb" if score >= reverb_above else "dry" if score < dry_below else CANNOT_TELL
-    rt60_s = None if verdict == "dry" else round(rt60_of(features), 2)
-    return Judgement(verdict, round(score, 3), {"rt60_s": rt60_s}, evidence_of(decay))
+    score, rt60_s = score_of(features), rt60_of(features)
+    dry_below, reverb_from = limits_of(kind, "mono" if decay.sides is None else "stereo", rt60_s)
+    verdict = "reverb" if score >= reverb_from else "dry" if score < dry_below else CANNOT_TELL
+    figures = {"rt60_s": None if verdict == "dry" else round(rt60_s, 2)}
+    return Judgement(verdict, round(score, 3), figures, evidence_of(decay))
+
+
+def limits_of(kind: str | None, layout: str, rt60_s: float) -> tuple[float, float]:
+    """Return under which score a sound is dry and from which on it has reverb.
+
+    `kind` None is unknown, `layout` is "mono" or "stereo", and `rt60_s` what `rt60_of` says, in seconds.
+    """
+    length = "long" if rt60_s >= LONG_FROM_S else "short"
+    dry_below, reverb_from = weights()["thresholds"][kind or "unknown"][layout][length]
+    return dry_below, reverb_from
 
 
 def score_of(features: NDArray[np.float64]) -> float:

@@ -5,8 +5,9 @@ import pytest
 
 from audio_checks import measure_file
 from audio_checks.audio import AudioFile
+from audio_checks.commands.measure import KINDS
 from audio_checks.judge import CANNOT_TELL, judge, names
-from audio_checks.judge.reverb import weights
+from audio_checks.judge.reverb import LONG_FROM_S, limits_of
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import noise, silence, sine, write_wav
 
@@ -65,12 +66,19 @@ def test_surer_of_more_reverb(judged):
     assert 0 <= scores[0] < scores[-1] <= 1
 
 
-def test_every_kind_has_its_thresholds_and_none_said_is_the_most_cautious():
-    table = weights()["thresholds"]
-    assert set(table) == {"event", "natural-decay", "ambience", "voice", "music", "unknown"}
-    for layout in ("mono", "stereo"):
-        assert all(0 <= low <= high <= 1 for low, high in (table[kind][layout] for kind in table))
-        assert table["unknown"][layout][1] == max(table[kind][layout][1] for kind in table)
+@pytest.mark.parametrize("layout", ["mono", "stereo"])
+@pytest.mark.parametrize("rt60_s", [0.3, 2.0])
+def test_every_kind_has_its_limits_and_none_said_is_the_most_cautious(layout, rt60_s):
+    found = {kind: limits_of(kind, layout, rt60_s) for kind in (*KINDS, None)}
+    assert all(0 <= dry_below <= reverb_from <= 1 for dry_below, reverb_from in found.values())
+    assert found[None][1] == max(reverb_from for _, reverb_from in found.values())
+
+
+@pytest.mark.parametrize("layout", ["mono", "stereo"])
+def test_an_event_that_falls_slowly_is_called_reverberant_sooner(layout):
+    fast, slow = (limits_of("event", layout, rt60_s) for rt60_s in (LONG_FROM_S - 0.001, LONG_FROM_S))
+    assert slow[0] < fast[0]
+    assert slow[1] < fast[1]
 
 
 def test_measuring_a_file_says_it(tmp_path):
