@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from audio_checks import wav
 from audio_checks.hashes import Hashes
 from audio_checks.judge import Judgement, judge
+from audio_checks.measure import spare
 from audio_checks.measure.bits import effective_bits
 from audio_checks.measure.codec_frames import CodecFrames
 from audio_checks.measure.cuts import Cuts
@@ -335,7 +336,8 @@ class AudioFile:
         decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
-        bytes_read = np.empty(min(left, decoder.room() if decoder else most) * layout.frame_bytes, np.uint8).data
+        room = spare.taken("bytes", min(left, decoder.room() if decoder else most) * layout.frame_bytes)
+        bytes_read = room.data
         while left:
             raw = bytes_read[: min(left, decoder.room() if decoder else most) * layout.frame_bytes]
             wav.fill(self._file, raw)
@@ -345,6 +347,7 @@ class AudioFile:
             left -= len(block)
             for accumulator in accumulators:
                 accumulator.add(block)
+        spare.give_back("bytes", room)
         at = layout.data_offset + layout.data_size
         while tail := self._file.read(READ_BYTES):
             hashes.add_around(tail)

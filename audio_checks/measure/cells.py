@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import kernel
+from audio_checks.measure import spare
 
 CELLS_PER_S = 2_000
 HISTORY = 6  # frames that stand before the first cell, for its steps and differences
@@ -58,7 +60,9 @@ class CellStream:
     def __init__(self, channels: int, frames: int, kept: int, most: int) -> None:
         self._frames = frames
         self._kept = kept
-        self._figures = np.empty((len(Cells._fields) * channels, kept + most))
+        shape = len(Cells._fields) * channels, kept + most
+        self._room = spare.taken("cells", math.prod(shape) * np.dtype(np.float64).itemsize)
+        self._figures = self._room.view(np.float64).reshape(shape)
         self._figures[:, :kept] = 0.0
 
     def room(self, count: int) -> NDArray[np.float64]:
@@ -78,6 +82,11 @@ class CellStream:
         count: int = (samples.shape[1] - first) // self._frames
         kernel.cells(samples, first, self._frames, self.room(count))
         return count
+
+    def end(self) -> None:
+        """Leave the room to the next stream; nothing is asked of this one any more."""
+        spare.give_back("cells", self._room)
+        self._figures = self._figures[:, :0]
 
     def newest(self, count: int) -> Cells:
         """Return so many new cells, after those that are kept."""

@@ -157,6 +157,7 @@ class Faults:
                 figures |= detector.result()
         spare.give_back("samples", self._room)
         self._samples = self._samples[:, :0]  # others write there now
+        self._cells.end()
         return figures
 
     def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:

@@ -53,8 +53,8 @@ class Hum:
     def __init__(self, channels: int, cells_per_s: float, cells: int, cell_frames: int) -> None:
         self._windows: list[_Windows] = []
         self._channels = channels
-        self._pending: list[NDArray[np.float64]] = []  # sums that wait to be looked at
-        self._waiting = 0  # how many
+        self._sums = np.empty((channels, 0))  # what some window still needs, and what waits to be looked at
+        self._waiting = 0  # how many of them
         self._cells_per_s, self._cell = cells_per_s, cell_frames
         self._begin = np.empty((channels, 0))  # the first sums, for a closer look
         if cells >= SHORTEST_S * cells_per_s:
@@ -66,7 +66,7 @@ class Hum:
         """Take the next cells, the last `new` of these."""
         if not self._windows:
             return
-        self._pending.append(cells.sums[:, cells.sums.shape[1] - new :].copy())
+        self._sums = np.concatenate((self._sums, cells.sums[:, cells.sums.shape[1] - new :]), axis=1)
         self._waiting += new
         if self._waiting >= AT_ONCE:
             self._look()
@@ -97,12 +97,14 @@ class Hum:
         return loudest
 
     def _look(self) -> None:
-        sums = np.concatenate(self._pending, axis=1) if self._pending else np.empty((self._channels, 0))
-        self._pending, self._waiting = [], 0
         if not self._begin.shape[1]:
-            self._begin = sums[:, : round(LONGEST_S * self._cells_per_s)].copy()
+            self._begin = self._sums[:, : round(LONGEST_S * self._cells_per_s)].copy()
         for windows in self._windows:
-            windows.add(sums)
+            windows.add(self._sums)
+        done = min(windows.next for windows in self._windows)
+        for windows in self._windows:
+            windows.next -= done
+        self._sums, self._waiting = self._sums[:, done:], 0
 
 
 class _Windows:
@@ -117,7 +119,7 @@ class _Windows:
         # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
         self._scale = 8 / (cell_frames * length) ** 2 / 1.5
         self._most = max(8, KEPT // channels)
-        self._kept = np.empty((channels, 0))
+        self.next = 0  # where among the sums the next window starts
         self._spectra: list[NDArray[np.float64]] = []
         self._every, self._number = 1, 0
         self.doubtful: set[tuple[int, float]] = set()  # channels, and the mains of which lines are found there
@@ -125,21 +127,21 @@ class _Windows:
             self._every *= 2
 
     def add(self, sums: NDArray[np.float64]) -> None:
-        """Take the sums of the next cells."""
-        kept = np.concatenate((self._kept, sums), axis=1)
-        count = max(0, (kept.shape[1] - self._length) // self._hop + 1)
+        """Take all sums from the first on that a window may need; `next` then tells which are still needed."""
+        count = max(0, (sums.shape[1] - self.next - self._length) // self._hop + 1)
         first = -self._number % self._every
         if first < count:
-            self._spectra += list(self._powers(kept, first * self._hop, len(range(first, count, self._every))))
+            start = self.next + first * self._hop
+            self._spectra += list(self._powers(sums, start, len(range(first, count, self._every))))
         while len(self._spectra) > self._most:
             self._spectra, self._every = self._spectra[::2], self._every * 2
         self._number += count
-        self._kept = kept[:, count * self._hop :]
+        self.next += count * self._hop
 
-    def _powers(self, kept: NDArray[np.float64], start: int, count: int) -> NDArray[np.float64]:
+    def _powers(self, sums: NDArray[np.float64], start: int, count: int) -> NDArray[np.float64]:
         """Return the power of the lowest bins of windows from a start on, shape (count, channels, bins)."""
         hop = self._hop * self._every
-        return self._window_powers.of(kept, first=start, hop=hop, count=count, bins=self._bins)
+        return self._window_powers.of(sums, first=start, hop=hop, count=count, bins=self._bins)
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
