@@ -40,6 +40,21 @@ def sandbox():
     box.close()
 
 
+def faults_of_samples_taken_again():
+    """Pages that this process is given anew for a block of samples as large as one it has just let go of."""
+    block = np.ones(1 << 20)
+    del block
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    np.ones(1 << 20)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc is told how to hold memory")
+def test_a_child_keeps_the_memory_that_it_was_given(sandbox):
+    pages = (8 << 20) // resource.getpagesize()
+    assert sandbox.call(faults_of_samples_taken_again) < pages / 100
+
+
 @pytest.fixture
 def hasty():
     box = Sandbox(timeout_s=0.7)

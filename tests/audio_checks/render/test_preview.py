@@ -1,5 +1,9 @@
 """What browsers play and draw: formats within their reach, turned round where asked."""
 
+import os
+import stat
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -14,6 +18,19 @@ def read(path):
     with wav.open_regular(path) as file:
         layout = wav.read_layout(file)
         return layout, np.concatenate(list(wav.blocks(file, layout)))
+
+
+@pytest.mark.parametrize("make", [preview, partial(render_master, target=Target("game", 48_000, 16))])
+def test_a_file_reaches_the_disk_where_it_must_last_and_is_the_same_where_not(tmp_path, monkeypatch, make):
+    synced = []
+    monkeypatch.setattr(os, "fsync", lambda descriptor: synced.append(os.fstat(descriptor).st_mode))
+    master = waves.write_wav(tmp_path / "a.wav", waves.sine(hz=441, dbfs=-6, channels=2), bits=24)
+    synced.clear()
+    make(master, out_path=tmp_path / "passing.wav", durable=False)
+    assert synced == []
+    make(master, out_path=tmp_path / "lasting.wav")
+    assert [stat.S_ISDIR(mode) for mode in synced] == [False, True]
+    assert (tmp_path / "passing.wav").read_bytes() == (tmp_path / "lasting.wav").read_bytes()
 
 
 @pytest.mark.parametrize(
