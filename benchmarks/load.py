@@ -36,7 +36,7 @@ from app.kit.runtime import Runtime
 from app.renders.models import RenderSet
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
-from benchmarks.bulk import filling
+from benchmarks.bulk import analyse, filling
 from benchmarks.served import Place, cpu_now_s, cpu_seconds, cpu_since_s, headers_for, memory_bytes
 from benchmarks.studios import Made, ProjectMaker, make_team
 from benchmarks.tables import DOCS, machine, table, write_between
@@ -267,6 +267,7 @@ def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
     """Make a project; return it, the takes that may be approved, and takes of every kind."""
     with filling(runtime.database) as bulk:
         made = ProjectMaker(bulk, make_team(bulk, "Load"), takes=TAKES, seed=1).make()
+    analyse(runtime.database)
     with runtime.database.reading() as session:
         rows = session.execute(
             sa.select(Take.id, Take.state, Take.cue_id, Take.variation, Cue.state.label("cue_state")).join(

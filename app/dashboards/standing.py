@@ -20,6 +20,7 @@ from app.projects.queries import current_spec
 from app.projects.service import Standing, standing_in
 from app.renders.models import Picture
 from app.sound_lists.models import Cue
+from app.sound_lists.queries import stems_by_cue
 from app.sound_lists.rules import label
 from app.sound_lists.service import page_of
 
@@ -139,6 +140,7 @@ class _Page(Statuses):
         self._waived = standing_queries.waived_cues(session, ids, designer_id)
         self._elsewhere = standing_queries.cues_of_other_specs(session, ids, designer_id, spec.id)
         self._rounds = standing_queries.rounds_by_cue(session, ids)
+        self._stems = stems_by_cue(session, ids)
 
     def standing_of(self, cue: Cue) -> schemas.Standing:
         """Return where one cue of the page stands."""
@@ -155,10 +157,8 @@ class _Page(Statuses):
             versions=max((row.newest for row in facts), default=0),
             rounds=self._rounds.get(cue.id, 0),
             variations=[
-                schemas.VariationStanding(
-                    variation=stem.variation, stem=stem.stem, status=variations[stem.variation - 1]
-                )
-                for stem in sorted(cue.stems, key=lambda each: each.variation)
+                schemas.VariationStanding(variation=variation, stem=stem, status=variations[variation - 1])
+                for variation, stem in self._stems[cue.id]
             ],
             newest_take=newest_take(take, picture) if take else None,
             worst_finding=worst_of([*self._of_sets[cue.id], *self._findings.get(cue.id, [])]),

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, String, Subquery, and_, case, cast, exists, func, select
-from sqlalchemy.orm import Session, aliased, load_only
+from sqlalchemy.orm import Session, load_only
 from sqlalchemy.sql.functions import aggregate_strings
 from typing_extensions import TypeVarTuple
 
@@ -121,21 +121,28 @@ def variation_rows(session: Session, cue_ids: Collection[UUID], designer_id: UUI
     return [VariationRow._make(row) for row in rows]
 
 
+_IN_A_LIST = select(Take).options(
+    load_only(
+        *(Take.cue_id, Take.number, Take.variation, Take.state, Take.file_name, Take.received_at, Take.master_sha256),
+        raiseload=True,
+    )
+)
+
+
 def shown_takes(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None, *, accepted: Collection[UUID]
 ) -> dict[UUID, Take]:
     """Return the take that stands for each cue in a list: the approved one of an accepted cue, else the newest."""
-    later = aliased(Take)
-    newer = select(later.id).where(later.cue_id == Cue.id).order_by(later.received_at.desc(), later.id.desc())
-    if designer_id is not None:
-        newer = newer.where(later.designer_id == designer_id)
-    newest = select(newer.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, cue_ids))
+    newer = _seen_by(select(Take.id), designer_id).where(Take.cue_id == Cue.id)
+    newest_first = newer.order_by(Take.received_at.desc(), Take.id.desc())
+    newest = select(newest_first.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, cue_ids))
     newest_ids = [take_id for take_id in session.scalars(newest) if take_id is not None]
-    shown = {take.cue_id: take for take in session.scalars(select(Take).where(among(Take.id, newest_ids)))}
-    approved = _seen_by(select(Take), designer_id).where(
-        among(Take.cue_id, accepted), Take.state == TakeState.APPROVED, Take.variation == 1
-    )
-    shown |= {take.cue_id: take for take in session.scalars(approved)}
+    shown = {take.cue_id: take for take in session.scalars(_IN_A_LIST.where(among(Take.id, newest_ids)))}
+    if accepted:
+        approved = _seen_by(_IN_A_LIST, designer_id).where(
+            among(Take.cue_id, accepted), Take.state == TakeState.APPROVED, Take.variation == 1
+        )
+        shown |= {take.cue_id: take for take in session.scalars(approved)}
     return {cue_id: take for cue_id, take in shown.items() if cue_id is not None}
 
 

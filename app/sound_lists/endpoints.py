@@ -73,10 +73,9 @@ def get_sound_list(
     """Return one page of the project's cues in list order, cut ones too."""
     project = standing_in(session, actor, project_id).project
     cues, following = service.page_of(session, project.id, cursor=cursor, limit=limit)
-    open_questions = queries.open_question_counts(session, project.id)
     return SoundListRead(
         revision=queries.revision_number(session, project.id),
-        cues=[service.cue_read(cue, project.cue_prefix, open_questions.get(cue.id, 0)) for cue in cues],
+        cues=service.cues_read(session, project, cues),
         next=following,
     )
 

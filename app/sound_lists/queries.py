@@ -7,6 +7,7 @@ from uuid import UUID
 from sqlalchemy import Row, func, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
+from app.kit.among import among
 from app.projects.models import Project
 from app.sound_lists.models import Cue, CueChange, Question, Revision, Stem
 from app.sound_lists.rules import CueState, folded
@@ -26,11 +27,20 @@ def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
 
 
 def cue_page(session: Session, project_id: UUID, *, after: tuple[int, int] | None, limit: int) -> Sequence[Cue]:
-    """Return the cues that follow a position and number in list order, with their stems."""
+    """Return the cues that follow a position and number in list order."""
     query = select(Cue).where(Cue.project_id == project_id)
     if after is not None:
         query = query.where(tuple_(Cue.position, Cue.number) > tuple_(*after))
-    return session.scalars(query.options(selectinload(Cue.stems)).order_by(Cue.position, Cue.number).limit(limit)).all()
+    return session.scalars(query.order_by(Cue.position, Cue.number).limit(limit)).all()
+
+
+def stems_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[tuple[int, str]]]:
+    """Return the stems that cues own, each with its variation, in order; cheaper than with whole cues."""
+    owned: dict[UUID, list[tuple[int, str]]] = defaultdict(list)
+    query = select(Stem.cue_id, Stem.variation, Stem.stem).where(among(Stem.cue_id, cue_ids)).order_by(Stem.variation)
+    for cue_id, variation, stem in session.execute(query):
+        owned[cue_id].append((variation, stem))
+    return owned
 
 
 def cue_by_id(session: Session, cue_id: UUID) -> Cue | None:

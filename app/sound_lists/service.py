@@ -94,13 +94,18 @@ def facts_of(cue: Cue) -> Facts:
 
 def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
     """Return a cue, loaded with its stems, as it is answered."""
+    stems = [stem.stem for stem in sorted(cue.stems, key=lambda stem: stem.variation)]
+    return _cue_read(cue, cue_prefix, stems, open_questions)
+
+
+def _cue_read(cue: Cue, cue_prefix: str, stems: list[str], open_questions: int) -> CueRead:
     return CueRead(
         **facts_of(cue),
         id=cue.id,
         number=cue.number,
         label=label(cue_prefix, cue.number),
         position=cue.position,
-        stems=[stem.stem for stem in sorted(cue.stems, key=lambda stem: stem.variation)],
+        stems=stems,
         edition=cue.edition,
         cut_reason=cue.cut_reason,
         cut_at=cue.cut_at,
@@ -109,11 +114,21 @@ def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
 
 
 def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: int) -> tuple[Sequence[Cue], str | None]:
-    """Return one page of the list with the stems of its cues, and the cursor of the following page."""
+    """Return one page of the list, and the cursor of the following page."""
     after = _read_cursor(cursor) if cursor is not None else None
     found = queries.cue_page(session, project_id, after=after, limit=limit + 1)
     page = found[:limit]
     return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
+
+
+def cues_read(session: Session, project: Project, cues: Sequence[Cue]) -> list[CueRead]:
+    """Return a page of the list as it is answered."""
+    stems = queries.stems_by_cue(session, [cue.id for cue in cues])
+    open_questions = queries.open_question_counts(session, project.id)
+    return [
+        _cue_read(cue, project.cue_prefix, [stem for _, stem in stems[cue.id]], open_questions.get(cue.id, 0))
+        for cue in cues
+    ]
 
 
 def _read_cursor(cursor: str) -> tuple[int, int]:
