@@ -197,6 +197,17 @@ def test_jobs_that_run_twice_change_nothing(world: World) -> None:
         assert picture.drawn_bytes == sum(sizes.values()) > 0
 
 
+def test_a_game_file_that_two_workers_made_is_kept_once(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
+    with world.server.runtime.database.writing() as session:
+        made = session.scalars(select(Render).where(Render.take_id == take_id)).all()
+        facts = ("studio_id", "project_id", "take_id", "target", "key", "state")
+        again = [Render(**{name: getattr(one, name) for name in facts}) for one in made]
+        service.keep_made(session, [(one, None) for one in again])
+    assert count(world.server, Render.take_id == take_id) == len(made) == 2
+
+
 def test_the_same_master_gives_the_same_bytes(world: World) -> None:
     add_cue(world, "one")
     add_cue(world, "two")
