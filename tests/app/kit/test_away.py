@@ -76,6 +76,13 @@ def test_a_database_that_comes_back_is_used_again(world: World, own_postgres: Po
     assert world.producer.get("/v1/projects").status_code == 200
 
 
+def test_a_line_that_was_ended_while_nobody_used_it_is_not_used(world: World, own_postgres: Postgres):
+    assert world.producer.get("/v1/projects").status_code == 200
+    with own_postgres.superuser() as connection:
+        connection.execute("select pg_terminate_backend(pid, 10000) from pg_stat_activity where datname = 'away'")
+    assert world.producer.get("/v1/projects").status_code == 200
+
+
 def test_what_is_our_own_fault_is_not_the_databases(world: World, monkeypatch: pytest.MonkeyPatch):
     def stumble(session: Session, *_: object, **__: object) -> None:
         session.execute(sa.text("select nothing from nowhere"))
