@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,7 +66,6 @@ class Clicks:
         self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
         self._doubtful: set[tuple[int, int]] = set()  # cell, channel
-        self._windows = {cells: self._window(cells) for cells in (SEGMENT, DOUBTED)}
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
@@ -107,10 +107,6 @@ class Clicks:
     def _limits(self, peak: float) -> tuple[float, float]:
         """Return the height that a click must have in a file of that peak, and the power that the sound around must."""
         return max(self._least, peak * BELOW_PEAK), peak**2 * SOUND_BELOW_PEAK * self._cell
-
-    def _window(self, cells: int) -> NDArray[np.float64]:
-        """Return a Hann window over so many cells and what they are compared with."""
-        return np.hanning((cells + 2 * REACH) * self._cell + 2)[1:-1].copy()
 
     def _outstanding(
         self,
@@ -230,7 +226,7 @@ class Clicks:
         found = kernel.unforeseen(
             samples,
             frames,
-            self._windows[count],
+            _window((count + 2 * REACH) * self._cell),
             ORDER,
             self._cell,
             REACH,
@@ -244,6 +240,12 @@ class Clicks:
         told = self._outstanding(cells, channel, heights[:found], starts - before, STANDS_OUT, above_mean=ABOVE_MEAN)
         for row, at, height, power, _ in told:
             self._keep(int(starts[int(row)]) + int(at), channel, height, power)
+
+
+@lru_cache(maxsize=4)
+def _window(frames: int) -> NDArray[np.float64]:
+    """Return a Hann window whose ends lie just outside."""
+    return np.hanning(frames + 2)[1:-1].copy()
 
 
 def _loudest_nearby(squares: NDArray[np.float64]) -> NDArray[np.float64]:

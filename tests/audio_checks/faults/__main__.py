@@ -7,14 +7,17 @@ import argparse
 import csv
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ProcessPoolExecutor
 from datetime import UTC, datetime
 from pathlib import Path
 
 from audio_checks.measure import clicks, cuts, dropouts, flat_tops, hum, in_phase, noise_floor, repeats
 from audio_checks.measure.decibels import decibels, power_decibels
 from tests.audio_checks.faults import injuries, sounds, unseen_injuries, unseen_sounds
+from tests.audio_checks.faults.injuries import Fault
 from tests.audio_checks.faults.masters import MOST, NAMED, flagged_masters, masters_folder
+from tests.audio_checks.faults.sounds import Family
 from tests.audio_checks.faults.trial import AUDIBLE, CHECKS, NO_PLACE, Trial, counts, false_alarms, trials
 
 PAGE = Path("docs/false-alarms.md")
@@ -30,7 +33,7 @@ def main() -> int:
     parser.add_argument("--only-known", action="store_true", help="leave the unseen half alone, and write no page")
     arguments = parser.parse_args()
     seeds = range(arguments.seeds)
-    known = list(trials(injuries.FAULTS, sounds.FAMILIES, seeds))
+    known = _trials(injuries.FAULTS, sounds.FAMILIES, seeds)
     if arguments.only_known:
         sys.stdout.write(_found_table(known))
         return 0
@@ -38,7 +41,7 @@ def main() -> int:
     if folder is None:
         sys.stderr.write("SOUNDS_DIR does not name a folder with masters/ in it; their table cannot be made\n")
         return 2
-    unseen = list(trials(unseen_injuries.FAULTS, unseen_sounds.FAMILIES, seeds))
+    unseen = _trials(unseen_injuries.FAULTS, unseen_sounds.FAMILIES, seeds)
     whole = (false_alarms(sounds.FAMILIES, seeds), false_alarms(unseen_sounds.FAMILIES, seeds))
     count, flagged = flagged_masters(folder)
     _write_down(unseen)
@@ -49,6 +52,17 @@ def main() -> int:
         f"{PAGE} written; too many masters flagged: {too_many or 'none'}; below 95 %: {missed or 'none'}\n"
     )
     return 1 if too_many or missed else 0
+
+
+def _trials(faults: tuple[Fault, ...], families: Mapping[str, Family], seeds: range) -> list[Trial]:
+    """Every trial of a half, its families side by side."""
+    with ProcessPoolExecutor() as pool:
+        parts = [pool.submit(_family_trials, faults, {name: family}, seeds) for name, family in families.items()]
+        return [one for part in parts for one in part.result()]
+
+
+def _family_trials(faults: tuple[Fault, ...], families: Mapping[str, Family], seeds: range) -> list[Trial]:
+    return list(trials(faults, families, seeds))
 
 
 def _write_down(unseen: list[Trial]) -> None:
@@ -116,7 +130,7 @@ second, whose table told what is missed, by drips, knocks and chirps, by pops, b
 three or four multiples.
 
 {_looks()}
-Left out of both halves, because the sound has by its nature what the fault would leave: {_left_out()}.
+Left out of both parts, because the sound has by its nature what the fault would leave: {_left_out()}.
 
 ## Whole sounds of these families
 | check | known: flagged of {whole[0][0]} | unseen: flagged of {whole[1][0]} |

@@ -20,6 +20,7 @@ class Injured(NamedTuple):
     end_s: float
 
 
+Levels = tuple[NDArray[np.float64], NDArray[np.float64]]
 Injure = Callable[[np.random.Generator, Samples, int, float], Injured | None]
 """Puts one fault into a sound at a level; None where the sound has no place for it."""
 
@@ -43,7 +44,7 @@ HUM_DB = (0.0, 6.0, 12.0)
 HUM_UNIT = "dB over the sound's quiet quarter"
 
 
-def levels_around(samples: Samples, rate: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def levels_around(samples: Samples, rate: int) -> Levels:
     """RMS of the loudest channel in the 10 ms before each frame, and after it."""
     width = round(0.01 * rate)
     sums = np.concatenate((np.zeros((1, samples.shape[1])), np.cumsum(np.square(samples), axis=0)))
@@ -55,9 +56,14 @@ def levels_around(samples: Samples, rate: int) -> tuple[NDArray[np.float64], NDA
     return before, after
 
 
-def place_in_sound(rng: np.random.Generator, samples: Samples, rate: int, length: int = 0) -> int | None:
-    """A frame where a sound goes on: as loud, within 10 dB, before it as after it and `length` frames more."""
-    before, after = levels_around(samples, rate)
+def place_in_sound(
+    rng: np.random.Generator, samples: Samples, rate: int, length: int = 0, around: Levels | None = None
+) -> int | None:
+    """A frame where a sound goes on: as loud, within 10 dB, before it as after it and `length` frames more.
+
+    Who asks again and again gives the levels `around` each frame.
+    """
+    before, after = around or levels_around(samples, rate)
     if length:
         after = np.concatenate((after[length:], np.full(min(length, len(after)), SILENCE)))
     loud = np.abs(samples).max() * 10 ** (-35 / 20)
@@ -146,8 +152,9 @@ def _pop(rng: np.random.Generator, samples: Samples, rate: int, level_db: float)
 
 def _garbled(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
     """Two to eight samples that stand in the wrong order."""
+    around = levels_around(samples, rate)
     for _ in range(40):
-        at, length = place_in_sound(rng, samples, rate), int(rng.integers(2, 9))
+        at, length = place_in_sound(rng, samples, rate, around=around), int(rng.integers(2, 9))
         if at is None:
             return None
         faulty = samples.copy()
@@ -160,9 +167,10 @@ def _garbled(rng: np.random.Generator, samples: Samples, rate: int, level_db: fl
 
 
 def _splice(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    around = levels_around(samples, rate)
     for _ in range(40):
         length = round(rng.uniform(0.001, 0.02) * rate)
-        at = place_in_sound(rng, samples, rate, length)
+        at = place_in_sound(rng, samples, rate, length, around)
         if at is None:
             return None
         spliced = np.delete(samples, slice(at, at + length), axis=0)
