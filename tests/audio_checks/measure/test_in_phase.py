@@ -67,3 +67,8 @@ def test_noise_has_no_three(seed):
 @pytest.mark.parametrize("samples", [np.zeros(2_000), np.full(2_000, 0.5), np.eye(1, 2_000)[0]])
 def test_silence_a_constant_and_an_impulse_have_none(samples):
     assert found_in(samples) == ((), 0.0)
+
+
+def test_less_than_a_window_is_refused():
+    with pytest.raises(ValueError, match="window"):
+        found_in(np.zeros(150))
