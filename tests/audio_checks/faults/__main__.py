@@ -110,6 +110,8 @@ Found at the levels that count, of all that were put in:
 | check | known families | unseen families |
 |---|---|---|
 {_summary_rows(known, unseen)}
+Short of {MUST}: {_short_of(known, unseen)}.
+
 Click levels are told by how far a click stands out of the sound in its most audible Bark band above 1 kHz, with
 masking spread over the bands by 10 dB a Bark upwards and 27 dB downwards; and it is as sharp as one sample 40 dB
 under the sound's peak, or sharper. From {AUDIBLE["click"]:g} dB on it counts. Clicks and dropouts are put where a
@@ -130,7 +132,7 @@ second, whose table told what is missed, by drips, knocks and chirps, by pops, b
 three or four multiples.
 
 {_looks()}
-Left out of both parts, because the sound has by its nature what the fault would leave: {_left_out()}.
+Left out of both halves, because the sound has by its nature what the fault would leave: {_left_out()}.
 
 ## Whole sounds of these families
 | check | known: flagged of {whole[0][0]} | unseen: flagged of {whole[1][0]} |
@@ -203,6 +205,12 @@ def _summary_rows(known: list[Trial], unseen: list[Trial]) -> str:
         rows += f"| {check} | " + " | ".join(f"{found} of {tried}, {_percent(found, tried)}" for found, tried in cells)
         rows += " |\n"
     return rows
+
+
+def _short_of(known: list[Trial], unseen: list[Trial]) -> str:
+    halves = {"known": known, "unseen": unseen}
+    short = [f"{check} ({name})" for check in CHECKS for name, half in halves.items() if _share(half, check) < FOUND]
+    return ", ".join(short) or "none"
 
 
 def _found_table(half: Iterable[Trial]) -> str:
