@@ -11,7 +11,7 @@
 #define WIDE __attribute__((target("avx2")))
 #define ALWAYS static inline __attribute__((always_inline)) WIDE
 
-enum { LANES = 16, EIGHT = 8, PAIRS = 4 }; /* samples in a register; cells measured at once; pairs of samples in half of one */
+enum { LANES = 16, PAIRS = 4 }; /* samples in a register; pairs of samples in half of one */
 static const double STEP = 0x1p-15, SQUARE = 0x1p-30; /* a whole step at full scale +-1.0, and its square */
 
 /* Numbers too large for a lane to add many of: their lower and upper 16 bits are added apart. */
@@ -226,7 +226,7 @@ WIDE static void measure_eight(const int16_t *samples, Py_ssize_t size, double *
 }
 
 static void measure_all(const int16_t *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row) {
-    for (Py_ssize_t cell = 0; cell < count; cell += EIGHT) measure_eight(samples + cell * size, size, out + cell, row);
+    for (Py_ssize_t cell = 0; cell < count; cell += CELLS_AT_ONCE) measure_eight(samples + cell * size, size, out + cell, row);
 }
 
 const whole_loops *in_whole_numbers(void) {

@@ -1,7 +1,7 @@
 /* One way through a block: it is decoded and measured piece by piece, while each piece lies in the nearest cache. */
 #include "kernel.h"
 
-enum { PIECE = 64 * ROW, SUMS = 3 }; /* of a channel: sum, sum of squares, highest magnitude */
+enum { PIECE = 64 * ROW, FIGURES = 3 }; /* the latter of a channel: sum, sum of squares, highest magnitude */
 
 typedef struct {
     const uint8_t *raw;
@@ -9,7 +9,7 @@ typedef struct {
     int floats;
     planar samples; /* the block and what stands around it */
     Py_ssize_t first, frames;
-    double *maxima, *sums;
+    double *maxima, *figures;
     planar cells; /* (CELL_FIGURES * channels, how many); none are wanted where there are no channels */
     Py_ssize_t cell;
     planar hops; /* (how many, STEREO_FIGURES) of two channels; none are wanted where there are no frames */
@@ -24,10 +24,10 @@ static void measure_rows(const block_to_be *block, Py_ssize_t channel, Py_ssize_
     const double *start = channel_of(block, channel) + at;
     double *maxima = block->maxima + channel * rows_of(block->frames) + at / ROW;
     if (frames % ROW == 0) {
-        in_lanes()->maxima_and_sums(start, frames / ROW, maxima, block->sums + channel * SUMS);
+        in_lanes()->maxima_and_sums(start, frames / ROW, maxima, block->figures + channel * FIGURES);
     } else {
         in_lanes()->maxima(start, frames, maxima);
-        in_lanes()->sums(start, frames, block->sums + channel * SUMS);
+        in_lanes()->sums(start, frames, block->figures + channel * FIGURES);
     }
 }
 
@@ -110,7 +110,7 @@ static int measure_whole_pieces(const block_to_be *block, int32_t *used) {
         for (Py_ssize_t channel = 0; channel < channels; channel++) {
             in_whole_numbers()->maxima_and_sums(rows[channel], whole / ROW,
                                                 block->maxima + channel * rows_of(block->frames) + at / ROW,
-                                                block->sums + channel * SUMS);
+                                                block->figures + channel * FIGURES);
             if (whole < frames) measure_rows(block, channel, at + whole, frames - whole);
             if (!cells) continue;
             in_whole_numbers()->cells(rows[channel], block->cell, cells,
@@ -144,7 +144,7 @@ PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     const Py_ssize_t bytes = held.views[held.count - 1].len, frame_bytes = block.samples.channels * block.width;
     block.frames = frame_bytes ? bytes / frame_bytes : 0;
     if (!(block.maxima = TAKE_DOUBLES(&held, args[5], block.samples.channels * rows_of(block.frames), 1)) ||
-        !(block.sums = TAKE_DOUBLES(&held, args[6], block.samples.channels * SUMS, 1)) ||
+        !(block.figures = TAKE_DOUBLES(&held, args[6], block.samples.channels * FIGURES, 1)) ||
         (args[7] != Py_None && take_planar(&held, args[7], &block.cells, 1) < 0) ||
         (args[9] != Py_None && take_planar(&held, args[9], &block.hops, 1) < 0)) {
         goto refused;
@@ -164,7 +164,7 @@ PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     if (!measure_whole_pieces(&block, &used)) measure_pieces(&block, &used, &broken);
     for (Py_ssize_t channel = 0; channel < block.samples.channels; channel++) {
         const Py_ssize_t rows = rows_of(block.frames);
-        block.sums[channel * SUMS + 2] = in_lanes()->highest(block.maxima + channel * rows, rows);
+        block.figures[channel * FIGURES + 2] = in_lanes()->highest(block.maxima + channel * rows, rows);
     }
     Py_END_ALLOW_THREADS
     let_go(&held);
