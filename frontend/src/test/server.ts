@@ -51,3 +51,7 @@ export function serve(answers: Answers): { asked: Asked[]; answers: Answers } {
   })
   return { asked, answers }
 }
+
+/** What was asked of the server by a method and path, as in "POST /v1/projects". */
+export const wrote = (asked: readonly Asked[], what: string) =>
+  asked.filter(({ method, path }) => `${method} ${path}` === what)

@@ -7,7 +7,7 @@ import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aSpec, inProject, people, TABLES, TOML, tried } from '@/test/project'
-import { answer, type Answers, type Asked, refusal, serve } from '@/test/server'
+import { answer, type Answers, type Asked, refusal, serve, wrote } from '@/test/server'
 
 const SAVE = 'PUT /v1/projects/p1/spec'
 const SAVE_FORM = 'POST /v1/projects/p1/spec/form'
@@ -21,8 +21,6 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-const wrote = (asked: readonly Asked[], what: string) =>
-  asked.filter(({ method, path }) => `${method} ${path}` === what)
 const badSpec = (where: string, message: string) =>
   refusal(422, 'bad-spec', `${where}: ${message}`, { errors: [{ where, message }] })
 

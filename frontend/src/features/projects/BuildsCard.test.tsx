@@ -1,0 +1,109 @@
+import { screen, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { build, REPORT } from '@/test/builds'
+import { openApp } from '@/test/openApp'
+import { anOverview, inProject, people } from '@/test/project'
+import { answer, serve, wrote } from '@/test/server'
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+  sessionStorage.clear()
+  dismissToast()
+  vi.stubGlobal('AudioContext', HandContext)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('builds', () => {
+  const withBuilds = () =>
+    inProject('producer', {
+      'GET /v1/projects/p1/overview': anOverview({
+        builds: [build('482', 2, 0), build('481', 0, 3), build('480', 0, 0)],
+      }),
+      'GET /v1/builds/b482': { report: REPORT },
+    })
+
+  test('the squares are told in words; the latest names what it refuses, and a waived file is none of it', async () => {
+    serve(withBuilds())
+    openApp('/projects/p1')
+    expect(await screen.findByRole('img', { name: '3 builds: 1 passed, 1 with warnings, 1 refused' })).toBeVisible()
+    const refused = await screen.findByRole('list', { name: 'Refused files' })
+    expect(within(refused).getByText('assets/airlock.wav')).toBeVisible()
+    expect(within(refused).getByText('Sample rate 44100 Hz')).toBeVisible()
+    expect(within(refused).getByText(', accepted 48000 Hz. Render it again.')).toBeVisible()
+    expect(within(refused).getByText('Cannot be read')).toBeVisible()
+    expect(within(refused).queryByText('assets/let_through.wav')).toBeNull()
+    expect(within(refused).queryByText(/true peak/i)).toBeNull()
+  })
+
+  test('the copy button takes every line, not only the one that is shown', async () => {
+    serve(withBuilds())
+    const press = userEvent.setup()
+    openApp('/projects/p1')
+    await press.click(await screen.findByRole('button', { name: 'Copy all lines for CI' }))
+    expect(await navigator.clipboard.readText()).toBe(
+      'curl spec\naudio-checks check --spec spec.toml assets/\ncurl report',
+    )
+  })
+
+  test('a token’s secret is shown once, with what it is for', async () => {
+    const made = {
+      id: 't1',
+      name: 'Nightly',
+      scopes: ['spec:read'],
+      creator: people.producer,
+      created_at: '2026-11-20T10:00:00Z',
+      last_used_at: null,
+      revoked_at: null,
+    }
+    const { asked } = serve({
+      ...withBuilds(),
+      'POST /v1/projects/p1/tokens': answer({ ...made, secret: 'slt_once' }, 201),
+    })
+    const press = userEvent.setup()
+    openApp('/projects/p1')
+    await press.click(await screen.findByRole('button', { name: 'Make a token' }))
+    const name = screen.getByLabelText('What the token is for')
+    await press.clear(name)
+    await press.type(name, 'Nightly')
+    await press.click(screen.getByRole('button', { name: 'Make the token' }))
+    expect(await screen.findByText('slt_once')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/projects/p1/tokens')[0]?.body).toEqual({
+      name: 'Nightly',
+      scopes: ['spec:read', 'list:read', 'checks:write', 'manifest:read'],
+    })
+    await press.click(screen.getByRole('button', { name: 'Copy the secret' }))
+    expect(await navigator.clipboard.readText()).toBe('slt_once')
+    await press.click(screen.getByRole('button', { name: 'It is kept' }))
+    expect(screen.queryByText('slt_once')).toBeNull()
+  })
+
+  test('a token is revoked only after it was said what that does', async () => {
+    const token = {
+      id: 't1',
+      name: 'Nightly',
+      scopes: ['spec:read'],
+      creator: people.producer,
+      created_at: '2026-11-20T10:00:00Z',
+      last_used_at: null,
+      revoked_at: null,
+    }
+    const { asked, answers } = serve({
+      ...withBuilds(),
+      'GET /v1/projects/p1/builds': { items: [build('482', 2, 0)], next: null },
+      'GET /v1/projects/p1/tokens': [token],
+      'DELETE /v1/projects/p1/tokens/t1': answer(null, 204),
+    })
+    const press = userEvent.setup()
+    openApp('/projects/p1/builds')
+    await press.click(await screen.findByRole('button', { name: 'Revoke Nightly' }))
+    expect(wrote(asked, 'DELETE /v1/projects/p1/tokens/t1')).toHaveLength(0)
+    answers['GET /v1/projects/p1/tokens'] = [{ ...token, revoked_at: '2026-11-21T10:00:00Z' }]
+    await press.click(screen.getByRole('button', { name: 'Revoke “Nightly”' }))
+    expect(await screen.findByText('Worthless')).toBeVisible()
+    expect(wrote(asked, 'DELETE /v1/projects/p1/tokens/t1')).toHaveLength(1)
+  })
+})

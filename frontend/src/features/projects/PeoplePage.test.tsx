@@ -1,0 +1,207 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { openApp } from '@/test/openApp'
+import { aProject, inProject, people } from '@/test/project'
+import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+  sessionStorage.clear()
+  dismissToast()
+  vi.stubGlobal('AudioContext', HandContext)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('people', () => {
+  const INVITATION = {
+    id: 'i1',
+    email: 'foley@sound.example',
+    kind: 'contract',
+    note: 'Six palette sounds first.',
+    inviter: people.producer,
+    created_at: '2026-11-20T10:00:00Z',
+    expires_at: '2099-12-20T10:00:00Z',
+    accepted_at: null,
+  }
+  const mail = (recipient: string, link: string, sent_at: string | null = null) => ({
+    id: link,
+    recipient,
+    subject: 'An invitation',
+    text: '',
+    link,
+    created_at: '2026-11-20T10:00:00Z',
+    sent_at,
+    failure: null,
+  })
+
+  test('a designer is invited by address, kind and note', async () => {
+    const { asked, answers } = serve({ ...inProject(), 'POST /v1/projects/p1/invitations': answer(INVITATION, 201) })
+    openApp('/projects/p1/people')
+    await userEvent.type(await screen.findByLabelText('Mail address'), 'foley@sound.example')
+    await userEvent.type(screen.getByLabelText(/Note/), 'Six palette sounds first.')
+    answers['GET /v1/projects/p1/invitations'] = [INVITATION]
+    await userEvent.click(screen.getByRole('button', { name: 'Send the invitation' }))
+    const open = await screen.findByRole('list', { name: 'Open invitations' })
+    expect(within(open).getByText('foley@sound.example')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/projects/p1/invitations')[0]?.body).toEqual({
+      email: 'foley@sound.example',
+      kind: 'contract',
+      note: 'Six palette sounds first.',
+    })
+    expect(screen.getByLabelText('Mail address')).toHaveValue('')
+  })
+
+  test('a refused address keeps what was typed, with the reason below', async () => {
+    const message = 'this designer is engaged on the project already'
+    serve({
+      ...inProject(),
+      'POST /v1/projects/p1/invitations': refusal(409, 'already-engaged', message, {
+        errors: [{ where: 'email', message }],
+      }),
+    })
+    openApp('/projects/p1/people')
+    await userEvent.type(await screen.findByLabelText('Mail address'), 'designer@sound.example')
+    await userEvent.click(screen.getByRole('button', { name: 'Send the invitation' }))
+    expect(await screen.findByText('This designer is engaged on the project already.')).toBeVisible()
+    expect(screen.getByLabelText('Mail address')).toHaveValue('designer@sound.example')
+  })
+
+  test('without a mail server the newest unsent link is there to copy, and only a link of an invitation', async () => {
+    serve({
+      ...inProject(),
+      'GET /v1/projects/p1/invitations': [INVITATION],
+      'GET /v1/studios/s1/outbox': {
+        can_send: false,
+        mails: [
+          mail('foley@sound.example', 'http://x/projects/p1'),
+          mail('foley@sound.example', 'http://x/invitation/new'),
+          mail('foley@sound.example', 'http://x/invitation/old'),
+        ],
+      },
+    })
+    const press = userEvent.setup()
+    openApp('/projects/p1/people')
+    expect(await screen.findByText(/No mail server is set/)).toBeVisible()
+    await press.click(screen.getByRole('button', { name: 'Copy link for foley@sound.example' }))
+    expect(await navigator.clipboard.readText()).toBe('http://x/invitation/new')
+  })
+
+  test('an invitation is revoked', async () => {
+    const { asked, answers } = serve({
+      ...inProject(),
+      'GET /v1/projects/p1/invitations': [INVITATION],
+      'DELETE /v1/projects/p1/invitations/i1': answer(null, 204),
+    })
+    openApp('/projects/p1/people')
+    const button = await screen.findByRole('button', { name: /^Revoke the invitation of foley/ })
+    answers['GET /v1/projects/p1/invitations'] = []
+    await userEvent.click(button)
+    await waitFor(() => expect(screen.queryByText('foley@sound.example')).toBeNull())
+    expect(wrote(asked, 'DELETE /v1/projects/p1/invitations/i1')).toHaveLength(1)
+  })
+
+  test('an engagement is ended, and taken up again by Undo', async () => {
+    let ended = false
+    const { asked } = serve({
+      ...inProject(),
+      'GET /v1/projects/p1': () =>
+        aProject('producer', {
+          engagements: [
+            {
+              id: 'e1',
+              designer: people.designer,
+              kind: 'contract',
+              created_at: '2026-11-02T10:00:00Z',
+              ended_at: ended ? '2026-11-21T10:00:00Z' : null,
+            },
+          ],
+        }),
+      'PATCH /v1/projects/p1/engagements/e1': ({ body }: Asked) => {
+        ended = (body as { ended: boolean }).ended
+        return {}
+      },
+    })
+    openApp('/projects/p1/people')
+    await userEvent.click(await screen.findByRole('button', { name: /^End/ }))
+    expect(await screen.findByRole('button', { name: /^Take up again/ })).toBeVisible()
+    await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
+    expect(await screen.findByRole('button', { name: /^End/ })).toBeVisible()
+    expect(wrote(asked, 'PATCH /v1/projects/p1/engagements/e1').map(({ body }) => body)).toEqual([
+      { ended: true },
+      { ended: false },
+    ])
+  })
+
+  test('a producer takes the last word over, with a reason that is kept', async () => {
+    const { asked, answers } = serve({
+      ...inProject(),
+      'PUT /v1/projects/p1/decider': ({ body }: Asked) => {
+        const change = body as { reason: string }
+        answers['GET /v1/projects/p1/decider-history'] = [
+          {
+            person: people.producer,
+            reason: change.reason,
+            changer: people.producer,
+            created_at: '2026-11-21T10:00:00Z',
+          },
+          {
+            person: people.decider,
+            reason: 'Knows the game',
+            changer: people.producer,
+            created_at: '2026-11-01T10:00:00Z',
+          },
+        ]
+        return aProject('producer', { decider: people.producer })
+      },
+    })
+    openApp('/projects/p1/people')
+    await userEvent.click(await screen.findByRole('button', { name: 'Take it over' }))
+    await userEvent.type(screen.getByLabelText('Why; it is kept'), 'Away until Monday')
+    await userEvent.click(screen.getByRole('button', { name: 'Give the last word' }))
+    const had = await screen.findByRole('list', { name: 'Who had the last word' })
+    await waitFor(() => expect(within(had).getAllByRole('listitem')).toHaveLength(2))
+    expect(within(had).getAllByRole('listitem')[0]).toHaveTextContent('Producer took it over: Away until Monday.')
+    expect(within(had).getAllByRole('listitem')[1]).toHaveTextContent(
+      'Audio director named by Producer: Knows the game.',
+    )
+    expect(wrote(asked, 'PUT /v1/projects/p1/decider')[0]?.body).toEqual({
+      person_id: 'x1',
+      reason: 'Away until Monday',
+    })
+  })
+
+  test('a reason must be given', async () => {
+    const message = 'must have at least 1 character'
+    serve({
+      ...inProject(),
+      'PUT /v1/projects/p1/decider': refusal(422, 'invalid', 'a field does not fit', {
+        errors: [{ where: 'reason', message }],
+      }),
+    })
+    openApp('/projects/p1/people')
+    await userEvent.click(await screen.findByRole('button', { name: 'Name another' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Give the last word' }))
+    expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
+  })
+
+  test('a liaison is made; the approver stays one, and it is said why', async () => {
+    const { asked } = serve({
+      ...inProject(),
+      'PUT /v1/projects/p1/liaisons/x4': aProject('producer', { liaisons: [people.decider, people.composer] }),
+      'DELETE /v1/projects/p1/liaisons/x2': refusal(409, 'liaison-decides', 'this liaison is the project’s approver', {
+        fix: 'name another approver first',
+      }),
+    })
+    openApp('/projects/p1/people')
+    await userEvent.click(await screen.findByRole('button', { name: 'Make liaison: Composer' }))
+    expect(await screen.findByRole('button', { name: 'Remove as liaison: Composer' })).toBeVisible()
+    expect(wrote(asked, 'PUT /v1/projects/p1/liaisons/x4')).toHaveLength(1)
+    await userEvent.click(screen.getByRole('button', { name: 'Remove as liaison: Audio director' }))
+    const alert = await screen.findByRole('alert')
+    expect(alert).toHaveTextContent('This liaison is the project’s approver. Name another approver first.')
+  })
+})

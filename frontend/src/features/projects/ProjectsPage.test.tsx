@@ -1,0 +1,110 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { openApp } from '@/test/openApp'
+import { aProject, inProject } from '@/test/project'
+import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
+
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+  sessionStorage.clear()
+  dismissToast()
+  vi.stubGlobal('AudioContext', HandContext)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+describe('projects', () => {
+  const firstTime = () => {
+    const answers = inProject()
+    return { ...answers, 'GET /v1/me': { ...(answers['GET /v1/me'] as object), projects: [] } }
+  }
+
+  test('a producer without a project begins by opening one, and is told why', async () => {
+    serve(firstTime())
+    const { at } = openApp('/projects')
+    expect(await screen.findByRole('heading', { name: 'New project' })).toBeVisible()
+    expect(at()).toBe('/projects/new')
+    expect(screen.getByText(/You have no project yet, so you begin here/)).toBeVisible()
+  })
+
+  test('the prefix follows the name until it is typed; the new project opens on its list', async () => {
+    const { asked } = serve({
+      ...firstTime(),
+      'POST /v1/projects': answer({ ...aProject(), id: 'p9' }, 201),
+      'GET /v1/projects/p9/sound-list': { revision: 0, cues: [] },
+    })
+    const { at } = openApp('/projects/new')
+    await userEvent.type(await screen.findByLabelText('Name of the game'), 'Deep Field')
+    expect(screen.getByLabelText('Prefix of cue numbers')).toHaveValue('DF')
+    await userEvent.clear(screen.getByLabelText('Prefix of cue numbers'))
+    await userEvent.type(screen.getByLabelText('Prefix of cue numbers'), 'dfl')
+    await userEvent.type(screen.getByLabelText('Name of the game'), ' Two')
+    expect(screen.getByLabelText('Prefix of cue numbers')).toHaveValue('DFL')
+    await userEvent.click(screen.getByRole('radio', { name: '48 kHz game' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Open the project' }))
+    await waitFor(() => expect(at()).toBe('/projects/p9/sound-list'))
+    expect(wrote(asked, 'POST /v1/projects')[0]?.body).toEqual({
+      studio_id: 's1',
+      name: 'Deep Field Two',
+      cue_prefix: 'DFL',
+      description: '',
+      preset: '48k',
+    })
+  })
+
+  test('a refused name stands at its field, and nothing typed is lost', async () => {
+    const message = 'must have at least 1 character'
+    serve({
+      ...firstTime(),
+      'POST /v1/projects': refusal(422, 'invalid', 'a field does not fit', { errors: [{ where: 'name', message }] }),
+    })
+    openApp('/projects/new')
+    await userEvent.type(await screen.findByLabelText(/What game is it/), 'A game of rivers')
+    await userEvent.click(screen.getByRole('button', { name: 'Open the project' }))
+    expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
+    expect(screen.getByLabelText('Name of the game')).toHaveAccessibleDescription('Must have at least 1 character.')
+    expect(screen.getByLabelText(/What game is it/)).toHaveValue('A game of rivers')
+  })
+
+  test('who opens no projects is told who does', async () => {
+    serve(inProject('reviewer'))
+    openApp('/projects/new')
+    expect(await screen.findByRole('heading', { name: 'A producer opens projects.' })).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'Open the project' })).toBeNull()
+  })
+
+  test('the list tells of each what one is in it; those put away stand apart', async () => {
+    const { asked } = serve({
+      ...inProject(),
+      'GET /v1/projects': ({ query }: Asked) => ({
+        items:
+          query.get('archived') === 'true' ? [] : [aProject(), aProject('designer', { id: 'p2', name: 'Deep Field' })],
+        next: null,
+      }),
+    })
+    openApp('/projects')
+    const rows = within(await screen.findByRole('list', { name: 'Projects' })).getAllByRole('listitem')
+    expect(rows[0]).toHaveTextContent(/Shield Wing.*you run it.*Audio director decides/)
+    expect(rows[1]).toHaveTextContent(/Deep Field.*you make its sounds, by contract/)
+    await userEvent.click(screen.getByRole('button', { name: 'Put away' }))
+    expect(await screen.findByText('Nothing is put away.')).toBeVisible()
+    expect(wrote(asked, 'GET /v1/projects').at(-1)?.query.get('archived')).toBe('true')
+  })
+
+  test('a project is renamed in its head, and the head says the new name', async () => {
+    const { asked } = serve({
+      ...inProject(),
+      'PATCH /v1/projects/p1': ({ body }: Asked) => aProject('producer', body as Record<string, unknown>),
+    })
+    openApp('/projects/p1')
+    await userEvent.click(await screen.findByRole('button', { name: /Change name, prefix/ }))
+    await userEvent.clear(screen.getByLabelText('Name'))
+    await userEvent.type(screen.getByLabelText('Name'), 'Shield Wing II')
+    await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+    expect(await screen.findByRole('heading', { name: 'Shield Wing II' })).toBeVisible()
+    expect(wrote(asked, 'PATCH /v1/projects/p1')[0]?.body).toMatchObject({ name: 'Shield Wing II', cue_prefix: 'SW' })
+  })
+})
