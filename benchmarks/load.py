@@ -3,7 +3,7 @@
     python -m benchmarks.load                     5 minutes, on a PostgreSQL and an S3 server that it starts
     python -m benchmarks.load --seconds 60 --uploads 50 --rate 20
 
-Each of the 200 uploads lasts 20 seconds, as over a line of 350 kbit/s, becomes a take that is checked and rendered,
+Each of the 200 uploads lasts 20 seconds, as over a line of 350 kbit/s, becomes a take that is checked and drawn,
 and is followed by the next. Requests come at fixed times whether or not earlier ones are answered, and are timed from
 then: what waits counts. They are those of a working day in a project of 10,000 takes: lists, queue, search, single
 takes, comments and verdicts. One web process and one worker share the machine with database, store and whoever asks.
@@ -30,10 +30,10 @@ from uuid import UUID
 import httpx
 import sqlalchemy as sa
 
+from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.runtime import Runtime
-from app.renders.models import RenderSet
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 from benchmarks.bulk import analyse, filling
@@ -247,15 +247,15 @@ def main() -> None:
         print(f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s …", flush=True)
         processes = {"web": web, "worker": worker}
         pids = {name: process.pid for name, process in processes.items()} | {"database": postgres.pid}
-        rendered = rendered_takes(runtime)
+        checked = checked_takes(runtime)
         people = People(address, made, to_approve, takes, told)
         watch = watcher(told, processes)
         loading = load(
             people, seconds=options.seconds, uploads=options.uploads, rate=options.rate, watch=watch, pids=pids
         )
         spent = asyncio.run(loading)
-        rendered = rendered_takes(runtime) - rendered
-    text = report(told, options, spent, rendered)
+        checked = checked_takes(runtime) - checked
+    text = report(told, options, spent, checked)
     print(text)
     if options.docs:
         write_between(DOCS / "scale.md", "load", text)
@@ -282,10 +282,10 @@ def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
     return made, list(waiting.values()), [row.id for row in rows if row.state is not TakeState.RECEIVED]
 
 
-def rendered_takes(runtime: Runtime) -> int:
-    """Return how many takes have all their game files."""
+def checked_takes(runtime: Runtime) -> int:
+    """Return how often takes were checked; what is sent here fits no cue, so that no game file is made of it."""
     with runtime.database.reading() as session:
-        return session.query(RenderSet).count()
+        return session.query(CheckRun).count()
 
 
 def watcher(told: Told, processes: dict[str, Popen[bytes]]) -> Callable[[], None]:
@@ -298,7 +298,7 @@ def watcher(told: Told, processes: dict[str, Popen[bytes]]) -> Callable[[], None
     return watch
 
 
-def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], rendered: int) -> str:
+def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], checked: int) -> str:
     """Return what was found, as Markdown."""
     rows = [[*_row(kind, times), _alone(told, kind)] for kind, times in told.times_s.items()]
     whole = [taken for times in told.times_s.values() for taken in times]
@@ -309,8 +309,7 @@ def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], ren
     lines = (
         f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s, {machine()};"
         f" {os.getloadavg()[0]:.1f} processes wanted to run.",
-        f"{told.takes} files came in whole, {rendered} takes were checked and rendered meanwhile;"
-        f" {len(told.wrong)} errors.",
+        f"{told.takes} files came in whole, {checked} takes were checked meanwhile; {len(told.wrong)} errors.",
         f"Memory, first and last quarter of the time: {growth}.",
         f"CPU time in ms a request, uploads and jobs in it: {spent}.",
         f"The limit, a p95 of {P95_MS:.0f} ms without an error, was {met}.",
