@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from audio_checks.errors import SpecError
 from audio_checks.spec import CueFacts
+from audio_checks.text_files import read_text
 
 COLUMNS = (
     "number",
@@ -138,7 +139,7 @@ def read_sound_list(source: str | Path) -> SoundList:
         The file cannot be read, or rows are wrong; each is named by its row and column.
     """
     where = str(source) if isinstance(source, Path) else "sound list"
-    text = _text(source) if isinstance(source, Path) else source.removeprefix("\ufeff")
+    text = read_text(source, fix="save it as CSV UTF-8") if isinstance(source, Path) else source.removeprefix("\ufeff")
     rows = _rows(text, where)
     cues: list[CueFacts] = []
     wrong: list[str] = []
@@ -174,15 +175,6 @@ def _cell(value: object) -> str:
     if isinstance(value, float):
         return str(int(value)) if value.is_integer() else repr(value)
     return "" if value is None else str(value)
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise SpecError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
-    except UnicodeDecodeError:
-        raise SpecError("is not UTF-8 text; save it as CSV UTF-8", where=str(path)) from None
 
 
 def _rows(text: str, where: str) -> Iterator[tuple[int, dict[str, str]]]:

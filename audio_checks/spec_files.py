@@ -6,11 +6,12 @@ from pathlib import Path
 from audio_checks import spec_keys
 from audio_checks.errors import SpecError
 from audio_checks.spec_parts import Tables
+from audio_checks.text_files import read_text
 
 
 def has_spec(path: Path) -> bool:
     """Tell whether a pyproject.toml has a table for audio-checks; any other file is a spec by its name."""
-    return path.name != "pyproject.toml" or "audio-checks" in _toml(_text(path), str(path)).get("tool", {})
+    return path.name != "pyproject.toml" or "audio-checks" in _toml(read_text(path), str(path)).get("tool", {})
 
 
 def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
@@ -24,7 +25,7 @@ def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
     real = path.resolve()
     if real in seen:
         raise SpecError("extends itself in a circle", where=str(path))
-    tables = read_tables(_text(path), str(path), pyproject=path.name == "pyproject.toml")
+    tables = read_tables(read_text(path), str(path), pyproject=path.name == "pyproject.toml")
     for place, naming in namings(tables):
         if "ucs_list" in naming:
             naming["ucs_ids"] = _cat_ids(path, naming.pop("ucs_list"), place)
@@ -61,15 +62,6 @@ def merged(base: Tables, over: Tables) -> Tables:
 def placed(error: SpecError, where: str, join: str = ": ") -> SpecError:
     """Return the error with its place put behind where the tables came from."""
     return SpecError(error.args[0], where=f"{where}{join}{error.where}" if error.where else where)
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise SpecError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
-    except UnicodeDecodeError:
-        raise SpecError("is not UTF-8 text", where=str(path)) from None
 
 
 def _toml(text: str, where: str) -> Tables:

@@ -15,6 +15,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from audio_checks.errors import SpecError
+from audio_checks.text_files import read_text
 
 BLOCKS = ("CatID", "FXName", "CreatorID", "SourceID", "UserData")
 CAT_ID = re.compile(r"[A-Z]{2}[A-Za-z0-9]*", re.ASCII)
@@ -63,14 +64,9 @@ def read_cat_ids(path: Path) -> list[str]:
         The file cannot be read, or has no such column, or no id in it.
     """
     where = str(path)
-    try:
-        if path.stat().st_size > MOST_LIST_BYTES:
-            raise SpecError("is too long for a list of categories", where=where)
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise SpecError(f"cannot be read: {error.strerror or error}", where=where) from None
-    except UnicodeDecodeError:
-        raise SpecError("is not UTF-8 text; save it as CSV UTF-8", where=where) from None
+    if path.is_file() and path.stat().st_size > MOST_LIST_BYTES:
+        raise SpecError("is too long for a list of categories", where=where)
+    text = read_text(path, fix="save it as CSV UTF-8")
     between = max(",;\t", key=text.partition("\n")[0].count)
     try:
         rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=between))

@@ -1,9 +1,20 @@
 import '@testing-library/jest-dom/vitest'
 
 import { cleanup } from '@testing-library/react'
-import { afterEach } from 'vitest'
+import { afterEach, beforeEach, vi } from 'vitest'
 
-afterEach(cleanup)
+import { dismissToast } from '@/app/toast'
+
+// Each test begins as a page that was just opened, and leaves nothing to the next.
+beforeEach(() => {
+  document.cookie = 'soundlist_csrf=token-of-the-page'
+  sessionStorage.clear()
+  dismissToast()
+})
+afterEach(() => {
+  cleanup()
+  vi.unstubAllGlobals()
+})
 
 // jsdom lays nothing out and paints nothing; these answer as a browser without a screen would.
 class StillObserver implements ResizeObserver {

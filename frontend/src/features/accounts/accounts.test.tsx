@@ -1,6 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Answers, refusal, serve } from '@/test/server'
@@ -54,11 +54,6 @@ const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = fa
   'GET /v1/projects/p1/desk': EMPTY_DESK,
   ...more,
 })
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-})
-afterEach(() => vi.unstubAllGlobals())
 
 describe('the guard', () => {
   test('a page asks nobody in: sign in first, then the page that was wanted', async () => {

@@ -1,7 +1,7 @@
 import { screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test, vi } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
@@ -80,11 +80,6 @@ const given = (more: Answers = {}): Answers => ({
   ...more,
 })
 const PAGE = '/projects/p1/contracts/c1'
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-})
-afterEach(() => vi.unstubAllGlobals())
 
 describe('a designer', () => {
   test('reads the text and accepts the version that was read, under a name', async () => {

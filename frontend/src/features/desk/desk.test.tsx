@@ -2,7 +2,7 @@ import { File as NodeFile } from 'node:buffer'
 
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Answers, refusal, serve } from '@/test/server'
@@ -194,11 +194,6 @@ const choose = (label: string, files: NodeFile[]) => {
   fireEvent.change(field)
 }
 const mp3 = (name: string) => new NodeFile(['ID3\x04 and then some'], name)
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-})
-afterEach(() => vi.unstubAllGlobals())
 
 describe('what came back', () => {
   test('stands with its findings, errors first, each with figure, limit, what to do and its page', async () => {

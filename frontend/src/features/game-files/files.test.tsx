@@ -1,7 +1,7 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, describe, expect, test } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
@@ -77,10 +77,6 @@ const clean = async () => {
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
   expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([])
 }
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-})
 
 describe('game files', () => {
   test('each target says its format, whom it is for, and by how much its memory is over', async () => {

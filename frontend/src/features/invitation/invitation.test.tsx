@@ -1,6 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
@@ -79,11 +79,6 @@ const given = (more: Answers = {}): Answers => ({
   'GET /v1/invitations/s3cret': INVITATION,
   ...more,
 })
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-})
-afterEach(() => vi.unstubAllGlobals())
 
 describe('the link', () => {
   test('shows the project, its list and how files must come, and asks for nothing', async () => {

@@ -1,6 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test } from 'vitest'
+import { expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
@@ -52,10 +52,6 @@ const as = (me: typeof ME, more: Answers): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me.person },
   'GET /v1/me': me,
   ...more,
-})
-
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
 })
 
 test('a producer sees what gave up and tries it again', async () => {

@@ -1,21 +1,14 @@
 import { screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { build, REPORT } from '@/test/builds'
 import { openApp } from '@/test/openApp'
 import { anOverview, inProject, people } from '@/test/project'
 import { answer, serve, wrote } from '@/test/server'
 
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-  sessionStorage.clear()
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-})
-afterEach(() => vi.unstubAllGlobals())
+beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
 describe('builds', () => {
   const withBuilds = () =>

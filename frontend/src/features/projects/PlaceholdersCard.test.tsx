@@ -1,19 +1,12 @@
 import { screen, waitFor, within } from '@testing-library/react'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
 import { refusal, serve } from '@/test/server'
 
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-  sessionStorage.clear()
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-})
-afterEach(() => vi.unstubAllGlobals())
+beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
 describe('placeholders', () => {
   const NEXT = {

@@ -1,22 +1,15 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { build, REPORT } from '@/test/builds'
 import { openApp } from '@/test/openApp'
 import { anOverview, aProject, inProject } from '@/test/project'
 import { refusal, serve } from '@/test/server'
 
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-  sessionStorage.clear()
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-})
-afterEach(() => vi.unstubAllGlobals())
+beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
 describe('the project page', () => {
   test('one cell a cue, the palette first; a cell says its state and leads to where it is dealt with', async () => {

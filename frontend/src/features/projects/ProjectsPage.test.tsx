@@ -1,20 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aProject, inProject } from '@/test/project'
 import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
 
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-  sessionStorage.clear()
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-})
-afterEach(() => vi.unstubAllGlobals())
+beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
 describe('projects', () => {
   const firstTime = () => {

@@ -1,9 +1,8 @@
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aSpec, inProject, people, TABLES, TOML, tried } from '@/test/project'
@@ -13,13 +12,7 @@ const SAVE = 'PUT /v1/projects/p1/spec'
 const SAVE_FORM = 'POST /v1/projects/p1/spec/form'
 const TRY = 'POST /v1/projects/p1/spec/check-toml'
 
-beforeEach(() => {
-  document.cookie = 'soundlist_csrf=token-of-the-page'
-  sessionStorage.clear()
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-})
-afterEach(() => vi.unstubAllGlobals())
+beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
 const badSpec = (where: string, message: string) =>
   refusal(422, 'bad-spec', `${where}: ${message}`, { errors: [{ where, message }] })
