@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
 from audio_checks.measure.response import Response, response_between
 from audio_checks.sound_files import open_sound
 
@@ -51,7 +51,7 @@ def reverb_beside(path: str | os.PathLike[str], dry_path: str | os.PathLike[str]
     tail_s = 0.005 * len(response.curve_db)
     wet_db, before_db = np.clip((response.wet_db, response.before_db), -NOTHING_DB, NOTHING_DB)
     margin_db = min(wet_db - before_db - ABOVE_BEFORE_DB, wet_db - FAINTEST_DB)
-    score = round(float(1 / (1 + np.exp(-np.clip(margin_db, -60, 60) / 3))), 3)
+    score = kept_score(float(1 / (1 + np.exp(-np.clip(margin_db, -60, 60) / 3))))
     if response.before_db > SAME_DB:
         verdict = CANNOT_TELL
     elif margin_db > 0 and response.rt60_s is not None and tail_s >= SHORTEST_S:

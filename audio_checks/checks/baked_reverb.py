@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.judge import score_in_words
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -33,11 +34,11 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
     judged = file.judgement("reverb", spec.kind)
     if judged.verdict != "reverb":
         return
-    rt60_s, score = judged.figures["rt60_s"], judged.score or 0.0
+    rt60_s, score = judged.figures["rt60_s"], score_in_words(judged.score)
     why = "the game adds its own" if "reverb" in spec.engine.adds else "the spec asks for a dry sound"
     yield Finding(
         code="baked-reverb:heard",
-        message=f"reverb of about {rt60_s:.1f} s, score {score:.2f} of 1, and {why}: needs a listen",
+        message=f"reverb of about {rt60_s:.1f} s, score {score} of 1, and {why}: needs a listen",
         fix="take the reverb off, and deliver its tail as a layer of its own"
         if cue is not None and cue.reverb == "separate-tail"
         else "take the reverb off, or say in the sound list that the tail is part of the design",

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.judge import score_in_words
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     silent, elsewhere = 100 * figures["silent_share"], 100 * figures["elsewhere_share"]
     low_pass = f", and it ends at {figures['low_pass_hz'] / 1000:.1f} kHz" if figures["low_pass_hz"] else ""
     shares = f"{silent:.0f} % of its spectral lines are silent, {elsewhere:.0f} % anywhere else"
-    question = f"score {judged.score or 0.0:.2f} of 1: was it {figures['codec']} before?"
+    question = f"score {score_in_words(judged.score)} of 1: was it {figures['codec']} before?"
     yield Finding(
         code="lossy:frames",
         message=f"on the frames of {figures['codec']} {shares}{low_pass}, {question}",

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.judge import score_in_words
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     if judged.verdict == "reversed":
         yield Finding(
             code="reversed:heard",
-            message=f"looks played backwards, score {judged.score or 0.0:.2f} of 1: is it meant so?",
+            message=f"looks played backwards, score {score_in_words(judged.score)} of 1: is it meant so?",
             fix="listen to it backwards; say in the delivery's note what was turned round, or deliver it forwards",
             measured=judged.score,
         )

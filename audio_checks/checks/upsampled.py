@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
+from audio_checks.judge import score_in_words
 from audio_checks.spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     question = "was it brought up" + (f" from {from_hz} Hz?" if from_hz else ", or pitched down?")
     yield Finding(
         code="upsampled:cliff",
-        message=f"{ends}, score {judged.score or 0.0:.2f} of 1: {question}",
+        message=f"{ends}, score {score_in_words(judged.score)} of 1: {question}",
         fix="deliver it at the rate it was made at, or say in the delivery's note what the source is",
         measured=edge_hz,
         limit=file.facts.sample_rate_hz / 2,

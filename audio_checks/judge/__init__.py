@@ -14,6 +14,7 @@ The module's name is the judgement's. Whatever a judgement has learned lies besi
 
 from __future__ import annotations
 
+import math
 import pkgutil
 from dataclasses import dataclass, field
 from functools import cache
@@ -36,7 +37,8 @@ class Judgement:
     verdict : str
         The positive word (as in "reverb"), the negative one ("dry"), or "cannot tell".
     score : float or None
-        0..1, higher means more certainly the positive verdict; None where there is nothing to judge.
+        0..1, higher means more certainly the positive verdict; None where there is nothing to judge. See
+        `kept_score`.
     figures : dict
         What was estimated on the way, by name with unit, as in `rt60_s`; None where it cannot be told.
     evidence : dict
@@ -52,6 +54,16 @@ class Judgement:
         """Return the judgement as the report has it."""
         said = {"verdict": self.verdict, "score": self.score, **self.figures}
         return {**said, "evidence": self.evidence} if self.evidence else said
+
+
+def kept_score(score: float) -> float:
+    """Return a score, 0..1, in three decimals, cut off and not rounded: 1 is only what is 1."""
+    return math.floor(score * 1000) / 1000
+
+
+def score_in_words(score: float | None) -> str:
+    """Return a kept score as every finding and page says it: two decimals, cut off; 0.00 where there is none."""
+    return f"{round((score or 0.0) * 1000) // 10 / 100:.2f}"
 
 
 @cache

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
 from audio_checks.measure.cliff import SHOWN_POINTS, Cliff, cliff_of, points_of
 from audio_checks.measure.codec_frames import Trace
 from audio_checks.measure.spectrum import MeanSpectrum
@@ -50,7 +50,7 @@ def judge_traces(traces: tuple[Trace, ...], spectrum: MeanSpectrum) -> Judgement
     score = score_of(best.contrast)
     verdict = verdict_of(score, low_pass_hz)
     figures = _figures(best if verdict == "lossy" else None, low_pass_hz)
-    return Judgement(verdict, round(score, 3), figures, {"spectrum": points_of(spectrum), "frames": _shown(best)})
+    return Judgement(verdict, kept_score(score), figures, {"spectrum": points_of(spectrum), "frames": _shown(best)})
 
 
 def verdict_of(score: float, low_pass_hz: float | None) -> str:

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
 from audio_checks.measure.decay import DecayFigures
 from audio_checks.measure.tails import decay_curves, features_of, likeness_of_sides
 from audio_checks.nets import Nets
@@ -52,7 +52,7 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     dry_below, reverb_from = limits_of(kind, "mono" if decay.sides is None else "stereo", rt60_s)
     verdict = "reverb" if score >= reverb_from else "dry" if score < dry_below else CANNOT_TELL
     figures = {"rt60_s": None if verdict == "dry" else round(rt60_s, 2)}
-    return Judgement(verdict, round(score, 3), figures, evidence_of(decay))
+    return Judgement(verdict, kept_score(score), figures, evidence_of(decay))
 
 
 def limits_of(kind: str | None, layout: str, rt60_s: float) -> tuple[float, float]:

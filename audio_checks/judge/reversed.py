@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
 from audio_checks.measure.decay import DecayFigures
 from audio_checks.measure.turning import features_of, rises_and_falls
 from audio_checks.trees import Trees
@@ -47,7 +47,7 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     score = score_of(features)
     forwards_below, reversed_above = weights()["thresholds"][kind or "unknown"]
     verdict = "reversed" if score >= reversed_above else "forwards" if score < forwards_below else CANNOT_TELL
-    return Judgement(verdict, round(score, 3), evidence={"bands": rises_and_falls(decay)})
+    return Judgement(verdict, kept_score(score), evidence={"bands": rises_and_falls(decay)})
 
 
 def score_of(features: NDArray[np.float64]) -> float:

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement
+from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
 from audio_checks.measure.cliff import cliff_of, points_of, rate_of
 from audio_checks.measure.spectrum import MeanSpectrum
 from audio_checks.trees import Trees
@@ -49,7 +49,7 @@ def judge_spectrum(spectrum: MeanSpectrum) -> Judgement:
     verdict = "upsampled" if score >= upsampled_above else "full" if score < full_below else CANNOT_TELL
     from_hz = rate_of(cliff.edge_hz, spectrum.sample_rate_hz) if verdict == "upsampled" else None
     figures = {"from_hz": from_hz, "edge_hz": round(cliff.edge_hz), "drop_db": round(cliff.drop_db, 1)}
-    return Judgement(verdict, round(score, 3), figures, {"spectrum": points_of(spectrum)})
+    return Judgement(verdict, kept_score(score), figures, {"spectrum": points_of(spectrum)})
 
 
 def score_of(features: NDArray[np.float64]) -> float:

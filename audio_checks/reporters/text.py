@@ -7,6 +7,7 @@ from typing import Any
 
 from audio_checks.check_names import Severity
 from audio_checks.findings import FileReport, Finding, Report, printable
+from audio_checks.judge import score_in_words
 from audio_checks.loudness_presets import in_words
 from audio_checks.reporters import Style
 from audio_checks.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
@@ -196,7 +197,7 @@ def _judged(judged: Mapping[str, Any]) -> str:
     """Return a judgement in one line: verdict, score, and the figures that it gives."""
     parts = [judged["verdict"]]
     if judged["score"] is not None:
-        parts.append(f"score {judged['score']:.2f}")
+        parts.append(f"score {score_in_words(judged['score'])}")
     for name, value in judged.items():
         words, unit = _words(name)
         if unit and isinstance(value, float):

@@ -99,3 +99,13 @@ test('counts and words', () => {
   expect(format.channels(1)).toBe('mono')
   expect(format.channels(6)).toBe('6 channels')
 })
+
+test.each([
+  [0, '0.00'],
+  [0.29, '0.29'], // 0.29 * 100 is 28.999999999999996
+  [0.995, '0.99'],
+  [0.999, '0.99'],
+  [1, '1.00'],
+])('a score of %s reads %s', (value, text) => {
+  expect(format.score(value)).toBe(text)
+})

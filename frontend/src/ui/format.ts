@@ -11,6 +11,11 @@ export function figure(value: number, decimals = 0): string {
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text
 }
 
+/** A score from 0 to 1 in two decimals, cut off as the findings cut it: 0.995 reads 0.99, and 1.00 is only what is 1. */
+export function score(value: number): string {
+  return figure(Math.floor(Math.round(value * 1000) / 10) / 100, 2)
+}
+
 export type LevelUnit = 'dB' | 'dBFS' | 'dBTP' | 'LUFS' | 'LU'
 
 /** A level with one decimal; null, NaN and −Infinity are silence: "−∞ dBFS". */

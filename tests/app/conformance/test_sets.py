@@ -2,6 +2,7 @@
 
 import re
 from typing import Any
+from uuid import UUID
 
 import numpy as np
 import pytest
@@ -9,6 +10,8 @@ import pytest
 from app.conformance import sets
 from app.conformance.rules import MemberFact, members_of_set
 from app.kit.db import new_id
+from app.projects.queries import current_spec
+from app.sound_lists.models import Cue
 from audio_checks import CueFacts
 from benchmarks.plans import heard
 from tests.support.deliver import add_cues, checked, deliver, open_delivery
@@ -112,6 +115,23 @@ def test_what_was_found_is_remembered_until_something_of_it_changes(world: World
     changed = world.producer.patch(f"/v1/cues/{cue['id']}", json={"category": "impact", "edition": cue["edition"]})
     assert changed.status_code == 200, changed.text
     assert of_sets(checked(world, takes[2])) == []
+
+
+def test_what_was_found_counts_for_the_facts_of_its_cue(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Step", "variations": 3, "category": "foley"})
+    takes = deliver_set(world, {1: -20, 2: -20, 3: -14})
+    world.server.wait_for_jobs()
+    with world.server.runtime.database.reading() as session:
+        asked, spec = session.get_one(Cue, UUID(cue["id"])), current_spec(session, world.project_id)
+        session.expunge(asked)  # what changes of it below reaches no table, and so no job checks its takes again
+
+        def found() -> list[str]:
+            word = sets.words_on_sets(session, [asked], {world.project_id: spec}).get(UUID(takes[3]))
+            return [str(finding["code"]) for finding in word.findings] if word else []
+
+        assert found() == ["variation-set:level"]
+        asked.variations = 4  # one is missing now: a set speaks when it is whole
+        assert found() == []
 
 
 def test_no_more_than_so_many_sets_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:

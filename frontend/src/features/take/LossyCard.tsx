@@ -1,5 +1,5 @@
 import { Card, CardHead } from '@/ui/Card'
-import { figure } from '@/ui/format'
+import { figure, score } from '@/ui/format'
 
 import type { Check } from './api'
 import { isTable, judgedOf, numberOf } from './judged'
@@ -17,11 +17,11 @@ export function LossyCard({ check }: { check: Check | null | undefined }) {
   const codec = typeof judged.figures.codec === 'string' ? judged.figures.codec : null
   const lowPassHz = numberOf(judged.figures.low_pass_hz)
   const spectrum = meanSpectrumOf(judged.evidence.spectrum)
-  const score = judged.score === null ? '' : `, score ${figure(judged.score, 2)}`
+  const sure = judged.score === null ? '' : `, score ${score(judged.score)}`
   const end = lowPassHz === null ? '' : `It ends steeply at ${figure(lowPassHz / 1000, 1)} kHz.`
   return (
     <Card aria-labelledby="lossy">
-      <CardHead id="lossy" title="Was it ever a lossy file?" end={`${judged.verdict}${score}`} />
+      <CardHead id="lossy" title="Was it ever a lossy file?" end={`${judged.verdict}${sure}`} />
       <div className={`${classes.inside} ${classes.proofs}`}>
         <figure className={classes.bands}>
           <FramesPlot frames={frames} />

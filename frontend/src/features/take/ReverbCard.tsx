@@ -2,7 +2,7 @@ import { Link } from '@tanstack/react-router'
 
 import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
-import { figure } from '@/ui/format'
+import { figure, score } from '@/ui/format'
 
 import type { Check } from './api'
 import { type DecayBand, type ReverbBefore, type ReverbEvidence, reverbOf } from './reverb'
@@ -38,11 +38,11 @@ export function ReverbCard({ check }: { check: Check | null | undefined }) {
   )
 }
 
-function answer({ verdict, score, rt60S }: ReverbEvidence): string {
+function answer({ verdict, score: sure, rt60S }: ReverbEvidence): string {
   const parts = [
     verdict,
     rt60S !== null && `about ${figure(rt60S, 1)} s`,
-    score !== null && `score ${figure(score, 2)}`,
+    sure !== null && `score ${score(sure)}`,
   ]
   return parts.filter(Boolean).join(', ')
 }

@@ -1,5 +1,5 @@
 import { Card, CardHead } from '@/ui/Card'
-import { figure } from '@/ui/format'
+import { figure, score } from '@/ui/format'
 
 import type { Check } from './api'
 import { isTable, judgedOf } from './judged'
@@ -16,7 +16,7 @@ export function ReversedCard({ check }: { check: Check | null | undefined }) {
       <CardHead
         id="reversed"
         title="Is it played backwards?"
-        end={`${judged.verdict}${judged.score === null ? '' : `, score ${figure(judged.score, 2)}`}`}
+        end={`${judged.verdict}${judged.score === null ? '' : `, score ${score(judged.score)}`}`}
       />
       <div className={classes.inside}>
         <p className="small mid">

@@ -1,5 +1,5 @@
 import { Card, CardHead } from '@/ui/Card'
-import { figure, rate } from '@/ui/format'
+import { figure, rate, score } from '@/ui/format'
 
 import type { Check } from './api'
 import { judgedOf, numberOf } from './judged'
@@ -14,14 +14,14 @@ export function UpsampledCard({ check }: { check: Check | null | undefined }) {
   const edgeHz = numberOf(judged.figures.edge_hz)
   const dropDb = numberOf(judged.figures.drop_db)
   const fromHz = numberOf(judged.figures.from_hz)
-  const score = judged.score === null ? '' : `, score ${figure(judged.score, 2)}`
+  const sure = judged.score === null ? '' : `, score ${score(judged.score)}`
   const end =
     edgeHz === null || dropDb === null
       ? ''
       : `Its steepest end lies at ${figure(edgeHz / 1000, 1)} kHz, where it drops by ${figure(dropDb, 1)} dB.`
   return (
     <Card aria-labelledby="upsampled">
-      <CardHead id="upsampled" title="Was it brought up from a lower rate?" end={`${judged.verdict}${score}`} />
+      <CardHead id="upsampled" title="Was it brought up from a lower rate?" end={`${judged.verdict}${sure}`} />
       <div className={classes.inside}>
         <figure className={classes.bands}>
           <SpectrumPlot spectrum={spectrum} edgeHz={edgeHz} end={end} />

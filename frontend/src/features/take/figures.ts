@@ -1,4 +1,4 @@
-import { channels, figure, length, level, type LevelUnit, milliseconds, place, rate } from '@/ui/format'
+import { channels, figure, length, level, type LevelUnit, milliseconds, place, rate, score } from '@/ui/format'
 
 /** One figure of the report, in words. */
 export interface Line {
@@ -223,12 +223,12 @@ export function textsOf(facts: Values): Line[] {
 export function judgementsOf(judgements: Values): Line[] {
   return Object.entries(judgements).flatMap(([name, value]) => {
     if (!isTable(value) || typeof value.verdict !== 'string') return []
-    const score = isNumber(value.score) ? `, score ${figure(value.score, 2)}` : ''
+    const sure = isNumber(value.score) ? `, score ${score(value.score)}` : ''
     return [
       {
         name,
         what: QUESTIONS[name] ?? `${name.charAt(0).toUpperCase()}${name.slice(1)}?`,
-        said: value.verdict + score,
+        said: value.verdict + sure,
       },
     ]
   })

@@ -1,5 +1,5 @@
 import type { components } from '@/api/schema.gen'
-import { figure, level } from '@/ui/format'
+import { figure, level, score } from '@/ui/format'
 
 type Schemas = components['schemas']
 export type TakeFit = Schemas['TakeFitRead']
@@ -17,7 +17,7 @@ export const WHAT: Record<Measure, string> = {
 /** A figure of one measure with its unit. */
 export function said(measure: Measure, value: number): string {
   if (measure === 'loudness') return level(value, 'LUFS')
-  return measure === 'dryness' ? figure(value, 2) : `${figure(value, 1)} dB`
+  return measure === 'dryness' ? score(value) : `${figure(value, 1)} dB`
 }
 
 /** How much one lies over another, with its sign. */
