@@ -39,11 +39,7 @@ export function ReverbCard({ check }: { check: Check | null | undefined }) {
 }
 
 function answer({ verdict, score: sure, rt60S }: ReverbEvidence): string {
-  const parts = [
-    verdict,
-    rt60S !== null && `about ${figure(rt60S, 1)} s`,
-    sure !== null && `score ${score(sure)}`,
-  ]
+  const parts = [verdict, rt60S !== null && `about ${figure(rt60S, 1)} s`, sure !== null && `score ${score(sure)}`]
   return parts.filter(Boolean).join(', ')
 }
 
