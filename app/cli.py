@@ -1,9 +1,10 @@
 """The server's command line: serve, worker, migrate, backup, restore, verify, demo, token, openapi, jobs."""
 
 import json
+import socket
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 from uuid import UUID
@@ -78,18 +79,47 @@ def serve(
     port: Annotated[int, typer.Option(help="Port to listen on.")] = 8000,
 ) -> None:
     """Serve the web application; run `soundlist migrate` before and `soundlist worker` beside it."""
-    from app.kit import metrics, serving
-    from app.main import create_app
+    from app.kit import processes
+    from app.main import create_app  # noqa: F401  before processes are forked, so that they share what it loads
 
     settings = _settings(serving=True)
     logs.configure(settings.log_level)
     if settings.demo and host != "127.0.0.1":
         raise _refusal(["the demo listens on 127.0.0.1 only, since it asks nobody to sign in"])
+    if settings.web_processes == 1:
+        _serve(settings, lambda: processes.listener(host, port))
+        return
+    # What is wrong is said once, by a process whose threads and connections nobody inherits.
+    if code := processes.run_apart(lambda: _apart(lambda: _ready_to_serve(settings).close())):
+        raise typer.Exit(code)
+    try:
+        kept = processes.listener(host, port, shared=True)
+    except processes.PortTaken as error:
+        raise _refusal([str(error)]) from None
+
+    def serve_beside(place: int) -> None:
+        _apart(lambda: _serve(settings, lambda: processes.beside(kept), place=place))
+
+    raise typer.Exit(processes.Siblings(serve_beside, settings.web_processes).run())
+
+
+def _apart(work: Callable[[], None]) -> None:
+    """Do a part of a command in a process of its own, which ends with the command's code."""
+    try:
+        work()
+    except typer.Exit as end:
+        raise SystemExit(end.exit_code) from None
+
+
+def _serve(settings: Settings, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
+    from app.kit import metrics, processes, serving
+    from app.main import create_app
+
     runtime = _ready_to_serve(settings)
     try:
-        with metrics.listening(settings, metrics.collectors(runtime)):
-            serving.serve(create_app(runtime), host=host, port=port, drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
-    except metrics.CannotListen as error:
+        with metrics.listening(settings, metrics.collectors(runtime), place=place):
+            serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
+    except (metrics.CannotListen, processes.PortTaken) as error:
         raise _refusal([str(error)]) from None
 
 

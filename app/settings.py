@@ -71,6 +71,7 @@ class Settings(BaseSettings):
     drain_s: float = Field(
         0.0, ge=0, le=60, description="How long a web process told to stop goes on, so that proxies turn away from it."
     )
+    web_processes: int = Field(1, ge=1, le=64, description="Processes that `soundlist serve` answers by.")
     worker_jobs: int = Field(4, ge=1, le=64, description="Jobs that one worker process runs at once.")
     operators: Annotated[frozenset[str], NoDecode] = Field(
         frozenset(), description="Addresses, with commas between, of the people who see the whole server's jobs."
@@ -145,6 +146,15 @@ class Settings(BaseSettings):
             raise ValueError(
                 "SOUNDLIST_STORE_URL names a bucket, and AWS_ACCESS_KEY_ID or AWS_SECRET_ACCESS_KEY is not set; "
                 "set both to a key that may read, write, list and delete there"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _tells_figures_of_each_process(self) -> Self:
+        if self.web_processes > 1 and self.metrics_token.get_secret_value() and self.metrics_port is None:
+            raise ValueError(
+                f"SOUNDLIST_WEB_PROCESSES is {self.web_processes}, and whoever asks one port for /metrics reaches any "
+                "of them; set SOUNDLIST_METRICS_PORT to the first of as many ports that are free"
             )
         return self
 

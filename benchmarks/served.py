@@ -76,10 +76,10 @@ class Place:
                 process.wait()
 
     @contextmanager
-    def serving(self) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
-        """Give the address of a web process that answers."""
+    def serving(self, *, processes: int = 1) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
+        """Give the address of a web application that answers, by one process or several of the one given."""
         port = free_port()
-        with self.running("serve", "--port", str(port), name="web") as process:
+        with self.running("serve", "--port", str(port), name="web", SOUNDLIST_WEB_PROCESSES=str(processes)) as process:
             address = f"http://127.0.0.1:{port}"
             wait_until_alive(address, process)
             yield address, process
@@ -112,8 +112,8 @@ def own_cpu_seconds(pid: int) -> float:
 
 
 def cpu_now_s(web_pid: int, database_pid: int | None) -> dict[int, float]:
-    """Return the CPU time, to the microsecond, of the web process and of each process of its database."""
-    pids = [web_pid, *(_children(database_pid) if database_pid is not None else ())]
+    """Return the CPU time, to the microsecond, of each web process and of each process of their database."""
+    pids = [web_pid, *_children(web_pid), *(_children(database_pid) if database_pid is not None else ())]
     spent = {}
     for pid in pids:
         with suppress(OSError):  # one that just ended

@@ -4,14 +4,13 @@ import ctypes
 import socket
 import struct
 import sys
-from asyncio.trsock import TransportSocket
 
 SO_ATTACH_FILTER = 26  # asm-generic/socket.h; Python has no name for it
 # Classic BPF over the TCP header, as (code, jump if true, jump if false, operand): byte 13 has the flags, 0x02 is SYN.
 _ALL_BUT_SYN = ((0x30, 0, 0, 13), (0x45, 0, 1, 0x02), (0x06, 0, 0, 0), (0x06, 0, 0, 0xFFFF_FFFF))
 
 
-def stop_handshakes(listening: socket.socket | TransportSocket) -> None:
+def stop_handshakes(listening: socket.socket) -> None:
     """Have the kernel drop requests for a connection, so that the queue of those that wait to be accepted runs empty.
 
     A socket that closes resets whoever waits in its queue, though they may have sent a request already. A request for

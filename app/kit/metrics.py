@@ -163,13 +163,16 @@ class MetricsServer:
 
 
 @contextmanager
-def listening(settings: "Settings", collectors: Iterable[Collector]) -> Iterator[None]:
-    """Tell the figures on a port of their own for the length of a block, where the settings ask for one."""
+def listening(settings: "Settings", collectors: Iterable[Collector], *, place: int = 0) -> Iterator[None]:
+    """Tell the figures on a port of their own for the length of a block, where the settings ask for one.
+
+    Of several web processes each has a place, and the port that is so many above the one that is set.
+    """
     if settings.metrics_port is None:
         yield
         return
     server = MetricsServer(
-        settings.metrics_host, settings.metrics_port, settings.metrics_token.get_secret_value(), collectors
+        settings.metrics_host, settings.metrics_port + place, settings.metrics_token.get_secret_value(), collectors
     )
     server.start()
     try:

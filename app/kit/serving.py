@@ -23,7 +23,7 @@ ACCEPT_S = 0.1  # the event loop comes round many times
 LINGER_S = 2.0  # a proxy uses up the lines it has, or has seen that no new one opens
 
 
-def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) -> None:
+def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: int) -> None:
     """Serve until SIGTERM or SIGINT; then go on for `drain_s` as not ready, and give open answers `finish_s` more.
 
     Without a `drain_s` lines on which nothing is being answered close at once.
@@ -33,12 +33,12 @@ def serve(app: ASGIApp, *, host: str, port: int, drain_s: float, finish_s: int) 
     gc.freeze()
     stopping = threading.Event()
     config = uvicorn.Config(
-        _Leaving(app, stopping.is_set), host=host, port=port, log_config=None, access_log=False, proxy_headers=False,
+        _Leaving(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,
         server_header=False, timeout_graceful_shutdown=finish_s, timeout_keep_alive=IDLE_LINE_S,
     )  # fmt: skip
     server = _Server(config, stopping, drain_s)
     with contextlib.suppress(KeyboardInterrupt):  # the signal that ended it, raised once more
-        server.run()
+        server.run([listening])
     if not server.started:
         raise SystemExit(STARTUP_FAILED)
 
@@ -64,9 +64,8 @@ class _Server(uvicorn.Server):
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         """Answer what may be on its way on an open line before the lines close."""
-        for server in self.servers:
-            for listening in server.sockets:
-                stop_handshakes(listening)
+        for listening in sockets or ():
+            stop_handshakes(listening)
         await self._until(lambda: False, ACCEPT_S)
         for server in self.servers:
             server.close()

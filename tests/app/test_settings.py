@@ -70,6 +70,14 @@ def test_operators_are_a_list_of_addresses(environment):
     assert "'ada', which is no mail address" in line
 
 
+def test_figures_of_several_web_processes_want_a_port_for_each(environment):
+    environment(SECRET_KEY="k" * 32, WEB_PROCESSES="2", METRICS_TOKEN="t")
+    (line,) = wrong()
+    assert "set SOUNDLIST_METRICS_PORT to the first of as many ports" in line
+    environment(METRICS_PORT="9100")
+    assert read_settings(serving=True).web_processes == 2
+
+
 def started(*command: str) -> Result:
     return CliRunner().invoke(cli.cli, command)
 

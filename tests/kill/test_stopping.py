@@ -3,11 +3,12 @@
 import signal
 import socket
 import time
+from contextlib import suppress
 
 import httpx
 import pytest
 
-from tests.kill.processes import ProcessServer, wait_until
+from tests.kill.processes import ProcessServer, free_port, wait_until
 
 pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
 
@@ -47,6 +48,39 @@ def test_a_line_that_is_open_is_answered_after_the_door_is_shut(server: ProcessS
         unused.sendall(b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
         assert unused.recv(4096).startswith(b"HTTP/1.1 200")
     assert web.wait() == -signal.SIGTERM  # which uvicorn raises once more, having finished
+
+
+@pytest.mark.killed_on("sqlite")
+def test_several_processes_answer_for_one_server_and_stop_together(server: ProcessServer) -> None:
+    figures = two_free_ports()
+    web = server.serve(web_processes=2, metrics_port=figures)
+
+    def both_answered() -> bool:
+        httpx.get(f"http://127.0.0.1:{server.port}/healthz")  # on a line of its own each time
+        told = [httpx.get(f"http://127.0.0.1:{port}/metrics").text for port in (figures, figures + 1)]
+        return all('soundlist_requests_total{method="GET",route="/healthz"' in each for each in told)
+
+    wait_until(lambda: is_open(figures) and is_open(figures + 1))
+    wait_until(both_answered)
+    web.send(signal.SIGTERM)
+    assert web.wait() == -signal.SIGTERM
+    assert not any(map(is_open, (server.port, figures, figures + 1)))
+
+
+def two_free_ports() -> int:
+    """Return the first of two ports side by side that nobody listens on."""
+    while True:
+        port = free_port()
+        with suppress(OSError), socket.socket() as following:
+            following.bind(("127.0.0.1", port + 1))
+            return port
+
+
+def is_open(port: int) -> bool:
+    """Whether a line can be opened."""
+    with suppress(OSError), socket.create_connection(("127.0.0.1", port), timeout=5):
+        return True
+    return False
 
 
 def is_shut(port: int) -> bool:

@@ -1,6 +1,7 @@
 """How the web process is served."""
 
 import gc
+import socket
 from collections.abc import Iterator
 from typing import Any
 
@@ -20,10 +21,11 @@ def unfrozen() -> Iterator[None]:
 def test_what_was_imported_is_not_looked_through_again(monkeypatch: pytest.MonkeyPatch):
     frozen: list[int] = []
 
-    def run(server: Any) -> None:
+    def run(server: Any, _sockets: Any) -> None:
         frozen.append(gc.get_freeze_count())
         server.started = True
 
     monkeypatch.setattr(serving._Server, "run", run)
-    serving.serve(lambda *_: None, host="127.0.0.1", port=0, drain_s=0, finish_s=1)
+    with socket.socket() as listening:
+        serving.serve(lambda *_: None, listening, drain_s=0, finish_s=1)
     assert frozen[0] > 10_000
