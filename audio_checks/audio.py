@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import PurePath
@@ -336,13 +336,15 @@ class AudioFile:
         decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
         used, left, most = 0, layout.frames, wav.frames_at_once(layout)
         self._file.seek(layout.data_offset)
-        room = spare.taken("bytes", min(left, decoder.room() if decoder else most) * layout.frame_bytes)
-        bytes_read = room.data
+        piece = decoder.piece_frames() if decoder else most
+        room = spare.taken("bytes", min(left, piece) * layout.frame_bytes)
         while left:
-            raw = bytes_read[: min(left, decoder.room() if decoder else most) * layout.frame_bytes]
-            wav.fill(self._file, raw)
-            hashes.add_sound(raw)
-            block, bits = wav.decode(raw, layout, decoder)
+            frames = min(left, decoder.room() if decoder else most)
+            pieces = self._sound_bytes(room.data, frames, hashes)
+            if decoder:
+                block, bits = wav.decode_to(decoder, pieces, frames, layout)
+            else:
+                block, bits = wav.decode(next(pieces), layout)
             used |= bits
             left -= len(block)
             for accumulator in accumulators:
@@ -360,3 +362,13 @@ class AudioFile:
         whole, pcm = hashes.result()
         self._hashes = (whole if self._sound.flac is None else self._sound.original_sha256(), pcm)
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
+
+    def _sound_bytes(self, room: memoryview, frames: int, hashes: Hashes) -> Iterator[memoryview]:
+        """Yield the bytes of the next frames in pieces as large as the room for them, each hashed."""
+        left = frames * self.layout.frame_bytes
+        while left:
+            piece = room[:left]
+            wav.fill(self._file, piece)
+            hashes.add_sound(piece)
+            yield piece
+            left -= len(piece)

@@ -103,7 +103,7 @@ void *take_row(holding *held, PyObject *object, Py_ssize_t count, Py_ssize_t siz
 int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 
 enum { ROW = 32 };                            /* samples of which the highest magnitude is kept */
-enum { K_SEEN = 6, K_LANES = 4, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
+enum { K_SEEN = 6, K_LANES = 8, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
 
 enum { SCREENED = 64, TOWERED = 4 }; /* cells asked at once, and how many on either side each is compared with */
 
@@ -119,7 +119,7 @@ typedef struct {
     uint64_t (*towering)(const double *heights, Py_ssize_t nearest, double times);
     void (*lagged)(const double *samples, Py_ssize_t count, Py_ssize_t order, double *products);
     void (*foretell)(const double *samples, const double *coefficients, Py_ssize_t order, Py_ssize_t count, double *rests);
-    void (*weigh)(const double *const *streams, Py_ssize_t from, Py_ssize_t until, const double *coefficients,
+    void (*weigh)(const double *const *streams, int lanes, Py_ssize_t from, Py_ssize_t until, const double *coefficients,
                   double *state, double *energies);
 } loops;
 
@@ -151,6 +151,8 @@ void measure_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, dou
 
 /* levels.c */
 Py_ssize_t rows_of(Py_ssize_t frames);
+/* Take the maxima of all rows of so many frames of a block's channels; 0, or -1 with an error set. */
+int take_maxima(holding *held, PyObject *object, const planar *block, Py_ssize_t frames, planar *maxima, int writable);
 enum { STEREO_FIGURES = 4 }; /* of a hop of two channels; `at` frames of the first hop came before */
 int ensure_stereo(const planar *block, Py_ssize_t frames, const planar *hops, Py_ssize_t hop, Py_ssize_t at);
 void measure_stereo(const double *left, const double *right, Py_ssize_t count, Py_ssize_t at, Py_ssize_t hop,

@@ -44,6 +44,12 @@ ALWAYS together kept_by_two(together these, Py_ssize_t over) {
 }
 
 #include "lanes.h"
+#include "weighing.h"
+
+#define LOOPS(by, weigh) \
+    {highest_##by, maxima_##by, sums_##by, maxima_and_sums_##by, product_##by, stereo_##by, cells_##by, towering_##by, \
+     lagged_##by, foretell_##by, weigh}
+static const loops loops_by_two = LOOPS(by_two, weigh_by_two);
 
 #if WIDER_REGISTERS
 #include <immintrin.h>
@@ -103,10 +109,60 @@ WIDE ALWAYS quartet kept_of_four(quartet these, Py_ssize_t over) {
 }
 
 #include "lanes.h"
+#include "weighing.h"
+
+#undef LOOP
+#undef ALWAYS_LOOP
+#undef NAMED
+#undef VECTOR
+#undef WIDTH
+#undef AT
+#undef ALL
+#undef GATHERED
+#undef ACROSS
+
+typedef double octet __attribute__((vector_size(64)));
+
+#define WIDEST __attribute__((target("avx512f")))
+#define LOOP WIDEST static
+#define ALWAYS_LOOP WIDEST ALWAYS
+#define NAMED(name) name##_by_eight
+#define VECTOR octet
+#define WIDTH 8
+#define AT(samples) ((octet)_mm512_loadu_pd(samples))
+#define ALL(number) ((octet)_mm512_set1_pd(number))
+#define GATHERED(streams, first, at) \
+    ((octet)_mm512_set_pd((streams)[7][at], (streams)[6][at], (streams)[5][at], (streams)[4][at], (streams)[3][at], \
+                          (streams)[2][at], (streams)[1][at], (streams)[0][at]))
+#define ACROSS(streams, at, next) (four_of_eight(streams, at, next), four_of_eight(streams, (at) + 4, (next) + 4))
+
+WIDEST ALWAYS __m512d two_streams(const double *one, const double *other) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(one)), _mm256_loadu_pd(other), 1);
+}
+
+/* The next four samples of eight streams, one of each in a register. */
+WIDEST ALWAYS void four_of_eight(const double *const *streams, Py_ssize_t at, octet *next) {
+    enum { EVEN = 0x88, ODD = 0xdd }; /* quarters of both operands */
+    const __m512d a = two_streams(streams[0] + at, streams[2] + at), b = two_streams(streams[1] + at, streams[3] + at);
+    const __m512d c = two_streams(streams[4] + at, streams[6] + at), d = two_streams(streams[5] + at, streams[7] + at);
+    const __m512d ab = _mm512_unpacklo_pd(a, b), cd = _mm512_unpacklo_pd(c, d);
+    const __m512d ba = _mm512_unpackhi_pd(a, b), dc = _mm512_unpackhi_pd(c, d);
+    next[0] = (octet)_mm512_shuffle_f64x2(ab, cd, EVEN), next[1] = (octet)_mm512_shuffle_f64x2(ba, dc, EVEN);
+    next[2] = (octet)_mm512_shuffle_f64x2(ab, cd, ODD), next[3] = (octet)_mm512_shuffle_f64x2(ba, dc, ODD);
+}
+
+#include "weighing.h"
+
+static const loops loops_by_four = LOOPS(by_four, weigh_by_four);
+static const loops loops_by_eight = LOOPS(by_four, weigh_by_eight); /* the rest gains nothing by more */
 
 const loops *in_lanes(void) {
     static const loops *chosen = NULL;
-    if (!chosen) chosen = __builtin_cpu_supports("avx2") ? &loops_by_four : &loops_by_two;
+    if (!chosen) {
+        chosen = __builtin_cpu_supports("avx512f") ? &loops_by_eight
+                 : __builtin_cpu_supports("avx2")  ? &loops_by_four
+                                                   : &loops_by_two;
+    }
     return chosen;
 }
 #else

@@ -30,6 +30,13 @@ PyObject *sums(PyObject *module, PyObject *const *args, Py_ssize_t count) {
 
 Py_ssize_t rows_of(Py_ssize_t frames) { return (frames + ROW - 1) / ROW; }
 
+int take_maxima(holding *held, PyObject *object, const planar *block, Py_ssize_t frames, planar *maxima, int writable) {
+    if (take_planar(held, object, maxima, writable) < 0) return -1;
+    if (maxima->channels == block->channels && maxima->frames == rows_of(frames)) return 0;
+    PyErr_SetString(PyExc_ValueError, "the maxima of every row of the block, channel by channel, are wanted");
+    return -1;
+}
+
 PyObject *maxima(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
@@ -150,18 +157,17 @@ static void find_loud(const double *samples, const double *maxima, Py_ssize_t fr
 PyObject *loud_frames(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    planar block;
-    const double *maxima;
+    planar block, maxima;
     if (arguments("loud_frames", count, 3) < 0) return NULL;
     const double level = PyFloat_AsDouble(args[2]);
     if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 ||
-        !(maxima = TAKE_DOUBLES(&held, args[1], block.channels * rows_of(block.frames), 0))) {
+        take_maxima(&held, args[1], &block, block.frames, &maxima, 0) < 0) {
         let_go(&held);
         return NULL;
     }
     Py_ssize_t first = block.frames, last = -1;
     for (Py_ssize_t channel = 0; channel < block.channels; channel++) {
-        find_loud(block.samples + channel * block.row, maxima + channel * rows_of(block.frames), block.frames, level, &first,
+        find_loud(block.samples + channel * block.row, maxima.samples + channel * maxima.row, block.frames, level, &first,
                   &last);
     }
     let_go(&held);

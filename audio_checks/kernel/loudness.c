@@ -34,13 +34,13 @@ static void filter(const pair *these, Py_ssize_t from, Py_ssize_t until) {
     double state[K_NUMBERS], energies[K_LANES];
     for (int lane = 0; lane < K_LANES; lane++) streams[lane] = these->samples[lane % PAIR];
     for (int at = 0; at < K_NUMBERS; at++) state[at] = these->state[at / K_LANES * PAIR + at % PAIR];
-    in_lanes()->weigh(streams, from, until, these->coefficients, state, energies);
+    in_lanes()->weigh(streams, PAIR, from, until, these->coefficients, state, energies);
     for (int at = 0; at < K_SEEN * PAIR; at++) these->state[at] = state[at / PAIR * K_LANES + at % PAIR];
     for (int channel = 0; channel < PAIR; channel++) these->open[channel] += energies[channel];
 }
 
-/* Filter `count` whole hops, parts of them at the same time: of stereo the first half in two lanes and the second in
- * two, of mono a quarter in each. What came before a part is known once the filter has run through WARM_UP_HOPS that
+/* Filter `count` whole hops, parts of them at the same time: of stereo a quarter in two lanes each, of mono an eighth in
+ * one. What came before a part is known once the filter has run through WARM_UP_HOPS that
  * the part before counts: 0.15 s, after which less than 1e-13 is left of what it knew (its poles lie at 38 Hz). */
 static void filter_parts(const pair *these, Py_ssize_t first, Py_ssize_t hop, Py_ssize_t count, Py_ssize_t apart,
                          double *hops) {
@@ -57,7 +57,7 @@ static void filter_parts(const pair *these, Py_ssize_t first, Py_ssize_t hop, Py
         for (int lane = 0; lane < apart; lane++) state[seen * K_LANES + lane] = these->state[seen * PAIR + lane];
     }
     for (Py_ssize_t at = 0; at < length; at++) {
-        in_lanes()->weigh(streams, at * hop, (at + 1) * hop, these->coefficients, state, energies);
+        in_lanes()->weigh(streams, K_LANES, at * hop, (at + 1) * hop, these->coefficients, state, energies);
         forget(state, K_NUMBERS);
         for (int lane = 0; lane < K_LANES; lane++) {
             const int is_known = lane >= apart && starts[lane] + at < starts[lane - apart] + length;

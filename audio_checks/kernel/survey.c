@@ -1,7 +1,7 @@
 /* One way through a block: it is decoded and measured piece by piece, while each piece lies in the nearest cache. */
 #include "kernel.h"
 
-enum { PIECE = 64 * ROW, FIGURES = 3 }; /* the latter of a channel: sum, sum of squares, highest magnitude */
+enum { PIECE = 64 * ROW, FIGURES = 3 }; /* the latter of a channel so far: sum, sum of squares, highest magnitude */
 
 typedef struct {
     const uint8_t *raw;
@@ -9,7 +9,8 @@ typedef struct {
     int floats;
     planar samples; /* the block and what stands around it */
     Py_ssize_t first, frames;
-    double *maxima, *figures;
+    double *figures;
+    planar maxima; /* (channels, rows of the block) */
     planar cells; /* (CELL_FIGURES * channels, how many); none are wanted where there are no channels */
     Py_ssize_t cell;
     planar hops; /* (how many, STEREO_FIGURES) of two channels; none are wanted where there are no frames */
@@ -22,7 +23,7 @@ static double *channel_of(const block_to_be *block, Py_ssize_t channel) {
 
 static void measure_rows(const block_to_be *block, Py_ssize_t channel, Py_ssize_t at, Py_ssize_t frames) {
     const double *start = channel_of(block, channel) + at;
-    double *maxima = block->maxima + channel * rows_of(block->frames) + at / ROW;
+    double *maxima = block->maxima.samples + channel * block->maxima.row + at / ROW;
     if (frames % ROW == 0) {
         in_lanes()->maxima_and_sums(start, frames / ROW, maxima, block->figures + channel * FIGURES);
     } else {
@@ -39,9 +40,21 @@ static void measure_cells_between(const block_to_be *block, Py_ssize_t from, Py_
     }
 }
 
+/* Compare the two channels from one frame until the last hop that is whole by another, or until that one where the block
+ * ends; returns until where. */
+static Py_ssize_t measure_hops_between(const block_to_be *block, Py_ssize_t from, Py_ssize_t until) {
+    const Py_ssize_t end = until == block->frames ? until : (block->at + until) / block->hop * block->hop - block->at;
+    if (!block->hops.frames || end <= from) return from;
+    planar hops = block->hops;
+    hops.samples += (block->at + from) / block->hop * hops.row;
+    measure_stereo(channel_of(block, 0) + from, channel_of(block, 1) + from, end - from, (block->at + from) % block->hop,
+                   block->hop, &hops);
+    return end;
+}
+
 static void measure_pieces(const block_to_be *block, int32_t *used, Py_ssize_t *broken) {
     const Py_ssize_t channels = block->samples.channels;
-    Py_ssize_t cells_done = 0;
+    Py_ssize_t cells_done = 0, compared = 0;
     for (Py_ssize_t at = 0; at < block->frames; at += PIECE) {
         const Py_ssize_t frames = block->frames - at < PIECE ? block->frames - at : PIECE;
         const uint8_t *raw = block->raw + at * channels * block->width;
@@ -54,9 +67,7 @@ static void measure_pieces(const block_to_be *block, int32_t *used, Py_ssize_t *
         for (Py_ssize_t channel = 0; channel < channels; channel++) measure_rows(block, channel, at, frames);
         measure_cells_between(block, cells_done, cells_known);
         cells_done = cells_known;
-    }
-    if (block->hops.frames) {
-        measure_stereo(channel_of(block, 0), channel_of(block, 1), block->frames, block->at, block->hop, &block->hops);
+        compared = measure_hops_between(block, compared, at + frames);
     }
 }
 
@@ -109,7 +120,7 @@ static int measure_whole_pieces(const block_to_be *block, int32_t *used) {
         *used |= in_whole_numbers()->split(block->raw + at * channels * 2, frames, channels, rows, to);
         for (Py_ssize_t channel = 0; channel < channels; channel++) {
             in_whole_numbers()->maxima_and_sums(rows[channel], whole / ROW,
-                                                block->maxima + channel * rows_of(block->frames) + at / ROW,
+                                                block->maxima.samples + channel * block->maxima.row + at / ROW,
                                                 block->figures + channel * FIGURES);
             if (whole < frames) measure_rows(block, channel, at + whole, frames - whole);
             if (!cells) continue;
@@ -143,7 +154,7 @@ PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     const Py_ssize_t bytes = held.views[held.count - 1].len, frame_bytes = block.samples.channels * block.width;
     block.frames = frame_bytes ? bytes / frame_bytes : 0;
-    if (!(block.maxima = TAKE_DOUBLES(&held, args[5], block.samples.channels * rows_of(block.frames), 1)) ||
+    if (take_maxima(&held, args[5], &block.samples, block.frames, &block.maxima, 1) < 0 ||
         !(block.figures = TAKE_DOUBLES(&held, args[6], block.samples.channels * FIGURES, 1)) ||
         (args[7] != Py_None && take_planar(&held, args[7], &block.cells, 1) < 0) ||
         (args[9] != Py_None && take_planar(&held, args[9], &block.hops, 1) < 0)) {
@@ -163,8 +174,9 @@ PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_BEGIN_ALLOW_THREADS
     if (!measure_whole_pieces(&block, &used)) measure_pieces(&block, &used, &broken);
     for (Py_ssize_t channel = 0; channel < block.samples.channels; channel++) {
-        const Py_ssize_t rows = rows_of(block.frames);
-        block.figures[channel * FIGURES + 2] = in_lanes()->highest(block.maxima + channel * rows, rows);
+        double *highest = block.figures + channel * FIGURES + 2;
+        const double peak = in_lanes()->highest(block.maxima.samples + channel * block.maxima.row, block.maxima.frames);
+        if (peak > *highest) *highest = peak;
     }
     Py_END_ALLOW_THREADS
     let_go(&held);

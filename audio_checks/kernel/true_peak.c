@@ -164,14 +164,14 @@ static void search_channel(const double *samples, Py_ssize_t frames, const doubl
 }
 
 /* Start from the highest sample of the block, then search where the curve may be higher. */
-static void search_block(const planar *block, int64_t seen, const double *maxima, double *history, const interpolator *by,
+static void search_block(const planar *block, int64_t seen, const planar *maxima, double *history, const interpolator *by,
                          found *result) {
     const Py_ssize_t rows = rows_of(block->frames);
     Py_ssize_t place = block->frames;
     for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
-        const double peak = in_lanes()->highest(maxima + channel * rows, rows);
+        const double *highest = maxima->samples + channel * maxima->row, peak = in_lanes()->highest(highest, rows);
         if (peak < result->best || peak == 0 || (peak == result->best && place == block->frames)) continue;
-        const Py_ssize_t row = first_reaching(maxima + channel * rows, rows, peak) * ROW;
+        const Py_ssize_t row = first_reaching(highest, rows, peak) * ROW;
         const Py_ssize_t at = row + first_reaching(block->samples + channel * block->row + row, block->frames - row, peak);
         if (peak > result->best || at < place) place = at;
         result->best = peak;
@@ -179,7 +179,7 @@ static void search_block(const planar *block, int64_t seen, const double *maxima
     }
     result->start = seen - REACH;
     for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
-        search_channel(block->samples + channel * block->row, block->frames, maxima + channel * rows,
+        search_channel(block->samples + channel * block->row, block->frames, maxima->samples + channel * maxima->row,
                        history + channel * REACH, by, result);
     }
 }
@@ -189,17 +189,17 @@ static void search_block(const planar *block, int64_t seen, const double *maxima
 PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
-    planar block;
+    planar block, maxima;
     interpolator by;
     found result;
     double *history;
-    const double *bounds, *maxima;
+    const double *bounds;
     if (arguments("true_peak", count, 9) < 0) return NULL;
     result.best = PyFloat_AsDouble(args[6]);
     result.place = PyLong_AsLongLong(args[7]);
     const int64_t seen = PyLong_AsLongLong(args[8]);
     if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 ||
-        !(maxima = TAKE_DOUBLES(&held, args[1], block.channels * rows_of(block.frames), 0)) ||
+        take_maxima(&held, args[1], &block, block.frames, &maxima, 0) < 0 ||
         !(history = TAKE_DOUBLES(&held, args[2], block.channels * REACH, 1)) ||
         !(by.near_taps = TAKE_DOUBLES(&held, args[3], TAPS / 2 * PHASES, 0)) ||
         !(by.fine_taps = TAKE_DOUBLES(&held, args[4], FINE_TAPS / 2 * FINE_PHASES, 0)) ||
@@ -209,7 +209,7 @@ PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     by.gain = bounds[0], by.bend = bounds[1], by.kink = bounds[2], by.missed = bounds[3];
     Py_BEGIN_ALLOW_THREADS
-    search_block(&block, seen, maxima, history, &by, &result);
+    search_block(&block, seen, &maxima, history, &by, &result);
     Py_END_ALLOW_THREADS
     let_go(&held);
     return Py_BuildValue("dL", result.best, (long long)result.place);

@@ -18,10 +18,12 @@ from audio_checks.measure.hum import Hum
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
-from audio_checks.measure.survey import Survey
+from audio_checks.measure.survey import Room, Survey
 
 STRETCH_FRAMES = 1 << 20  # samples that are looked at together
 MOST_SAMPLES = 1 << 22  # of all channels, so that a header of many channels cannot ask for much memory
+UNIT_FRAMES = 1 << 11  # what the kernel adds up together: of pieces of whole units all sums are the same
+PIECE_SAMPLES = 1 << 18  # of all channels, that are read, hashed and decoded together: their bytes stay in a near cache
 
 
 DETECTORS: dict[str, tuple[str, ...]] = {
@@ -98,22 +100,30 @@ class Faults:
         """Return for how many more samples there is room until the next look."""
         return self._history + self._stretch - self._end
 
+    def piece_frames(self) -> int:
+        """Return how many frames are best decoded together: whole rows and cells that lie in a near cache."""
+        unit = math.lcm(self._cell, UNIT_FRAMES)
+        return min(max(PIECE_SAMPLES // len(self._samples) // unit, 1) * unit, self._stretch)
+
     def decode(
-        self, raw: bytes | memoryview, container_bits: int, *, floats: bool
+        self, pieces: Iterable[bytes | memoryview], frames: int, container_bits: int, *, floats: bool
     ) -> tuple[NDArray[np.float64], int, int]:
-        """Decode the next samples to where `add` wants them; see `Survey.decode`.
+        """Decode the next samples, in pieces of `piece_frames`, to where `add` wants them; see `Survey.decode`.
 
         Whoever gives the very array to `add` saves a copy, and a look at every sample. It holds others later.
         """
-        first, channels = self._end, len(self._samples)
-        frames = len(raw) // (channels * container_bits // 8)
+        first = self._end
         self._samples[:, first + frames : first + frames + self._cell] = 0.0
         count = frames // self._cell + (frames < self._stretch)  # a sound that ends is followed by silence
-        figures = self._cells.room(count) if first == self._history else None
-        block, used, broken = self._survey.decode(
-            raw, container_bits, floats, self._samples, first, figures, self._cell
-        )
-        self._known = None if figures is None else (block, count)
+        rows = -(-frames // ROW_FRAMES)
+        if first == self._history:
+            before = first // ROW_FRAMES
+            cells, maxima = self._cells.room(count), self._maxima[:, before : before + rows]
+        else:
+            cells, maxima = None, np.empty((len(self._samples), rows))
+        room = Room(self._samples, first, maxima, cells, self._cell)
+        block, used, broken = self._survey.decode(pieces, frames, container_bits, floats, room)
+        self._known = None if cells is None else (block, count)
         self._decoded = block
         return block, used, broken
 
@@ -168,7 +178,8 @@ class Faults:
             peaks = found.max(axis=1)
         else:
             found, peaks = self._survey.maxima(self._known[0]), self._survey.peaks(self._known[0])
-        self._maxima[:, before : before + found.shape[1]] = found
+        if not self._known:  # else they were written there
+            self._maxima[:, before : before + found.shape[1]] = found
         self._maxima[:, before + found.shape[1] : rows] = 0.0
         peaks = np.maximum(peaks, self._maxima[:, :before].max(axis=1, initial=0.0))
         count = self._known[1] if self._known else 0

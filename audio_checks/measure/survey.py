@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,6 +46,30 @@ class StereoHops:
         hops, hop, at = self.place()
         kernel.stereo_products(rows, at, hop, hops)
         self.frames += rows.shape[1]
+
+
+class Room(NamedTuple):
+    """Where a block goes while it is decoded.
+
+    Attributes
+    ----------
+    samples : ndarray, shape (channels, n)
+        Full scale will be ±1.0.
+    first : int
+        The frame of them that the first one becomes; six stand before it at least.
+    maxima : ndarray, shape (channels, rows)
+        For the highest magnitude of each 32 frames.
+    cells : ndarray, shape (5 * channels, count), or None
+        For the figures of so many cells from `first` on; see `measure.cells`.
+    cell_frames : int
+        Of each cell.
+    """
+
+    samples: NDArray[np.float64]
+    first: int
+    maxima: NDArray[np.float64]
+    cells: NDArray[np.float64] | None
+    cell_frames: int
 
 
 class Survey:
@@ -123,53 +150,70 @@ class Survey:
 
     def decode(
         self,
-        raw: bytes | memoryview,
+        pieces: Iterable[bytes | memoryview],
+        frames: int,
         container_bits: int,
         floats: bool,
-        samples: NDArray[np.float64],
-        first: int,
-        cells: NDArray[np.float64] | None,
-        cell_frames: int,
+        room: Room,
     ) -> tuple[NDArray[np.float64], int, int]:
-        """Decode whole frames to `samples`, and measure them meanwhile.
+        """Decode whole frames piece by piece, and measure them meanwhile.
 
         Parameters
         ----------
-        raw : bytes or memoryview
-            Interleaved PCM or IEEE float, little-endian.
+        pieces : iterable of bytes or memoryview
+            Interleaved PCM or IEEE float, little-endian. All but the last hold whole rows of 32 frames, and whole cells
+            where these are wanted; each is looked at before the next is asked for.
+        frames : int
+            Of all pieces.
         container_bits : int
             Of each sample.
         floats : bool
             Whether they are IEEE float.
-        samples : ndarray, shape (channels, n)
-            Where they go, full scale ±1.0.
-        first : int
-            The frame that the first one becomes; six stand before it at least.
-        cells : ndarray, shape (5 * channels, count), optional
-            Where the figures of so many cells from `first` on go; see `measure.cells`.
-        cell_frames : int
-            Of each cell.
+        room : Room
+            Where all of it goes.
 
         Returns
         -------
         ndarray, shape (frames, channels)
-            The block, part of `samples`, which this object now knows.
+            The block, part of the room's samples, which this object now knows.
         int
             All PCM samples or-ed together, as `wav.decode` has it.
         int
             The first channel, from 1 on, with a float that is not finite; 0 where all are.
         """
-        channels = len(samples)
-        frames = len(raw) // (channels * container_bits // 8)
-        self._maxima = np.empty((channels, -(-frames // ROW_FRAMES)))
+        channels = len(room.samples)
         figures = np.zeros((channels, 3))
+        self._maxima = room.maxima
         self._sums, self._peaks, self._highest = figures[:, :2], figures[:, 2], None
-        hops, hop, at = self._stereo.place() if self._stereo else (None, 1, 0)
-        used, broken = kernel.survey(
-            raw, container_bits, floats, samples, first, self._maxima, figures, cells, cell_frames, hops, hop, at
-        )
-        self._block = samples[:, first : first + frames].T
+        used = broken = done = 0
+        for raw in pieces:
+            known = done + len(raw) // (channels * container_bits // 8)
+            rows = room.maxima[:, done // ROW_FRAMES : -(-known // ROW_FRAMES)]
+            cells = room.cells
+            if cells is not None:
+                cells = cells[:, done // room.cell_frames : known // room.cell_frames if known < frames else None]
+            hops, hop, at = self._stereo.place() if self._stereo else (None, 1, 0)
+            bits, broken = kernel.survey(
+                raw,
+                container_bits,
+                floats,
+                room.samples,
+                room.first + done,
+                rows,
+                figures,
+                cells,
+                room.cell_frames,
+                hops,
+                hop,
+                at,
+            )
+            used |= bits
+            if self._stereo:
+                self._stereo.frames += known - done
+            done = known
+            if broken:
+                break
+        self._block = room.samples[:, room.first : room.first + frames].T
         if self._stereo:
-            self._stereo.frames += frames
             self._compared = self._block
         return self._block, used, broken

@@ -1,6 +1,6 @@
 """WAV files of strangers (RIFF and RF64): a strict reader, decoding in blocks, and a writer."""
 
-from audio_checks.wav.decoding import BLOCK_FRAMES, Decoder, blocks, decode, frames_at_once, raw_blocks
+from audio_checks.wav.decoding import BLOCK_FRAMES, Decoder, blocks, decode, decode_to, frames_at_once, raw_blocks
 from audio_checks.wav.files import chunk_payload, fill, open_regular, read_frames
 from audio_checks.wav.layout import STREAM_SIZE, Chunk, SampleLoop, StructureWarning, WavLayout
 from audio_checks.wav.reader import UPLOAD_AGAIN, read_layout
@@ -19,6 +19,7 @@ __all__ = [
     "chunk_payload",
     "copy_wav",
     "decode",
+    "decode_to",
     "fill",
     "frames_at_once",
     "open_regular",

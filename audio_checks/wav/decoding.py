@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import BinaryIO, Protocol
 
 import numpy as np
@@ -42,34 +42,40 @@ class Decoder(Protocol):
     """Something that decodes to a place of its own; `measure.faults.Faults` is one."""
 
     def decode(
-        self, raw: bytes | memoryview, container_bits: int, *, floats: bool
+        self, pieces: Iterable[bytes | memoryview], frames: int, container_bits: int, *, floats: bool
     ) -> tuple[NDArray[np.float64], int, int]:
         """Return the block, all PCM samples or-ed together, and the first channel that is not finite or 0."""
 
 
-def decode(
-    raw: bytes | memoryview, layout: WavLayout, decoder: Decoder | None = None
+def decode_to(
+    decoder: Decoder, pieces: Iterable[bytes | memoryview], frames: int, layout: WavLayout
 ) -> tuple[NDArray[np.float64], int]:
+    """Let somebody decode whole frames that come in pieces; return what `decode` does, with its errors."""
+    block, used, broken = decoder.decode(pieces, frames, layout.container_bits, floats=layout.encoding == "float")
+    _ensure_finite(broken)
+    return block, used
+
+
+def decode(raw: bytes | memoryview, layout: WavLayout) -> tuple[NDArray[np.float64], int]:
     """Return whole frames as samples, and all PCM samples or-ed together (0 for float).
 
     The samples have the shape (frames, channels), each channel contiguous, full scale ±1.0. What is or-ed are
-    signed integers of the container's width; of 24 bits, the upper three bytes of 32. A `decoder` may put
-    the samples where it wants them.
+    signed integers of the container's width; of 24 bits, the upper three bytes of 32.
 
     Raises
     ------
     Unreadable
         R7, for a float sample that is not a finite number.
     """
-    used = broken = 0
-    if decoder is not None:
-        block, used, broken = decoder.decode(raw, layout.container_bits, floats=layout.encoding == "float")
-    else:
-        block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T
-        if layout.encoding == "pcm":
-            used = kernel.decode_pcm(raw, layout.container_bits, block.T)
-        else:
-            broken = kernel.decode_float(raw, layout.container_bits, block.T)
+    block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T
+    if layout.encoding == "pcm":
+        return block, kernel.decode_pcm(raw, layout.container_bits, block.T)
+    _ensure_finite(kernel.decode_float(raw, layout.container_bits, block.T))
+    return block, 0
+
+
+def _ensure_finite(broken: int) -> None:
+    """Raise Unreadable where a channel, from 1 on, holds samples that are not finite."""
     if broken:
         raise Unreadable(
             f"channel {broken} holds samples that are not numbers (infinity or NaN)",
@@ -77,7 +83,6 @@ def decode(
             "structure:not-finite",
             "look for a broken plug-in in the session, then export again",
         )
-    return block, used
 
 
 def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:

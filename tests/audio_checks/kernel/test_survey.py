@@ -98,21 +98,21 @@ HOPS = np.zeros((2, 4))
 @pytest.mark.parametrize(
     ("raw", "bits", "floats", "first", "maxima", "cells", "cell", "hops"),
     [
-        (81, 16, False, 6, 4, 10, 10, None),
-        (80, 16, False, 5, 2, 10, 10, None),
-        (80, 16, False, 27, 2, 10, 10, None),
-        (80, 16, False, 6, 2, 10, 5, None),
-        (80, 16, False, 6, 2, 9, 10, None),
-        (80, 12, False, 6, 2, 10, 10, None),
-        (80, 16, True, 6, 2, 10, 10, None),
-        (80, 16, False, 6, 1, 10, 10, None),
-        (80, 16, False, 6, 2, 10, 0, None),
-        (80, 16, False, 6, 2, 10, 10, (HOPS, 9, 0)),
-        (80, 16, False, 6, 2, 10, 10, (HOPS, 10, 1)),
-        (80, 16, False, 6, 2, 10, 10, (HOPS, 10, -1)),
-        (80, 16, False, 6, 2, 10, 10, (HOPS, 20, 20)),
-        (80, 16, False, 6, 2, 10, 10, (HOPS[:, :3], 20, 0)),
-        (80, 16, False, 6, 2, 10, 10, (HOPS, 0, 0)),
+        (81, 16, False, 6, 2, 10, 10, None),
+        (80, 16, False, 5, 1, 10, 10, None),
+        (80, 16, False, 27, 1, 10, 10, None),
+        (80, 16, False, 6, 1, 10, 5, None),
+        (80, 16, False, 6, 1, 9, 10, None),
+        (80, 12, False, 6, 1, 10, 10, None),
+        (80, 16, True, 6, 1, 10, 10, None),
+        (80, 16, False, 6, 0, 10, 10, None),
+        (80, 16, False, 6, 1, 10, 0, None),
+        (80, 16, False, 6, 1, 10, 10, (HOPS, 9, 0)),
+        (80, 16, False, 6, 1, 10, 10, (HOPS, 10, 1)),
+        (80, 16, False, 6, 1, 10, 10, (HOPS, 10, -1)),
+        (80, 16, False, 6, 1, 10, 10, (HOPS, 20, 20)),
+        (80, 16, False, 6, 1, 10, 10, (HOPS[:, :3], 20, 0)),
+        (80, 16, False, 6, 1, 10, 10, (HOPS, 0, 0)),
     ],
 )
 def test_a_survey_refuses_what_does_not_fit(raw, bits, floats, first, maxima, cells, cell, hops):
@@ -124,7 +124,7 @@ def test_a_survey_refuses_what_does_not_fit(raw, bits, floats, first, maxima, ce
             floats,
             whole,
             first,
-            np.empty(maxima),
+            np.empty((2, maxima)),
             figures,
             np.empty((cells, 2)),
             cell,
@@ -134,4 +134,4 @@ def test_a_survey_refuses_what_does_not_fit(raw, bits, floats, first, maxima, ce
 
 def test_only_two_channels_can_be_compared():
     with pytest.raises(ValueError, match="two channels"):
-        kernel.survey(bytes(80), 16, False, np.zeros((1, 46)), 6, np.empty(2), np.zeros(3), None, 1, HOPS, 40, 0)
+        kernel.survey(bytes(80), 16, False, np.zeros((1, 46)), 6, np.empty((1, 2)), np.zeros(3), None, 1, HOPS, 40, 0)

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import fields, is_dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,9 @@ from numpy.typing import NDArray
 from audio_checks import wav
 from audio_checks.audio import FIGURES, accumulators_of
 from audio_checks.measure import faults
+from audio_checks.measure.cells import cell_frames
 from audio_checks.measure.faults import Faults
+from audio_checks.measure.maxima import ROW_FRAMES
 from tests.support.waves import join, noise, silence, sine, write_wav
 
 SOUND = join(
@@ -79,6 +82,7 @@ def test_blocks_of_any_length_in_memory_that_is_used_again(layout: wav.WavLayout
 @pytest.mark.parametrize("frames", [len(SOUND), 4_321, 131_072, 389])
 def test_what_is_decoded_in_place_gives_the_same(layout: wav.WavLayout, frames: int, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(faults, "STRETCH_FRAMES", 1 << 17)
+    monkeypatch.setattr(faults, "PIECE_SAMPLES", 1 << 15)
     sound = np.tile(SOUND, (3, 1))  # longer than what is looked at together
     sound[10_000:10_010] += 0.3
     raw = np.ascontiguousarray(sound.astype("<f4")).tobytes()
@@ -89,7 +93,9 @@ def test_what_is_decoded_in_place_gives_the_same(layout: wav.WavLayout, frames: 
     at = 0
     while at < len(sound):
         count = min(frames, decoder.room(), len(sound) - at)
-        block, _, broken = decoder.decode(raw[at * 8 : (at + count) * 8], 32, floats=True)
+        ends = [*range(at, at + count, decoder.piece_frames()), at + count]
+        pieces = (raw[one * 8 : other * 8] for one, other in pairwise(ends))
+        block, _, broken = decoder.decode(pieces, count, 32, floats=True)
         assert not broken
         np.testing.assert_array_equal(block, sound[at : at + count].astype("<f4"))
         own = block.T.copy().T
@@ -107,6 +113,17 @@ def test_what_is_decoded_in_place_gives_the_same(layout: wav.WavLayout, frames: 
                 ensure_same_arrays(mine[name], value)
             elif not callable(value):
                 assert mine[name] == value, name
+
+
+def test_pieces_are_whole_rows_and_cells_and_never_more_than_is_looked_at_together(layout: wav.WavLayout):
+    for rate in (8_000, 44_100, 62_000, 758_000):
+        for channels in (1, 2, 8, 64):
+            wide = replace(layout, frames=1 << 22, sample_rate_hz=rate, channels=channels)
+            (decoder,) = accumulators_of(wide, ["clicks"])
+            assert isinstance(decoder, Faults)
+            count, cell = decoder.piece_frames(), cell_frames(rate)
+            assert count % cell == count % ROW_FRAMES == 0
+            assert 0 < count <= decoder.room()
 
 
 def test_a_short_sound_has_room_for_all_of_it_at_once(layout: wav.WavLayout):
