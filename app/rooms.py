@@ -43,8 +43,8 @@ JOB_MODULES = (
 )
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
-    "take.received": ("conformance.check_take",),
-    "take.checked": ("renders.make_renders", "notifications.tell_check"),
+    "take.received": ("renders.prepare_take",),
+    "take.checked": ("notifications.tell_check",),
     "take.rendered": ("renders.hear_take",),
     "palette.changed": ("renders.hear_palette",),
     "mend.asked": ("conformance.make_mend",),

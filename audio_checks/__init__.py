@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from audio_checks.render.render import RENDERER_VERSION, render_master
     from audio_checks.render.rendered import Loss, Rendered
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
-    from audio_checks.sandbox import Sandbox
+    from audio_checks.sandbox import Sandbox, SandboxChild
     from audio_checks.sets import Judged, off_its_set_lu, set_findings
     from audio_checks.sound_list import (
         SoundList,
@@ -83,6 +83,7 @@ __all__ = [
     "Rendered",
     "Report",
     "Sandbox",
+    "SandboxChild",
     "SandboxCrashed",
     "SandboxFailed",
     "SandboxOutOfMemory",
@@ -162,7 +163,7 @@ _HOMES = {
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
-    "audio_checks.sandbox": ("Sandbox",),
+    "audio_checks.sandbox": ("Sandbox", "SandboxChild"),
     "audio_checks.sets": ("Judged", "off_its_set_lu", "set_findings"),
     "audio_checks.sound_list": (
         "SoundList",

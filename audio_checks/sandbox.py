@@ -1,8 +1,8 @@
 """Calls in a throw-away child: what it does to itself, the caller survives.
 
 On POSIX a small server process, warm with the modules that calls need, forks one child for each
-call, limits it, watches it and reaps it. Where there is no fork, each call gets a new interpreter
-with a time limit alone.
+call, or for a few calls that belong together, limits it, watches it and reaps it. Where there is no
+fork, each call gets a new interpreter with a time limit alone.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ import weakref
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, Self, TypeVar
 
 with contextlib.suppress(ImportError):  # where there is no fork there are no limits either
     import resource
@@ -118,7 +118,7 @@ class Sandbox:
     Parameters
     ----------
     timeout_s : float
-        For one call, by the clock and in CPU time.
+        For one call, by the clock and in CPU time; a `SandboxChild` may give its calls another.
     memory_bytes : int
         Of address space, the interpreter and its libraries included.
     file_bytes : int
@@ -164,12 +164,12 @@ class Sandbox:
         AudioChecksError
             When the function raised it.
         """
-        request = pickle.dumps((self._limits, function, args, kwargs), protocol=5)
-        if CAN_FORK:
-            answer = self._forked(getattr(function, "__module__", None) or "", request)
-        else:
-            answer = _in_new_process(request, time.monotonic() + self.timeout_s)
-        return _resolved(answer)  # type: ignore[no-any-return]
+        with self.child() as child:
+            return child.call(function, *args, **kwargs)
+
+    def child(self, *, timeout_s: float | None = None) -> SandboxChild:
+        """Return what answers a few calls that belong together, in the time given; to be closed after the last."""
+        return SandboxChild(self, timeout_s=self.timeout_s if timeout_s is None else timeout_s)
 
     def close(self) -> None:
         """End the server and its children; another call starts it again."""
@@ -178,7 +178,7 @@ class Sandbox:
                 self._server.close()
                 self._server = None
 
-    def _forked(self, module: str, request: bytes) -> tuple[bytes, bytes]:
+    def _fork(self, module: str) -> tuple[socket.socket, socket.socket]:
         for attempt in (1, 2):
             with self._lock:
                 try:
@@ -186,13 +186,64 @@ class Sandbox:
                         if self._server is not None:
                             self._server.close()
                         self._server = _Server(self._preload, self._rehearsal)
-                    work, status = self._server.fork(module)
-                    break
+                    return self._server.fork(module)
                 except OSError:
                     if attempt == 2:
                         raise SandboxCrashed("the sandbox's server cannot be reached") from None
-        with work, status:
-            return _exchange(work, status, request, time.monotonic() + self.timeout_s, self._limits)
+        raise AssertionError("the second attempt returns or raises")
+
+
+class SandboxChild:
+    """Answers calls one after the other in one throw-away child; where that fails, the next call gets a new one.
+
+    What one call does to the child the next one meets, so that they must be about the same stranger's
+    file. One thread at a time.
+
+    Parameters
+    ----------
+    sandbox : Sandbox
+        Whose limits hold, but for the time.
+    timeout_s : float
+        For one call, by the clock and in CPU time; the next may be given another by setting it.
+    """
+
+    def __init__(self, sandbox: Sandbox, *, timeout_s: float) -> None:
+        self.timeout_s = timeout_s
+        self._sandbox = sandbox
+        self._line: tuple[socket.socket, socket.socket] | None = None
+
+    def __enter__(self) -> Self:
+        """Begin nothing: the child is made for the first call."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Have the child ended."""
+        self.close()
+
+    def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
+        """Return what the function returns, as `Sandbox.call` does; see there for what is raised."""
+        limits = dataclasses.replace(self._sandbox._limits, cpu_s=int(self.timeout_s) + 2)
+        request = pickle.dumps((limits, function, args, kwargs), protocol=5)
+        try:
+            if not CAN_FORK:
+                return _resolved(_in_new_process(request, time.monotonic() + self.timeout_s))  # type: ignore[no-any-return]
+            if self._line is None:
+                self._line = self._sandbox._fork(getattr(function, "__module__", None) or "")
+            return _resolved(_exchange(*self._line, request, time.monotonic() + self.timeout_s, limits))  # type: ignore[no-any-return]
+        except AudioChecksError as error:
+            if isinstance(error, SandboxFailed):  # an error of ours is an answer
+                self.close()
+            raise
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Have the child ended, and wait until nothing of it is left; another call gets a new one."""
+        if self._line is not None:
+            (work, status), self._line = self._line, None
+            with work, status:
+                _finish(status)
 
 
 class _Server:
@@ -253,16 +304,14 @@ def _end_server(control: socket.socket, process: subprocess.Popen[bytes]) -> Non
 def _exchange(
     work: socket.socket, status: socket.socket, request: bytes, deadline: float, limits: _Limits
 ) -> tuple[bytes, bytes]:
-    """Send the request and take the answer, whatever the child makes of its end."""
+    """Send the request and take the answer."""
     try:
         answer = _converse(work, request, deadline, limits)
-        if answer is None:
-            raise _ending(status, deadline)
-        return answer
     except TimeoutError:
         raise SandboxTimedOut("the call took too long and was stopped") from None
-    finally:
-        _finish(status)
+    if answer is None:
+        raise _ending(status, deadline)
+    return answer
 
 
 def _converse(work: socket.socket, request: bytes, deadline: float, limits: _Limits) -> tuple[bytes, bytes] | None:
@@ -484,7 +533,7 @@ def _kill(pid: int) -> None:
 
 
 def _be_child(work: int) -> None:
-    """Answer one request, and leave without a trace."""
+    """Answer requests until there are no more, and leave without a trace."""
     code = 1
     _settle_inside()
     try:
@@ -498,9 +547,10 @@ def _be_child(work: int) -> None:
         os.dup2(work, 3)
         os.closerange(4, 1 << 16)
         connection = socket.socket(fileno=3)
-        head = _receive(connection, LENGTH.size, None)
-        request = _receive(connection, LENGTH.unpack(head)[1], None) if head else None
-        if request is not None:
+        while head := _receive(connection, LENGTH.size, None):
+            request = _receive(connection, LENGTH.unpack(head)[1], None)
+            if request is None:
+                break
             kind, body = _answer(request)
             connection.sendall(LENGTH.pack(kind, len(body)) + body)
             code = 0
@@ -547,7 +597,10 @@ def _limit(limits: _Limits) -> None:
         with contextlib.suppress(ValueError, OSError):
             resource.setrlimit(kind, (most, most))
     with contextlib.suppress(ValueError, OSError):
-        resource.setrlimit(resource.RLIMIT_CPU, (limits.cpu_s, limits.cpu_s + 1))
+        # For this call: what those before it took is not its own. The hard limit would hold for all of them together.
+        used = resource.getrusage(resource.RUSAGE_SELF)
+        _, hard = resource.getrlimit(resource.RLIMIT_CPU)
+        resource.setrlimit(resource.RLIMIT_CPU, (int(used.ru_utime + used.ru_stime) + limits.cpu_s, hard))
 
 
 def _answer(request: bytes) -> tuple[bytes, bytes]:

@@ -6,12 +6,14 @@ import socket
 import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import Future
 from datetime import datetime
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import sqlalchemy as sa
 import structlog
 from dbos import DBOS, DBOSConfig
+from dbos._core import WorkflowHandleFuture, execute_dequeued_workflow
 
 from app import logs
 from app.kit import clock, metrics, queue
@@ -24,7 +26,10 @@ if TYPE_CHECKING:
 RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
 AWAY_PAUSE_S = 1.0
 BEATS_WHILE_SILENT = 3
-HEARTBEAT = "heartbeat"  # name of the thread
+HEARTBEAT, LOOKING = "heartbeat", "looking for work"  # names of threads
+LOOK_EVERY_S, IDLE_LOOK_EVERY_S = 0.05, 0.2  # for work: after there was some, and once there has been none for long
+LOOKS_RARER = 1.25  # from one to the other, by so much each time
+GATHER_S = 0.02  # after a job has ended, for one look to fill the seats of those that end with it
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
@@ -35,18 +40,20 @@ log = structlog.get_logger(__name__)
 class Worker:
     """Runs jobs in this process until stopped, and takes over what dead workers left half-done."""
 
-    def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float, poll_every_s: float = 0.05) -> None:
+    def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float) -> None:
         # Unique for ever: two processes with one id would run a job twice.
         self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
         self._runtime = runtime
         self._database = runtime.database
         self._jobs_at_once = jobs_at_once
         self._silent_s = silent_s
-        self._poll_every_s = poll_every_s
         self._stopped = threading.Event()
         self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
         self._unheld: set[str] = set()  # jobs that stood as run here at the last beat, and were not
         self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
+        self._begun: set[Future[Any]] = set()
+        self._seat_free = threading.Event()
+        self._looking = threading.Thread(target=self._look, name=LOOKING, daemon=True)
 
     def start(self) -> None:
         """Say that this worker lives, then take up whatever waits."""
@@ -57,18 +64,24 @@ class Worker:
         DBOS.destroy(destroy_registry=True)
         self._dbos = DBOS(config=_config(self._database, self.id, self._jobs_at_once))
         DBOS.workflow(name=queue.RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
+        DBOS.listen_queues([])  # it would ask five times where we ask once, and leave a seat empty until the next look
         DBOS.launch()
-        DBOS.register_queue(
+        if self._database.is_sqlite:
+            _sync_later(self._dbos._sys_db.engine)
+        self._queue = DBOS.register_queue(
             queue.JOB_QUEUE,
             worker_concurrency=self._jobs_at_once,
-            polling_interval_sec=self._poll_every_s,
+            polling_interval_sec=LOOK_EVERY_S,
             on_conflict="always_update",
         )
         self._beating.start()
+        self._looking.start()
 
     def stop(self, *, wait_s: int = 10) -> None:
         """Let running jobs end, then stop; what is not done by then another worker takes over."""
         _stopping.set()
+        self._seat_free.set()
+        self._looking.join(timeout=wait_s)
         DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
         self._stopped.set()
         self._beating.join(timeout=2)
@@ -76,6 +89,44 @@ class Worker:
             self._forget(self.id)
         except sa.exc.SQLAlchemyError as error:
             log.warning("a worker stopped without saying so", error=str(error))
+
+    def _look(self) -> None:
+        """Fill free seats with jobs: as soon as one is free while work waits, else now and then."""
+        pause_s = LOOK_EVERY_S
+        while not _stopping.is_set():
+            self._seat_free.clear()
+            free, claimed = self._jobs_at_once - len(self._begun), 0
+            try:
+                claimed = self._claim() if free > 0 else 0
+            except Exception as error:
+                if not is_away(error):
+                    log.exception("a worker cannot look for work")
+            pause_s = LOOK_EVERY_S if claimed or free <= 0 else min(pause_s * LOOKS_RARER, IDLE_LOOK_EVERY_S)
+            # Where it filled its seats more may wait: what ends is told; the pause is for what would not tell.
+            if self._seat_free.wait(AWAY_PAUSE_S if claimed >= free else pause_s):
+                _stopping.wait(GATHER_S)
+
+    def _claim(self) -> int:
+        """Begin the jobs at the head of the line that there are seats for; return how many."""
+        system, owner = self._dbos._sys_db, secrets.token_hex(16)
+        job_ids, _ = system.start_queued_workflows(
+            self._queue, self.id, queue.STEPS_VERSION, None, len(self._begun), owner_xid=owner, is_latest_version=False
+        )
+        jobs = {job["workflow_uuid"]: job for job in system.get_workflow_statuses(job_ids)} if job_ids else {}
+        for job_id in job_ids:
+            try:
+                handle = execute_dequeued_workflow(self._dbos, jobs[job_id], owner)
+            except Exception as error:  # it killed its worker too often, or cannot be read: the others are not to wait
+                log.error("a job cannot begin", job_id=job_id, error=str(error))
+                continue
+            if isinstance(handle, WorkflowHandleFuture):
+                self._begun.add(handle.future)
+                handle.future.add_done_callback(self._end)
+        return len(job_ids)
+
+    def _end(self, begun: "Future[Any]") -> None:
+        self._begun.discard(begun)
+        self._seat_free.set()
 
     def _live(self) -> None:
         while not self._stopped.wait(self._silent_s / BEATS_WHILE_SILENT):
@@ -128,6 +179,19 @@ class Worker:
     def _forget(self, worker_id: str) -> None:
         with self._database.writing() as session:
             session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
+
+
+def _sync_later(engine: sa.Engine) -> None:
+    """Let SQLite sync what is said of a job's course together with the next thing that is promised to anybody.
+
+    What a failing power takes of it has the job run again. Jobs themselves are written in transactions of ours.
+    """
+
+    def prepare(connection: Any, _record: Any) -> None:
+        connection.execute("PRAGMA synchronous=NORMAL")
+
+    sa.event.listen(engine, "connect", prepare)
+    engine.dispose()  # those that are open
 
 
 def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:

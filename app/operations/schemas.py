@@ -23,7 +23,7 @@ class JobRead(Schema):
     """One job that waits, runs or gave up."""
 
     id: str
-    job: str = Field(examples=["conformance.check_take"])
+    job: str = Field(examples=["renders.prepare_take"])
     studio_id: UUID | None = Field(description="Whose work it is; null for what concerns one person's account alone.")
     studio_name: str | None
     state: JobState

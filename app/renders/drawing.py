@@ -24,6 +24,7 @@ from audio_checks import (
     average_spectrum,
     plays_as_preview,
     preview,
+    rehearse_check,
     render_master,
     spectrogram,
     wave_shapes,
@@ -164,7 +165,7 @@ def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) ->
 
 
 def rehearse() -> None:
-    """Draw and render a sound of our own once, for all the children to come."""
+    """Check, draw and render a sound of our own once, for all the children to come."""
     recipe = {
         "target": Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16),
         "loop": False,
@@ -176,3 +177,4 @@ def rehearse() -> None:
         sound = str(Path(folder, "sound.wav"))
         write_rehearsal_sound(sound)
         prepare(sound, folder, {"rehearsal": recipe}, loop=False, draws_master=True)
+    rehearse_check()

@@ -12,6 +12,7 @@ import numpy as np
 import structlog
 from prometheus_client import Counter
 
+from app.conformance.checking import Bench, judge
 from app.conformance.queries import mend_by_id
 from app.deliveries.queries import take_by_id
 from app.kit import kill
@@ -27,6 +28,7 @@ from audio_checks import (
     Exported,
     RenderRefused,
     Sandbox,
+    SandboxChild,
     SandboxFailed,
     Unreadable,
     export_master,
@@ -151,15 +153,36 @@ def hear_palette(runtime: Runtime, payload: Payload) -> None:
                 publish(session, "take.rendered", studio_id=studio_id, priority=BULK, take_id=take_id)
 
 
+@job("renders.prepare_take")
+def prepare_take(runtime: Runtime, payload: Payload) -> None:
+    """Check a received take and record its verdict; then draw it and make its game files, in the same child."""
+    with Bench(runtime.store, _sandbox()) as bench:
+        judge(runtime, UUID(payload["take_id"]), bench)
+        _make_renders(runtime, UUID(payload["take_id"]), bench)
+
+
+# Earlier versions had a job for the check alone; such a job, come again after its verdict, makes what is not made yet.
+job("conformance.check_take")(prepare_take)
+
+
 @job("renders.make_renders")
 def make_renders(runtime: Runtime, payload: Payload) -> None:
     """Draw the master of a checked take and, of one that may ship, make the game files that its spec wants."""
+    with Bench(runtime.store, _sandbox()) as bench:
+        _make_renders(runtime, UUID(payload["take_id"]), bench)
+
+
+# An earlier version asked for a master's picture by itself; such a job draws what is not drawn yet.
+job("renders.draw_take")(make_renders)
+
+
+def _make_renders(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
     with runtime.database.reading() as session:
-        order = service.order_making(session, UUID(payload["take_id"]))
+        order = service.order_making(session, take_id)
     if order is None:
         return
     kill.point("renders.before_render")
-    renders, picture = _prepared(runtime, order, order.missing, draws=order.draws)
+    renders, picture = _prepared(runtime, order, order.missing, bench, draws=order.draws)
     kill.point("renders.after_render")
     with runtime.database.writing() as session:
         service.keep_made(session, renders, picture)
@@ -171,22 +194,16 @@ def make_renders(runtime: Runtime, payload: Payload) -> None:
         RENDERS.labels(render.state.value).inc()
 
 
-# An earlier version asked for a master's picture by itself; such a job draws what is not drawn yet.
-job("renders.draw_take")(make_renders)
-
-
 def _prepared(
-    runtime: Runtime, order: service.RenderOrder, recipes: dict[str, Recipe], *, draws: bool
+    runtime: Runtime, order: service.RenderOrder, recipes: dict[str, Recipe], bench: Bench, *, draws: bool
 ) -> tuple[service.Made, Picture | None]:
     """Return game files of a take, or why they were refused, with their pictures; and that of its master."""
     if not recipes and not draws:
         return [], None
     studio_id, sha256 = order.studio_id, order.master_sha256
-    with (
-        runtime.store.local_copy(studio_id, sha256) as master,
-        tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
-    ):
-        found = _outcomes(str(master), folder, recipes, loop=order.loop, draws=draws)
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+        master = bench.master(studio_id, sha256)
+        found = _outcomes(bench.child, str(master), folder, recipes, loop=order.loop, draws=draws)
         renders: service.Made = []
         files: dict[str, StoredBlob] = {}
         for target, recipe in recipes.items():
@@ -218,14 +235,15 @@ def _prepared(
 
 
 def _outcomes(
-    master: str, folder: str, recipes: dict[str, Recipe], *, loop: bool, draws: bool
+    child: SandboxChild, master: str, folder: str, recipes: dict[str, Recipe], *, loop: bool, draws: bool
 ) -> dict[str, tuple[Outcome, Path]]:
-    """Return what one child made of a master, and where; what fails together is tried by itself."""
+    """Return what a child made of a master, and where; what fails together is tried by itself, in children anew."""
+    child.timeout_s = TIMEOUT_S
 
     def made(some: dict[str, Recipe], draws: bool) -> dict[str, tuple[Outcome, Path]]:
         place = tempfile.mkdtemp(dir=folder)
         asked = {target: recipe._asdict() for target, recipe in some.items()}
-        done = _sandbox().call(drawing.prepare, master, place, asked, loop=loop, draws_master=draws)
+        done = child.call(drawing.prepare, master, place, asked, loop=loop, draws_master=draws)
         return {part: (done[part], where) for part, where in drawing.places(place, some).items() if part in done}
 
     parts = [*(({target: recipe}, False) for target, recipe in recipes.items()), *([({}, True)] if draws else [])]
@@ -298,7 +316,10 @@ def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
     render, picture, fault = None, None, ""
     if order.take is not None and order.recipe is not None:
         try:
-            ((render, picture),), _ = _prepared(runtime, order.take, {order.target: order.recipe}, draws=False)
+            with Bench(runtime.store, _sandbox()) as bench:
+                ((render, picture),), _ = _prepared(
+                    runtime, order.take, {order.target: order.recipe}, bench, draws=False
+                )
             RENDERS.labels(render.state.value).inc()
         except (BlobAltered, BlobMissing) as error:  # one lost master must not hold up the others
             fault = str(error)

@@ -94,6 +94,55 @@ def test_results_come_back(sandbox):
     assert sandbox.call(Chunk, "data", 44, 8) == Chunk("data", 44, 8)
 
 
+def test_a_child_answers_calls_that_belong_together(sandbox):
+    with sandbox.child() as child, sandbox.child() as other:
+        pid = child.call(os.getpid)
+        assert child.call(os.getpid) == pid != other.call(os.getpid)
+        with pytest.raises(RenderRefused):
+            child.call(refuse)  # an answer too
+        assert child.call(os.getpid) == pid
+        child.close()
+        assert (later := child.call(os.getpid)) != pid
+    assert {pid, later}.isdisjoint(descendants())
+
+
+def refuse():
+    raise RenderRefused("m", "render:upwards", "f")
+
+
+@pytest.mark.parametrize(
+    ("failure", "function", "given"),
+    [
+        (SandboxCrashed, os.kill, None),
+        (SandboxCrashed, int, "no number"),
+        (SandboxOutOfMemory, bytes, 8 << 30),
+        (SandboxTimedOut, time.sleep, 60),
+    ],
+)
+def test_after_a_failure_the_next_call_gets_a_new_child(sandbox, failure, function, given):
+    with sandbox.child() as child:
+        pid = child.call(os.getpid)
+        child.timeout_s = 0.7
+        with pytest.raises(failure):
+            child.call(function, *((pid, signal.SIGSEGV) if given is None else (given,)))
+        assert pid not in descendants()
+        child.timeout_s = 20.0
+        assert child.call(os.getpid) != pid
+
+
+def spend_cpu(seconds):
+    begun = time.process_time()
+    while time.process_time() < begun + seconds:
+        pass
+    return resource.getrlimit(resource.RLIMIT_CPU)[0] - time.process_time()
+
+
+def test_the_time_of_a_call_is_not_taken_from_the_next(sandbox):
+    with sandbox.child(timeout_s=5.0) as child:
+        first, second = child.call(spend_cpu, 1.1), child.call(spend_cpu, 0.0)
+    assert second > first > 4.0
+
+
 def test_large_arguments_and_results(sandbox):
     assert sandbox.call(bytes.upper, b"a" * 20_000_000) == b"A" * 20_000_000
 

@@ -20,10 +20,8 @@ from tests.support.waves import sine, wav_bytes
 
 pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
 SOUND = wav_bytes(sine(hz=440, dbfs=-6, seconds=0.2))
-WORKER_POINTS = [
-    *(f"conformance.{point}" for point in ("before_check", "after_check", "before_commit", "after_commit")),
-    *(f"renders.{point}" for point in ("before_render", "after_render", "before_commit", "after_commit")),
-]
+CHECK_POINTS = [f"conformance.{point}" for point in ("before_check", "after_check", "before_commit", "after_commit")]
+RENDER_POINTS = [f"renders.{point}" for point in ("before_render", "after_render", "before_commit", "after_commit")]
 
 
 def deliver_one(world: World) -> UUID:
@@ -36,16 +34,28 @@ def state_of(server: ProcessServer, take_id: UUID) -> TakeState:
         return session.get_one(Take, take_id).state
 
 
+# One job does all of a take; one that killed its worker at all of these points would be parked for it.
+@pytest.mark.parametrize(("points", "step"), [(CHECK_POINTS, 2), (RENDER_POINTS, 3)], ids=["checked", "rendered"])
 @pytest.mark.killed_on("postgres")
-def test_a_take_survives_a_kill_at_every_step(server: ProcessServer, world: World, some_of: SomeOf) -> None:
-    """Its jobs are taken over each time, its verdict is given once, and its pack is whole."""
+def test_a_take_survives_a_kill_at_every_step(
+    server: ProcessServer, world: World, some_of: SomeOf, points: list[str], step: int
+) -> None:
+    """Its job is taken over each time: before its verdict, between that and its drawing, and after it."""
     take_id = deliver_one(world)
-    for point in some_of(WORKER_POINTS, 3):
+    for point in some_of(points, step):
         server.wait_for_death(server.work(point), point)
     server.work()
     wait_until(lambda: is_idle(server))
     assert state_of(server, take_id) is TakeState.CONFORMING
     assert_done_once(server, take_id)
+
+
+@pytest.mark.killed_on("postgres")
+def test_a_verdict_and_a_pack_survive_kills(server: ProcessServer, world: World, some_of: SomeOf) -> None:
+    """The verdict is given once, and the pack is whole."""
+    take_id = deliver_one(world)
+    server.work()
+    wait_until(lambda: is_idle(server))
 
     verdict: dict[str, Any] = {"json": {"kind": "approve"}, "headers": {"Idempotency-Key": "one click"}}
     for point in some_of(("reviews.before_commit", "http.after_commit"), 2):

@@ -6141,7 +6141,7 @@ export interface components {
             id: string;
             /**
              * Job
-             * @example conformance.check_take
+             * @example renders.prepare_take
              */
             job: string;
             /**

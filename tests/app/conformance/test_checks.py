@@ -9,13 +9,15 @@ import pytest
 from sqlalchemy import func, select
 
 import audio_checks
-from app.conformance import jobs, queries
-from app.conformance.jobs import check_take, recheck_takes
+from app.conformance import checking, queries
+from app.conformance.jobs import recheck_takes
 from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state
 from app.kit import kill
+from app.renders import jobs
+from app.renders.jobs import prepare_take
 from tests.support import hostile
 from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues, checked, deliver
@@ -116,7 +118,9 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     what: Callable[..., Any],
 ) -> None:
     monkeypatch.setattr(audio_checks, "check_file", what)
-    monkeypatch.setattr(jobs, "_sandbox", lambda _s: audio_checks.Sandbox(timeout_s=1.0, memory_bytes=1 << 30))
+    sandbox = audio_checks.Sandbox(preload=("numpy", "audio_checks", hostile.__name__))
+    monkeypatch.setattr(jobs, "_sandbox", lambda: sandbox)
+    monkeypatch.setattr(checking, "time_for", lambda _bytes: 1.0)
     take = deliver(world, "laser.wav", tone(hz=200 + len(what.__name__)))
     found = checked(world, take["id"])
     assert tried(take) == 3
@@ -128,6 +132,7 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     again = world.designer.post(f"/v1/takes/{take['id']}/recheck")
     assert (again.status_code, again.json()["state"]) == (202, "received")
     assert checked(world, take["id"])["verdict"] == "conforming"
+    sandbox.close()
 
 
 def test_a_check_that_works_at_the_third_try_counts(
@@ -154,7 +159,7 @@ def test_a_master_that_the_store_lost_is_our_fault(world: World, spoil: Callable
         row.state, row.file_name = TakeState.RECEIVED, "another.wav"  # so that no earlier check says the same
 
     world.server.in_database(again)
-    check_take(world.server.runtime, {"take_id": take["id"]})
+    prepare_take(world.server.runtime, {"take_id": take["id"]})
     found = world.designer.get(f"/v1/takes/{take['id']}/check").json()
     assert (found["state"], found["verdict"]) == ("unjudged", "unjudged")
 
@@ -163,7 +168,7 @@ def test_a_job_that_comes_twice_judges_once(world: World) -> None:
     take = deliver(world, "laser.wav", tone())
     world.server.wait_for_jobs()
     for _ in range(2):
-        check_take(world.server.runtime, {"take_id": take["id"]})
+        prepare_take(world.server.runtime, {"take_id": take["id"]})
     assert len(runs(world, take["id"])) == 1
 
 
@@ -187,7 +192,7 @@ def test_a_verdict_that_comes_too_late_is_dropped(world: World, monkeypatch: pyt
     world.server.in_database(receive)
     with monkeypatch.context() as patched:
         patched.setattr(kill, "point", overtaken)
-        check_take(world.server.runtime, {"take_id": take["id"]})
+        prepare_take(world.server.runtime, {"take_id": take["id"]})
     assert len(runs(world, take["id"])) == before
     assert world.designer.get(f"/v1/takes/{take['id']}").json()["state"] == "received"
 

@@ -7,7 +7,7 @@ import pytest
 from sqlalchemy import select
 
 import audio_checks
-from app.conformance import jobs
+from app.conformance import checking, jobs
 from app.conformance.jobs import make_mend
 from app.conformance.mends import OUR_FAULT
 from app.conformance.models import Mend
@@ -235,10 +235,14 @@ def test_when_its_mender_dies_three_times_that_is_our_fault(world: World, monkey
 def test_a_child_that_dies_is_tried_three_times(world: World, take: dict[str, Any], monkeypatch: Any) -> None:
     tries = []
 
-    class Dying:
+    class Dying(audio_checks.SandboxChild):
         def call(self, *_: Any, **__: Any) -> Any:
             tries.append(1)
             raise audio_checks.SandboxCrashed("the child was ended by SIGSEGV", signal=11)
+
+    class Deadly(audio_checks.Sandbox):
+        def child(self, *, timeout_s: float | None = None) -> Dying:
+            return Dying(self, timeout_s=timeout_s or self.timeout_s)
 
     def again(session: Any) -> UUID:
         mend = session.scalar(select(Mend).where(Mend.take_id == UUID(take["id"])))
@@ -246,7 +250,7 @@ def test_a_child_that_dies_is_tried_three_times(world: World, take: dict[str, An
         return mend.id
 
     mend_id = world.server.in_database(again)
-    monkeypatch.setattr(jobs, "_sandbox", lambda _s: Dying())
+    monkeypatch.setattr(checking, "sandbox", Deadly)
     make_mend(world.server.runtime, {"mend_id": str(mend_id)})
     assert len(tries) == 3
     assert mend_of(world, take)["state"] == "refused"

@@ -2,9 +2,10 @@
 
 import hashlib
 import io
+import time
 import wave
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 from uuid import UUID
 
 import numpy as np
@@ -12,8 +13,12 @@ import pytest
 from sqlalchemy import func, select, update
 
 import audio_checks
+from app.conformance.models import CheckRun
 from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.kit import kill
 from app.kit.db import new_id
+from app.kit.queue import queue_of
 from app.projects.models import Spec
 from app.renders import drawing, jobs, service
 from app.renders.models import Picture, Render, RenderSet
@@ -255,31 +260,87 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 0  # says nothing of the newer
 
 
-class FailingTogether:
-    """A sandbox whose calls fail as long as more than one thing is asked for."""
+class Interrupted(Exception):
+    """Stands for a worker that dies."""
 
-    def __init__(self) -> None:
-        self._sandbox = audio_checks.Sandbox()
-        self.asked: list[list[str]] = []
 
-    def call(self, function: Any, path: str, folder: str, recipes: dict[str, Any], **more: Any) -> Any:
-        parts = [*recipes, *(["the master"] if more["draws_master"] else [])]
-        self.asked.append(parts)
-        if len(parts) > 1:
-            raise audio_checks.SandboxCrashed("too much at once")
-        return self._sandbox.call(function, path, folder, recipes, **more)
+def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its verdict is seen before anything is drawn; the next attempt makes the rest and checks nothing again."""
+    add_cue(world, "beep")
+    found: list[str] = []
 
-    def close(self) -> None:
-        self._sandbox.close()
+    def interrupt(point: str) -> None:
+        if point == "renders.before_render" and not found:
+            checks = [run.verdict for run in world.server.in_database(lambda s: s.scalars(select(CheckRun)).all())]
+            found.append(f"{checks[-1]}, {count(world.server, Picture.studio_id == world.studio_id)} drawn")
+            monkeypatch.setattr(audio_checks, "check_file", None)  # nobody may ask for it again
+            raise Interrupted
+
+    monkeypatch.setattr(kill, "point", interrupt)
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+    deadline = time.monotonic() + 20
+    while sounds(world, take_id)["master"]["state"] != "drawn":
+        assert time.monotonic() < deadline, "the job did not come again within 20 s"
+        time.sleep(0.1)
+    assert found == ["conforming, 0 drawn"]
+    assert [one["state"] for one in sounds(world, take_id)["renders"]] == ["made", "made"]
+    assert count(world.server, CheckRun.take_id == UUID(take_id)) == 1
+
+
+def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    add_cue(world, "beep")
+    fork, forked = audio_checks.Sandbox._fork, []
+
+    def counted(sandbox: audio_checks.Sandbox, module: str) -> Any:
+        forked.append(module)
+        return fork(sandbox, module)
+
+    monkeypatch.setattr(audio_checks.Sandbox, "_fork", counted)
+    heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
+    assert heard["master"]["state"] == "drawn"
+    assert forked == ["audio_checks.runner"]
+
+
+def test_a_job_of_an_earlier_version_is_still_taken(world: World) -> None:
+    add_cue(world, "beep")
+    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
+
+    def as_before(session: Any) -> None:
+        session.execute(update(Take).where(Take.id == UUID(take_id)).values(state=TakeState.RECEIVED))
+        payload = {"take_id": take_id, "event_id": str(new_id()), "studio_id": str(world.studio_id)}
+        queue_of(session).enqueue(
+            session, "conformance.check_take", payload, key=f"{new_id()}", studio_id=world.studio_id
+        )
+
+    world.server.in_database(as_before)
+    world.server.wait_for_jobs()
+    assert count(world.server, CheckRun.take_id == UUID(take_id)) == 2
+    assert world.designer.get(f"/v1/takes/{take_id}").json()["state"] == "conforming"
+
+
+class FailingTogether(audio_checks.SandboxChild):
+    """A child that fails as long as more than one thing is to be made."""
+
+    asked: ClassVar[list[list[str]]] = []
+
+    def call(self, function: Any, /, *given: Any, **more: Any) -> Any:
+        if function is drawing.prepare:
+            parts = [*given[2], *(["the master"] if more["draws_master"] else [])]
+            self.asked.append(parts)
+            if len(parts) > 1:
+                raise audio_checks.SandboxCrashed("too much at once")
+        return super().call(function, *given, **more)
 
 
 def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    failing = FailingTogether()
-    monkeypatch.setattr(jobs, "_sandbox", lambda: failing)
+    sandbox = jobs._sandbox()
+    monkeypatch.setattr(sandbox, "child", lambda: FailingTogether(sandbox, timeout_s=60.0))
+    FailingTogether.asked.clear()
     add_cue(world, "beep")
     heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
-    failing.close()
-    assert failing.asked == [["game", "handheld", "the master"], ["game"], ["handheld"], ["the master"]]
+    assert FailingTogether.asked == [["game", "handheld", "the master"], ["game"], ["handheld"], ["the master"]]
     assert heard["master"]["state"] == "drawn"
     assert [one["state"] for one in heard["renders"]] == ["made", "made"]
     assert all(one["preview_url"] for one in (heard["master"], *heard["renders"]))
@@ -325,8 +386,7 @@ def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> N
 def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    hasty = audio_checks.Sandbox(timeout_s=0.001)
-    monkeypatch.setattr(jobs, "_sandbox", lambda: hasty)
+    monkeypatch.setattr(jobs, "TIMEOUT_S", 0.001)
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     heard = sounds(world, take_id)
@@ -334,7 +394,6 @@ def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
     assert {one["refusal"] for one in heard["renders"]} == {jobs.OUR_FAULT}
     queue = world.decider.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
     assert [take["id"] for item in queue["items"] for take in item["takes"]] == [take_id]
-    hasty.close()
 
 
 def test_who_may_see_and_hear(world: World) -> None:

@@ -29,6 +29,7 @@ const JOBS: Partial<Record<string, string>> = {
   'renders.make_next_of_batch': 'Make the next game files of a batch',
   'renders.make_reel': 'Put versions in a row',
   'renders.make_renders': 'Draw a sound and make its game files',
+  'renders.prepare_take': 'Check a version, draw it and make its game files',
   'renders.plan_batch': 'Plan a batch of game files',
   'renders.renew_renders': 'Ask for new game files',
   'server.forget_done_jobs': 'Clear away old jobs',

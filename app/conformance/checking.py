@@ -1,0 +1,115 @@
+"""A take is judged: its report comes out of a child that may crash, hang or eat memory."""
+
+from contextlib import ExitStack
+from functools import cache
+from pathlib import Path
+from typing import Any, Self
+from uuid import UUID
+
+import structlog
+from prometheus_client import Counter
+
+import audio_checks
+from app.conformance import mends, service
+from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before
+from app.conformance.service import CheckOrder
+from app.kit import kill
+from app.kit.runtime import Runtime
+from app.kit.storage import BlobAltered, BlobMissing, Store
+
+log = structlog.get_logger(__name__)
+BASE_TIME_S = 60
+BYTES_A_SECOND = 8 << 20  # far slower than any machine that this runs on
+MEMORY_BYTES = 1 << 30
+TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by verdict.", ["verdict"])
+
+
+class Bench:
+    """Where one take is worked on: one child for all of it, and its master, fetched once."""
+
+    def __init__(self, store: Store, sandbox: audio_checks.Sandbox) -> None:
+        self.child = sandbox.child()
+        self._store = store
+        self._held = ExitStack()
+        self._master: Path | None = None
+
+    def __enter__(self) -> Self:
+        """Begin nothing: child and master are there once they are asked for."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Have the child ended, and let the master go."""
+        self.child.close()
+        self._held.close()
+
+    def master(self, studio_id: UUID, sha256: str) -> Path:
+        """Return where the take's master lies; raise BlobMissing or BlobAltered where the store has it no longer."""
+        if self._master is None:
+            self._master = self._held.enter_context(self._store.local_copy(studio_id, sha256))
+        return self._master
+
+
+def judge(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
+    """Check a received take against the newest spec and record its verdict, once; one that waits for none is left."""
+    with runtime.database.reading() as session:
+        order = service.order_check(session, take_id)
+        report = service.known_report(session, order) if order else None
+    if order is None:
+        return
+    kill.point("conformance.before_check")
+    report = with_reverb_before(report or _checked(order, bench), _beside_before(runtime, order, bench))
+    kill.point("conformance.after_check")
+    with runtime.database.writing() as session:
+        is_news = service.record_check(session, order, report)
+        if is_news and report["verdict"] != "conforming":
+            mends.make_ready(session, order.take_id)
+        kill.point("conformance.before_commit")
+    if is_news:
+        TAKES_CHECKED.labels(report["verdict"]).inc()
+    kill.point("conformance.after_commit")
+
+
+def _checked(order: CheckOrder, bench: Bench) -> Report:
+    """Return the report of a child; after three failures, one that says that it is our fault."""
+    bench.child.timeout_s = time_for(order.master_bytes)
+    why = ""
+    for _ in range(TRIES):
+        try:
+            path = bench.master(order.studio_id, order.master_sha256)
+            report = bench.child.call(
+                audio_checks.check_file, path, order.spec, cue=order.cue, name=order.name, all_figures=True
+            )
+        except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
+            why = str(error)
+            continue
+        return report.to_dict() | {"path": order.name}
+    return unjudged(order.name, order.spec.category, why)
+
+
+def _beside_before(runtime: Runtime, order: CheckOrder, bench: Bench) -> dict[str, Any] | None:
+    """Return what the reverb of a take is beside that of an earlier one; None where there is none to compare with."""
+    if order.before is None:
+        return None
+    try:
+        path = bench.master(order.studio_id, order.master_sha256)
+        with (
+            runtime.store.local_copy(order.studio_id, order.before.master_sha256) as before_path,
+            # Reads another take's file too, so it is not the child that goes on with this one.
+            sandbox().child(timeout_s=time_for(order.master_bytes)) as child,
+        ):
+            compared = child.call(audio_checks.reverb_between, path, before_path)
+    except (audio_checks.Unreadable, audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
+        log.warning("no comparison with an earlier take", take_id=str(order.take_id), error=str(error))
+        return None
+    return compared.to_dict() | {"take_id": str(order.before.take_id), "number": order.before.number}
+
+
+def time_for(master_bytes: int) -> float:
+    """Return the seconds that a check may take."""
+    return BASE_TIME_S + master_bytes / BYTES_A_SECOND
+
+
+@cache
+def sandbox() -> audio_checks.Sandbox:
+    """Return the sandbox of what reads masters and draws nothing."""
+    return audio_checks.Sandbox(memory_bytes=MEMORY_BYTES, rehearsal=audio_checks.rehearse_check)
