@@ -1,7 +1,7 @@
 """Spreads work over processes, and survives those that die."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_all_start_methods, get_context
 from typing import TypeVar
@@ -18,10 +18,11 @@ def in_processes(
     tasks: Sequence[T],
     *,
     workers: int,
+    size: Callable[[T], float],
     died: Callable[[T, BaseException], R],
     done: Callable[[R], None] | None = None,
 ) -> list[R]:
-    """Return the result of every task, in order.
+    """Return the result of every task, in order; the largest are done first, so that no process ends long after another.
 
     Parameters
     ----------
@@ -31,6 +32,8 @@ def in_processes(
         What can be sent to another process.
     workers : int
         The number of processes.
+    size : callable
+        Tells how much work a task is, beside others.
     died : callable
         Makes the result of a task whose process died of it.
     done : callable, optional
@@ -38,29 +41,35 @@ def in_processes(
     """
     results: dict[int, R] = {}
 
-    def keep(first: int, finished: Iterable[R]) -> None:
-        for place, result in enumerate(finished, start=first):
+    def keep(places: Iterable[int], finished: Iterable[R]) -> None:
+        for place, result in zip(places, finished, strict=True):
             results[place] = result
             if done:
                 done(result)
 
-    size = max(1, min(MOST_AT_ONCE, len(tasks) // (workers * 4)))
-    running: dict[Future[list[R]], int] = {}
+    running: dict[Future[list[R]], list[int]] = {}
     with _pool(work, workers) as pool:
-        for first in range(0, len(tasks), size):
+        for places in _shares(sorted(range(len(tasks)), key=lambda place: -size(tasks[place])), workers):
             try:
-                running[pool.submit(work, list(tasks[first : first + size]))] = first
+                running[pool.submit(work, [tasks[place] for place in places])] = places
             except BrokenProcessPool:
                 break
-        while running:
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                first = running.pop(future)
-                if not isinstance(future.exception(), BrokenProcessPool):
-                    keep(first, future.result())
+        for future in as_completed(running):
+            if not isinstance(future.exception(), BrokenProcessPool):
+                keep(running.pop(future), future.result())
     left = [place for place in range(len(tasks)) if place not in results]
     for place, result in zip(left, _one_by_one(work, [tasks[place] for place in left], died), strict=True):
-        keep(place, [result])
+        keep([place], [result])
     return [results[place] for place in range(len(tasks))]
+
+
+def _shares(places: list[int], workers: int) -> Iterator[list[int]]:
+    """Yield what processes take at a time: several tasks at first, and few at the end, which they reach together."""
+    at = 0
+    while at < len(places):
+        count = max(1, min(MOST_AT_ONCE, (len(places) - at) // (workers * 4)))
+        yield places[at : at + count]
+        at += count
 
 
 def _one_by_one(

@@ -232,7 +232,7 @@ def judge(tasks: list[Task], *, jobs: int = 1, done: Callable[[FileReport], None
     if jobs > 1 and len(tasks) > 1:
         from audio_checks.processes import in_processes  # costs what a single file need not pay
 
-        return in_processes(_judge_all, tasks, workers=min(jobs, len(tasks)), died=_died, done=done)
+        return in_processes(_judge_all, tasks, workers=min(jobs, len(tasks)), size=_bytes_of, died=_died, done=done)
     entries = []
     for task in tasks:
         entries.append(_judge(task))
@@ -366,6 +366,14 @@ def _unlisted() -> Finding:
         fix="rename it to the file name of its cue, or add the cue to the list",
         severity="warning",
     )
+
+
+def _bytes_of(task: Task) -> int:
+    """Return how large a file is; 0 for what is none."""
+    try:
+        return os.stat(task.path).st_size
+    except (OSError, ValueError):
+        return 0
 
 
 def _judge_all(tasks: list[Task]) -> list[FileReport]:
