@@ -22,7 +22,7 @@ def in_processes(
     died: Callable[[T, BaseException], R],
     done: Callable[[R], None] | None = None,
 ) -> list[R]:
-    """Return the result of every task, in order; the largest are done first, so that no process ends long after another.
+    """Return the result of every task, in order; the largest are done first, so that all processes end together.
 
     Parameters
     ----------

@@ -194,7 +194,7 @@ def _two_jobs(folder: Path, spec: audio_checks.DeliverySpec, quick: bool) -> lis
     return [
         Row("two jobs beside one (wall)", one / two, "×", 1.7, None, "more", f"{two:.2f} s", peer),
         Row(
-            "two jobs beside two runs that share nothing, the most the machine gives",
+            "two jobs beside two runs that share nothing: the most there is",
             side_by_side / two,
             "×",
             peer=most,
