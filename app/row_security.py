@@ -13,7 +13,7 @@ from psycopg import errors
 from sqlalchemy.exc import ProgrammingError
 
 from app import tables  # noqa: F401  every model, for its policy
-from app.kit.db import PERSON, PROJECT, REQUEST_ROLE, Base, Database
+from app.kit.db import COME_IN, PERSON, PROJECT, REQUEST_ROLE, Base, Database
 from app.kit.health import NotReady
 from app.kit.runtime import Runtime
 
@@ -28,16 +28,18 @@ PERSONAL = frozenset({"accounts_sign_ins", "accounts_password_resets"})
 
 ME, THIS_PROJECT = "soundlist_me()", "soundlist_this_project()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
-LISTS = {
-    "soundlist_studios()": "select studio_id from accounts_memberships where person_id = soundlist_me()",
-    "soundlist_near_studios()": """
-        select studio_id from accounts_memberships where person_id = soundlist_me()
-        union select studio_id from projects_engagements where designer_id = soundlist_me()
-        union select studio_id from projects_projects where id = soundlist_this_project()""",
-    "soundlist_engagements()": "select project_id from projects_engagements where designer_id = soundlist_me()",
+LISTS = {  # looked up when a transaction begins, and kept to its end
+    "soundlist.studios": "select studio_id from accounts_memberships where person_id = me",
+    "soundlist.near_studios": """
+        select studio_id from accounts_memberships where person_id = me
+        union select studio_id from projects_engagements where designer_id = me
+        union select studio_id from projects_projects where id = this_project""",
+    "soundlist.engagements": "select project_id from projects_engagements where designer_id = me",
 }
-# A scalar subquery is planned once a query, not once a row.
-STUDIOS, NEAR_STUDIOS, ENGAGEMENTS = (f"any((select {name})::uuid[])" for name in LISTS)
+# A scalar subquery is worked out once a query, not once a row.
+STUDIOS, NEAR_STUDIOS, ENGAGEMENTS = (
+    f"any((select nullif(current_setting('{name}', true), '')::uuid[])::uuid[])" for name in LISTS
+)
 
 
 class CannotGuardRows(Exception):
@@ -129,12 +131,14 @@ def _functions() -> Iterator[str]:
             f"create or replace function {name} returns uuid language sql stable"
             f" as $$ select nullif(current_setting('{setting}', true), '')::uuid $$"
         )
-    for name, listed in LISTS.items():
-        # As the owner, who is held by no policy; with a fixed path, so that no other table can stand in.
-        yield (
-            f"create or replace function {name} returns uuid[] language sql stable security definer"
-            f" set search_path from current as $$ select array({listed}) $$"
-        )
+    keep = "perform set_config('{}', {}::text, true);"
+    kept = [keep.format(name, value) for name, value in ((PERSON, "me"), (PROJECT, "this_project"))]
+    kept += [keep.format(name, f"array({listed})") for name, listed in LISTS.items()]
+    # As the owner, who is held by no policy; with a fixed path, so that no other table can stand in.
+    yield (
+        f"create or replace function {COME_IN}(me uuid, this_project uuid) returns void language plpgsql"
+        f" security definer set search_path from current as $$ begin {' '.join(kept)} end $$"
+    )
 
 
 def _guarded(connection: sa.Connection) -> dict[str, str]:

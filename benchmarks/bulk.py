@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.schema import AddConstraint, CreateIndex, DropConstraint, DropIndex
 
-from app.kit.db import Base, Database
+from app.kit.db import BEGIN, Base, Database
 
 ROWS_AT_ONCE = 20_000
 CACHE_KB = 1_000_000  # of SQLite's pages: keys in no order would be read from the disk again and again
@@ -114,5 +114,5 @@ def bare(database: Database) -> Iterator[None]:
 def analyse(database: Database) -> None:
     """Have PostgreSQL count what its planner goes by, as it would by itself in time; no server of ours tells SQLite."""
     if not database.is_sqlite:
-        with database.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
+        with database.engine.connect().execution_options(**{BEGIN: ""}) as connection:
             connection.exec_driver_sql("VACUUM ANALYZE")

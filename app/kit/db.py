@@ -3,10 +3,9 @@
 import select
 import sqlite3
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from enum import StrEnum
-from functools import cache
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -30,10 +29,13 @@ CONSTRAINT_NAMES = {
     "fk": "fk_%(table_name)s_%(column_0_name)s",
     "pk": "pk_%(table_name)s",
 }
-WRITES = "soundlist_writes"  # execution option: this transaction takes SQLite's write lock at its start
+BEGIN = "soundlist_begin"  # execution option: what a transaction begins with
+READ_ONLY = "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"
 BUSY_TIMEOUT_MS = 15_000
 REQUEST_ROLE = "soundlist_request"  # on PostgreSQL: what a request's transaction runs as; it owns nothing
 PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row policies ask for
+COME_IN = "soundlist_come_in"  # a function there: says both, and looks up once which studios are within reach
+PREPARED = 400  # statements that a connection keeps prepared; requests of all kinds send some 300
 AWAY_STATES = frozenset({"57P01", "57P02", "57P03", "53300"})  # shut down, crashed, not up yet, too many connections
 UNIQUE_VIOLATION = "23505"
 CROSSED_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
@@ -47,7 +49,8 @@ CONNECTION = {
     "keepalives_count": "3",
     "tcp_user_timeout": "30000",
 }
-REACH, SAID_REACH = "reach", "said reach"  # keys in a session's info: whose it is, and what its transaction was told
+# Keys in a session's info: whose it is, what its transaction was told, and what it begins with.
+REACH, SAID_REACH, BEGINS = "reach", "said reach", "begins"
 
 
 def new_id() -> UUID:
@@ -133,7 +136,6 @@ class Database:
                 parsed, pool_size=20, max_overflow=20, json_deserializer=from_json, hide_parameters=True
             )
             event.listen(self.engine, "connect", _prepare_sqlite)
-            event.listen(self.engine, "begin", _begin_sqlite)
         else:
             parsed = parsed.set(query={**CONNECTION, **parsed.query})
             # The connection that was used last is used next: it has the statements prepared that are sent most.
@@ -146,14 +148,13 @@ class Database:
                 json_deserializer=from_json,
                 hide_parameters=True,
             )
+            event.listen(self.engine, "connect", _prepare_postgresql)
             event.listen(self.engine, "checkout", self._ensure_open)
-        self._writer = self.engine.execution_options(**{WRITES: True})
-        self._reader = (
-            self.engine
-            if self.is_sqlite
-            else self.engine.execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
-        )
-        self._glancer = self.engine if self.is_sqlite else self.engine.execution_options(isolation_level="AUTOCOMMIT")
+        event.listen(self.engine, "begin", _begin)
+        self._read, self._write = ("BEGIN", "BEGIN IMMEDIATE") if self.is_sqlite else (READ_ONLY, "BEGIN")
+        self._reader = self.engine.execution_options(**{BEGIN: self._read})
+        self._writer = self.engine.execution_options(**{BEGIN: self._write})
+        self._plain = self.engine if self.is_sqlite else self.engine.execution_options(**{BEGIN: ""})
 
     @contextmanager
     def reading(self, reach: Reach | None = None) -> Iterator[Session]:
@@ -161,25 +162,31 @@ class Database:
 
         Without a reach it is the server's own: jobs, and what happens before it is known who comes.
         """
-        with self._session(self._reader, reach) as session:
+        with self._session(self._reader, self._read, reach) as session:
             yield session
+            if not self.is_sqlite and session.in_transaction():
+                # Nothing is to be kept, but after a rollback psycopg forgets every statement that it had prepared.
+                with suppress(psycopg.Error):  # a line that broke is told of when the session closes
+                    session.connection().connection.commit()
 
     @contextmanager
     def glancing(self) -> Iterator[Session]:
         """Give a session of the server's own for one SELECT, which PostgreSQL is not asked to begin and to end."""
-        with self._session(self._glancer, None) as session:
+        with _Session(self._plain, info=self.session_info) as session:
             yield session
 
     @contextmanager
     def writing(self, reach: Reach | None = None) -> Iterator[Session]:
         """Give a session whose work is committed when the block ends, and undone when it raises."""
-        with self._session(self._writer, reach) as session, session.begin():
+        with self._session(self._writer, self._write, reach) as session, session.begin():
             yield session
 
-    def _session(self, engine: sa.Engine, reach: Reach | None) -> Session:
-        session = _Session(engine, expire_on_commit=False, info=self.session_info)
-        if reach is not None:
-            session.info[REACH] = reach
+    def _session(self, engine: sa.Engine, begins: str, reach: Reach | None) -> Session:
+        if reach is None:
+            return _Session(engine, expire_on_commit=False, info=self.session_info)
+        is_guarded = not self.is_sqlite
+        session = _Session(self._plain if is_guarded else engine, expire_on_commit=False, info=self.session_info)
+        session.info |= {REACH: reach, BEGINS: begins}
         return session
 
     def _ensure_open(self, connection: Any, _record: Any, _proxy: Any) -> None:
@@ -240,14 +247,14 @@ def beyond_reach(session: Session) -> Iterator[None]:
         yield
         return
     session.flush()  # what came before is held to the caller's reach
-    _set_locally(session.connection(), role="none")
+    _tell(session.connection(), "SET LOCAL ROLE NONE")
     try:
         yield
         session.flush()
     except BaseException:
         session.rollback()  # nobody goes on from here with every row in sight
         raise
-    _set_locally(session.connection(), role=REQUEST_ROLE)
+    _say_reach(session, session.connection())  # which may be more now
 
 
 def _is_guarded(session: Session) -> bool:
@@ -257,28 +264,29 @@ def _is_guarded(session: Session) -> bool:
 @event.listens_for(_Session, "after_begin")
 def _begin_within_reach(session: Session, _transaction: Any, connection: sa.Connection) -> None:
     if _is_guarded(session):
-        _say_reach(session, connection)
+        _say_reach(session, connection, session.info[BEGINS])
 
 
-def _say_reach(session: Session, connection: sa.Connection) -> None:
+def _say_reach(session: Session, connection: sa.Connection, *before: str) -> None:
     reach: Reach = session.info[REACH]
     session.info[SAID_REACH] = reach
-    known = {PERSON: reach.person_id, PROJECT: reach.project_id}
-    _set_locally(connection, role=REQUEST_ROLE, **{name: str(value or "") for name, value in known.items()})
+    known = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
+    _tell(connection, *before, f"SELECT {COME_IN}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
 
 
-def _set_locally(connection: sa.Connection, **values: str) -> None:
-    connection.execute(_setting(*values), {f"to_{place}": value for place, value in enumerate(values.values())})
+def _tell(connection: sa.Connection, *statements: str) -> None:
+    """Send statements that answer nothing, all on one way."""
+    connection.exec_driver_sql("; ".join(statements))
 
 
-@cache
-def _setting(*names: str) -> sa.Select[*tuple[str, ...]]:
-    return sa.select(
-        *(
-            sa.func.set_config(name, sa.bindparam(f"to_{place}", type_=sa.String()), True)
-            for place, name in enumerate(names)
-        )
-    )
+def _begin(connection: sa.Connection) -> None:
+    if statement := connection.get_execution_options().get(BEGIN, "BEGIN"):
+        connection.exec_driver_sql(statement)
+
+
+def _prepare_postgresql(connection: Any, _record: Any) -> None:
+    connection.autocommit = True  # we say BEGIN ourselves, and what a transaction is to know with it
+    connection.prepared_max = PREPARED
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:
@@ -289,8 +297,3 @@ def _prepare_sqlite(connection: Any, _record: Any) -> None:
     cursor.execute("PRAGMA foreign_keys=ON")
     cursor.execute(f"PRAGMA busy_timeout={BUSY_TIMEOUT_MS}")
     cursor.close()
-
-
-def _begin_sqlite(connection: sa.Connection) -> None:
-    writes = connection.get_execution_options().get(WRITES, False)
-    connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")

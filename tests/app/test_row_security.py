@@ -212,6 +212,36 @@ def test_reach_grows_only_for_whom_it_is_said(database: Database):
         assert seen(session, "projects_projects") == set(), "what the last one was told is forgotten"
 
 
+def test_who_joins_a_studio_sees_it_at_once(database: Database):
+    newcomer = new_id()
+    memberships = Base.metadata.tables["accounts_memberships"]
+    with database.writing(Reach(person_id=newcomer)) as session:
+        assert seen(session, "projects_projects") == set()
+        with beyond_reach(session):
+            session.execute(
+                sa.insert(memberships).values(row_of(memberships, HERE, new_id()) | {"person_id": newcomer})
+            )
+        assert seen(session, "projects_projects") == {HERE}
+        session.rollback()
+
+
+def test_statements_stay_prepared_when_a_request_has_only_read(database: Database):
+    prepared = sa.text("select count(*) from pg_prepared_statements where statement like 'SELECT projects_projects.%'")
+    for _ in range(8):  # psycopg prepares what it has sent five times; the connection used last is used next
+        with database.reading(Reach(person_id=MEMBER)) as session:
+            session.execute(sa.select(Base.metadata.tables["projects_projects"]))
+            kept = session.scalar(prepared)
+    assert kept == 1
+
+
+def test_a_reading_request_changes_nothing(database: Database):
+    with (
+        pytest.raises(sa.exc.DBAPIError, match="read-only transaction"),
+        database.reading(Reach(person_id=MEMBER)) as session,
+    ):
+        session.execute(sa.delete(Base.metadata.tables["projects_projects"]))
+
+
 def test_who_fails_beyond_reach_comes_back_with_nothing(database: Database):
     def fail_in(session: Session) -> None:
         with beyond_reach(session):
