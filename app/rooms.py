@@ -44,7 +44,7 @@ JOB_MODULES = (
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
-    "take.checked": ("notifications.tell_check",),
+    "takes.checked": ("notifications.tell_checks",),
     "take.rendered": ("renders.hear_take",),
     "palette.changed": ("renders.hear_palette",),
     "mend.asked": ("conformance.make_mend",),

@@ -40,7 +40,13 @@ def forget_done_jobs(runtime: Runtime, _payload: Payload) -> None:
     runtime.queue.forget_done(clock.now() - JOBS_KEPT_FOR)
 
 
-CHORES = ("server.sweep_uploads", "server.send_waiting", "server.forget_done_jobs", "reviews.mind_silence")
+CHORES = (
+    "server.sweep_uploads",
+    "server.send_waiting",
+    "server.forget_done_jobs",
+    "reviews.mind_silence",
+    "notifications.tell_untold",
+)
 
 
 def start_worker(runtime: Runtime) -> Worker:

@@ -2,10 +2,11 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
+from datetime import datetime
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, and_, exists, select, tuple_, update
+from sqlalchemy import ColumnElement, Row, and_, exists, select, text, tuple_, update
 from sqlalchemy.orm import Session, aliased, joinedload
 
 import audio_checks
@@ -41,6 +42,35 @@ def retire_runs(session: Session, take_id: UUID) -> None:
     """Make room for a new current run."""
     retired = update(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current).values(is_current=False)
     session.execute(retired, execution_options={"synchronize_session": False})
+
+
+def tell_runs(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Mark what checks of a project said as told, and return the takes of which that is the newest."""
+    told = (
+        update(CheckRun)
+        .where(CheckRun.project_id == project_id, text("is_untold"))  # as its index says it
+        .values(is_untold=False)
+        .returning(CheckRun.take_id, CheckRun.is_current)
+    )
+    rows = session.execute(told, execution_options={"synchronize_session": False})
+    return [take_id for take_id, is_current in rows if is_current]
+
+
+def untold_projects(session: Session, before: datetime) -> Sequence[UUID]:
+    """Return the projects of which something was not told that checks said before an instant."""
+    untold = select(CheckRun.project_id).where(text("is_untold"), CheckRun.created_at < before)
+    return session.scalars(untold.distinct()).all()
+
+
+def runs_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[CheckRun, Take, Cue | None]]:
+    """Return the newest checks of takes, in the order of their making, with the takes and their cues."""
+    return session.execute(
+        select(CheckRun, Take, Cue)
+        .join(Take, Take.id == CheckRun.take_id)
+        .outerjoin(Cue, Cue.id == Take.cue_id)
+        .where(among(CheckRun.take_id, take_ids), CheckRun.is_current)
+        .order_by(CheckRun.id)
+    ).all()
 
 
 def waiver_of(session: Session, take_id: UUID) -> Waiver | None:

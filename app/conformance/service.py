@@ -29,11 +29,15 @@ from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState
 from app.deliveries.service import change_state, check_again, check_name, take_for
+from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK
 from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.sound_lists.service import cue_facts
+
+TOLD_EVERY_S = 5.0
+COMMITTED_WITHIN_S = 1.0  # what its transaction takes longer to commit is told with what comes next, or by the chore
 
 
 @dataclass(frozen=True)
@@ -129,19 +133,27 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
             pcm_sha256=report["pcm_sha256"],
             report=report,
             tool_version=audio_checks.TOOL_VERSION,
+            is_untold=True,
         )
     )
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
     change_state(session, take, state_after(report, waived))
+    _ask_to_tell(session, take)
+    return True
+
+
+def _ask_to_tell(session: Session, take: Take) -> None:
+    """Have what checks said told together: what is said in the same few seconds of a project is one event."""
+    now_s = clock.now().timestamp()
+    window = int(now_s // TOLD_EVERY_S)
     publish(
         session,
-        "take.checked",
+        "takes.checked",
         studio_id=take.studio_id,
-        take_id=take.id,
-        verdict=report["verdict"],
-        edition=take.edition,
+        delay_s=(window + 1) * TOLD_EVERY_S + COMMITTED_WITHIN_S - now_s,
+        once=f"{take.project_id}@{window}",
+        project_id=take.project_id,
     )
-    return True
 
 
 def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:

@@ -29,11 +29,13 @@ def publish(
     studio_id: UUID | None,
     priority: int = NORMAL,
     delay_s: float = 0,
+    once: str | None = None,
     **facts: UUID | str | int | list[str] | None,
 ) -> UUID:
     """Write one job per subscriber into the caller's transaction, and return the event's id.
 
-    `studio_id` is whose work it is; None for what concerns one person's account alone.
+    `studio_id` is whose work it is; None for what concerns one person's account alone. Events that give the same
+    word to `once` are one: the first starts the jobs.
     """
     if event not in _subscribers:
         raise UnknownEvent(event)
@@ -46,7 +48,7 @@ def publish(
             session,
             subscriber,
             payload,
-            key=f"{event_id}:{subscriber}",
+            key=f"{once or event_id}:{subscriber}",
             studio_id=studio_id,
             priority=priority,
             delay_s=delay_s,

@@ -66,8 +66,6 @@ class Worker:
         DBOS.workflow(name=queue.RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
         DBOS.listen_queues([])  # it would ask five times where we ask once, and leave a seat empty until the next look
         DBOS.launch()
-        if self._database.is_sqlite:
-            _sync_later(self._dbos._sys_db.engine)
         self._queue = DBOS.register_queue(
             queue.JOB_QUEUE,
             worker_concurrency=self._jobs_at_once,
@@ -181,17 +179,12 @@ class Worker:
             session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
 
 
-def _sync_later(engine: sa.Engine) -> None:
+def _sync_later(connection: Any, _record: Any) -> None:
     """Let SQLite sync what is said of a job's course together with the next thing that is promised to anybody.
 
     What a failing power takes of it has the job run again. Jobs themselves are written in transactions of ours.
     """
-
-    def prepare(connection: Any, _record: Any) -> None:
-        connection.execute("PRAGMA synchronous=NORMAL")
-
-    sa.event.listen(engine, "connect", prepare)
-    engine.dispose()  # those that are open
+    connection.execute("PRAGMA synchronous=NORMAL")
 
 
 def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
@@ -201,6 +194,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
         "sys_db_pool_size": 5 + jobs_at_once,
+        "db_engine_kwargs": {"pool_events": [(_sync_later, "connect")]} if database.is_sqlite else {},
         "max_executor_threads": max(8, jobs_at_once * 4),
         "log_level": "WARNING",
         "notification_listener_polling_interval_sec": 1.0,

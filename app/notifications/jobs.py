@@ -1,7 +1,8 @@
 """What people are told by mail, and the sending."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import date
+from datetime import date, timedelta
 from uuid import UUID
 
 import aiosmtplib
@@ -9,12 +10,14 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.builds.models import Build
-from app.conformance.queries import current_run
+from app.conformance.models import CheckRun
+from app.conformance.queries import runs_of, tell_runs, untold_projects
 from app.contracts.facts import in_words
 from app.contracts.models import Contract
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock, mail
+from app.kit.db import new_id
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.notifications import queries, service
@@ -26,6 +29,8 @@ from app.reviews.models import Sending
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import label
 
+LEFT_UNTOLD_AFTER = timedelta(minutes=1)  # by then the job that a check asked for has told it
+
 
 @dataclass(frozen=True)
 class Teller:
@@ -36,8 +41,8 @@ class Teller:
     project: Project
     event_id: str
 
-    def tell(self, recipient: str, topic: str, subject: str, line: str, *, page: str | None = None) -> None:
-        """Add a line to the recipient's mail on the topic; without a page the link leads to the desk."""
+    def tell(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
+        """Add lines to the recipient's mail on the topic; without a page the link leads to the desk."""
         base_url = self.runtime.settings.base_url
         service.write_mail(
             self.session,
@@ -46,7 +51,7 @@ class Teller:
             topic=f"{topic}:{self.project.id}",
             recipient=recipient,
             subject=f"{self.project.name}: {subject}",
-            line=line,
+            lines=lines,
             link=f"{base_url}/desk" if page is None else f"{base_url}/projects/{self.project.id}/{page}".rstrip("/"),
             delay_s=self.runtime.settings.digest_delay_s,
         )
@@ -92,33 +97,61 @@ def mail_link(runtime: Runtime, payload: Payload) -> None:
             topic=f"link:{payload['event_id']}",
             recipient=payload["recipient"],
             subject=subject.format(**names),
-            line=line.format(**names) + (f"\n\n{note}" if note else ""),
+            lines=[line.format(**names) + (f"\n\n{note}" if note else "")],
             link=payload["link"],
         )
 
 
+@job("notifications.tell_checks")
+def tell_checks(runtime: Runtime, payload: Payload) -> None:
+    """Tell designers what came back and why, and the decider what waits to be heard, since this was last told."""
+    with runtime.database.writing() as session:
+        _tell_runs(runtime, session, payload["event_id"], tell_runs(session, UUID(payload["project_id"])))
+
+
+# An earlier version told of each take by itself, and marked no check as untold.
 @job("notifications.tell_check")
 def tell_check(runtime: Runtime, payload: Payload) -> None:
-    """Tell the designer what came back and why, and the decider what waits to be heard."""
+    """Tell of one take what came back and why, or that it waits to be heard."""
     with runtime.database.writing() as session:
-        take, project, cue = _take_with_place(session, payload["take_id"])
-        run = current_run(session, take.id)
-        if run is None:
-            return
-        teller = Teller(runtime, session, project, payload["event_id"])
+        _tell_runs(runtime, session, payload["event_id"], [UUID(payload["take_id"])])
+
+
+@job("notifications.tell_untold")
+def tell_untold(runtime: Runtime, _payload: Payload) -> None:
+    """Tell what checks said whose telling had begun before they were committed."""
+    with runtime.database.reading() as session:
+        project_ids = untold_projects(session, clock.now() - LEFT_UNTOLD_AFTER)
+    for project_id in project_ids:
+        tell_checks(runtime, {"project_id": str(project_id), "event_id": str(new_id())})
+
+
+def _tell_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Sequence[UUID]) -> None:
+    runs = runs_of(session, take_ids)
+    if not runs:
+        return
+    project = session.get_one(Project, runs[0].CheckRun.project_id)
+    teller = Teller(runtime, session, project, event_id)
+    waiting: list[str] = []
+    returned: dict[UUID, list[str]] = {}
+    for run, take, cue in runs:
         name = _label(project, cue)
-        if run.verdict == "conforming":
-            if cue is not None:
-                line = f"{name}: {take.file_name} conforms and waits for you."
-                decider = queries.decider_address(session, project)
-                teller.tell(decider, "to-review", "sounds to review", line, page="review")
-            return
-        found = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
-        if run.verdict == "unjudged":
-            found = ["The check itself broke. That is our fault: your file is kept, and no round counts."]
-        line = "\n".join([f"{name}: {take.file_name}", *(f"  {each}" for each in found)])
-        designer = queries.address_of(session, take.designer_id)
-        teller.tell(designer, "returned", "files came back from the check", line)
+        if run.verdict != "conforming":
+            returned.setdefault(take.designer_id, []).append(f"{name}: {take.file_name}{_why_returned(run)}")
+        elif cue is not None:
+            waiting.append(f"{name}: {take.file_name} conforms and waits for you.")
+    if waiting:
+        teller.tell(queries.decider_address(session, project), "to-review", "sounds to review", *waiting, page="review")
+    for designer_id, lines in returned.items():
+        designer = queries.address_of(session, designer_id)
+        teller.tell(designer, "returned", "files came back from the check", *lines)
+
+
+def _why_returned(run: CheckRun) -> str:
+    found = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
+    if run.verdict == "unjudged":
+        found = ["The check itself broke. That is our fault: your file is kept, and no round counts."]
+    return "".join(f"\n  {each}" for each in found)
 
 
 @job("notifications.tell_changes")

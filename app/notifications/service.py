@@ -1,5 +1,6 @@
 """Writing mails with the facts they tell, and sending them."""
 
+from collections.abc import Sequence
 from datetime import timedelta
 from uuid import UUID
 
@@ -26,7 +27,7 @@ def write_mail(
     topic: str,
     recipient: str,
     subject: str,
-    line: str,
+    lines: Sequence[str],
     link: str | None = None,
     delay_s: float = 0,
 ) -> None:
@@ -37,7 +38,7 @@ def write_mail(
         "topic": topic,
         "recipient": recipient,
         "subject": subject,
-        "lines": [line],
+        "lines": list(lines),
         "event_ids": [event_id],
         "link": link,
     }
@@ -47,7 +48,7 @@ def write_mail(
             publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=facts["id"])
             return
     if event_id not in mail.event_ids:
-        mail.lines = [*mail.lines, line]
+        mail.lines = [*mail.lines, *lines]
         mail.event_ids = [*mail.event_ids, event_id]
 
 

@@ -15,7 +15,7 @@ from app.projects.queries import current_spec
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import Verdict
-from tests.kill.processes import ProcessServer
+from tests.kill.processes import ProcessServer, wait_until
 
 
 def is_idle(server: ProcessServer) -> bool:
@@ -52,16 +52,24 @@ def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
         spec = current_spec(session, take.project_id)
         targets = sorted(session.scalars(select(Render.target).where(Render.take_id == take_id)))
         sounds = {take.master_sha256, *session.scalars(select(Render.sha256).where(Render.take_id == take_id))}
-        lines = [line for lines in session.scalars(select(Mail.lines)) for line in lines]
         sets = session.execute(sa.select(RenderSet.spec_id).where(RenderSet.take_id == take_id)).all()
     assert targets == ["game", "handheld"]
     assert rows(server, Render, take_id=take_id, state=RenderState.MADE) == 2
     assert rows(server, CheckRun, take_id=take_id) == 1
     assert rows(server, Picture) == len(sounds)
     assert sets == [(spec.id,)]
-    assert told(server, "notifications.tell_check") == 1
-    assert sum("conforms and waits" in line for line in lines) == 1
+    assert told(server, "notifications.tell_checks") == 1
+    wait_until(lambda: told_of(server))  # with what else is said in the same seconds
+    wait_until(lambda: is_idle(server))
+    assert told_of(server) == 1
     assert nothing_failed(server)
+
+
+def told_of(server: ProcessServer) -> int:
+    """Return how often somebody was told that a sound waits to be heard."""
+    with server.runtime.database.reading() as session:
+        mails = session.scalars(select(Mail.lines)).all()
+    return sum("conforms and waits" in line for lines in mails for line in lines)
 
 
 def verdicts(server: ProcessServer, take_id: UUID) -> int:

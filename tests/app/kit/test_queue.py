@@ -201,6 +201,25 @@ def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     until(lambda: len(calls) == 2)
 
 
+def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer):
+    if not runtime.database.is_sqlite:
+        pytest.skip("SQLite's own")
+    assert server.worker is not None
+    synced = []
+    for engine in (runtime.database.engine, server.worker._dbos._sys_db.engine):
+        with engine.connect() as connection:
+            synced.append(connection.exec_driver_sql("PRAGMA synchronous").scalar_one())
+    assert synced == [2, 1], "FULL and NORMAL"
+
+
+def test_a_seat_that_falls_free_is_filled_at_once(runtime: Runtime, monkeypatch: pytest.MonkeyPatch):
+    """Where work waits nobody pauses for the next look."""
+    monkeypatch.setattr(workers, "LOOK_EVERY_S", 60.0)
+    monkeypatch.setattr(workers, "IDLE_LOOK_EVERY_S", 60.0)
+    enqueue_many(runtime, *((new_id(), queue.NORMAL, f"one of {number}") for number in range(20)))
+    until(lambda: len(calls) == 20)
+
+
 def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
     enqueue(runtime, "tests.note", "long ago")
     until(lambda: calls == ["long ago"])

@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from datetime import timedelta
 from uuid import UUID, uuid4
 
 import pytest
@@ -14,6 +15,7 @@ from aiosmtpd.smtp import SMTP, Envelope
 from aiosmtpd.smtp import Session as SmtpSession
 from sqlalchemy.orm import Session
 
+from app.conformance import service as conformance
 from app.kit import clock
 from app.kit.runtime import Runtime
 from app.notifications import jobs, service
@@ -143,16 +145,59 @@ def test_a_mail_whose_worker_died_goes_out_later(world: World, mailbox: Mailbox,
     assert len(mailbox.texts_for(address)) == 1
 
 
-def test_files_that_came_back_are_gathered_in_one_mail(world: World):
+def of_checks(world: World) -> list[dict[str, object]]:
+    return [mail for mail in outbox(world) if any(word in str(mail["subject"]) for word in ("came back", "to review"))]
+
+
+def tell_checks(world: World) -> list[dict[str, object]]:
+    """Tell what checks said, as their job does some seconds later; return the mails that do."""
+    world.server.wait_for_jobs()
+    jobs.tell_checks(world.server.runtime, {"project_id": str(world.project_id), "event_id": str(uuid4())})
+    return of_checks(world)
+
+
+def deliver_pair(world: World, dbfs: float) -> list[str]:
+    names = ["laser_fire_01.wav", "laser_fire_02.wav"]
     add_cues(world, {"name": "laser_fire", "variations": 2})
-    too_loud = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.2))
-    for name in ("laser_fire_01.wav", "laser_fire_02.wav"):
-        deliver(world, name, too_loud)
-    (mail,) = [each for each in outbox(world) if each["recipient"] == f"{world.designer_id}@example.test"
-               and "came back" in str(each["subject"])]  # fmt: skip
-    assert "laser_fire_01.wav" in str(mail["text"])
-    assert "laser_fire_02.wav" in str(mail["text"])
-    assert "0.00 dBFS" in str(mail["text"])
+    for name in names:
+        deliver(world, name, wav_bytes(sine(hz=997, dbfs=dbfs, seconds=0.2)))
+    return names
+
+
+@pytest.mark.parametrize(
+    ("dbfs", "subject", "words"), [(0.0, "came back", "0.00 dBFS"), (-6.0, "to review", "waits for you")]
+)
+def test_what_checks_said_is_told_once_and_together(world: World, dbfs: float, subject: str, words: str):
+    """However often it is asked for: both takes are lines of one mail, of which each stands there once."""
+    names = deliver_pair(world, dbfs)
+    tell_checks(world)
+    (mail,) = tell_checks(world)
+    person = world.designer_id if subject == "came back" else world.decider_id
+    assert mail["recipient"] == f"{person}@example.test"
+    assert subject in str(mail["subject"])
+    assert [str(mail["text"]).count(name) for name in names] == [1, 1]
+    assert str(mail["text"]).count(words) == 2
+
+
+def test_a_delivery_asks_for_a_handful_of_tellings(world: World, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(conformance, "TOLD_EVERY_S", 3600.0)
+    deliver_pair(world, -6.0)
+    world.server.wait_for_jobs()
+    mine = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
+    told = [job.state for job in mine if job.name == "notifications.tell_checks"]
+    assert told == ["delayed"]
+
+
+def test_what_was_committed_too_late_to_be_told_is_told_by_the_chore(world: World, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(conformance, "TOLD_EVERY_S", 3600.0)  # as if its job had run before
+    deliver_pair(world, -6.0)
+    world.server.wait_for_jobs()
+    jobs.tell_untold(world.server.runtime, {})
+    assert of_checks(world) == []
+    monkeypatch.setattr(jobs, "LEFT_UNTOLD_AFTER", timedelta(0))
+    jobs.tell_untold(world.server.runtime, {})
+    (mail,) = of_checks(world)
+    assert str(mail["text"]).count("waits for you") == 2
 
 
 def test_an_event_told_twice_stands_in_the_mail_once(world: World):
@@ -207,7 +252,7 @@ def test_two_jobs_that_tell_at_the_same_moment_write_one_mail(world: World):
             topic=topic,
             recipient="maker@example.test",
             subject="sounds approved",
-            line=event_id,
+            lines=[event_id],
             delay_s=3600,
         )
 

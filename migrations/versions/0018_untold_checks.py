@@ -1,0 +1,28 @@
+"""What checks said is told together: a run of which nobody was told yet is found by an index."""
+
+import sqlalchemy as sa
+from alembic import op
+
+revision = "0018"
+down_revision = "0017"
+branch_labels = None
+depends_on = None
+
+
+def upgrade() -> None:
+    op.add_column(
+        "conformance_check_runs", sa.Column("is_untold", sa.Boolean(), nullable=False, server_default=sa.false())
+    )
+    op.create_index(
+        "ix_conformance_check_runs_untold",
+        "conformance_check_runs",
+        ["project_id"],
+        sqlite_where=sa.text("is_untold"),
+        postgresql_where=sa.text("is_untold"),
+    )
+
+
+def downgrade() -> None:
+    op.drop_index("ix_conformance_check_runs_untold", "conformance_check_runs")
+    with op.batch_alter_table("conformance_check_runs", schema=None) as batch_op:
+        batch_op.drop_column("is_untold")
