@@ -8,20 +8,17 @@ SOUNDS_DIR real recordings are part of both sides. What was measured of each sou
 import argparse
 import hashlib
 import json
-import math
 import os
 import time
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.ensemble import HistGradientBoostingClassifier, HistGradientBoostingRegressor
 from sklearn.exceptions import ConvergenceWarning
-from sklearn.isotonic import IsotonicRegression
 from sklearn.metrics import roc_auc_score
 from sklearn.neural_network import MLPClassifier
 
@@ -31,39 +28,17 @@ from audio_checks.nets import Nets
 from audio_checks.trees import Trees
 from training import dataset, layers, strikes
 from training.dataset import Known
+from training.reverb_limits import held, thresholds
+from training.sets import LAYOUTS, Floats, Set, layouts_of, together
 from training.tables import as_table, write_tables
 
-Floats = NDArray[np.float64]
-Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by kind, layout and length of decay
-KINDS = ("event", "natural-decay", "ambience", "voice", "music", "unknown")
-LAYOUTS = ("mono", "stereo")
-# That thresholds aim at, under the 2 and 5 % that are allowed: who is blamed for what is not there, trusts no more.
-FALSE_ALARMS = {"event": 0.003, "natural-decay": 0.004, "unknown": 0.001}
-MOST_WRONG = 0.42  # of the sounds that are decided by a hair; of all that are decided far fewer are
 FOLDS = 5
-FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
-FEWEST_FAMILIES = 3  # from which on it may call reverb sooner than where the kind is unsaid
 TREES = {"max_leaf_nodes": 12, "max_iter": 300, "learning_rate": 0.05, "min_samples_leaf": 15, "max_features": 0.25}
 NETS = {"hidden_layer_sizes": (48, 16), "alpha": 1.0, "batch_size": 128, "max_iter": 25}
 NETS_AVERAGED = 3
 NETS_SHARE = 0.4  # of the score; the trees have the rest
 SOURCES_BESIDE = {"layers": layers.FAMILIES, "strikes": strikes.FAMILIES}
 HERE = Path(__file__).parent
-
-
-@dataclass
-class Set:
-    """Some sounds: what is known of each, its features, and what the judgement says."""
-
-    known: list[Known]
-    features: Floats
-
-    def column(self, of: Callable[[Known], Any]) -> NDArray[Any]:
-        return np.array([of(one) for one in self.known])
-
-    @property
-    def wet(self) -> NDArray[np.bool_]:
-        return self.column(lambda one: one.is_wet)
 
 
 @dataclass(frozen=True)
@@ -128,10 +103,6 @@ def measured(made: Made, cache: Path) -> Set:
     return Set(known, np.array(features))
 
 
-def together(parts: Sequence[Set]) -> Set:
-    return Set([one for part in parts for one in part.known], np.concatenate([part.features for part in parts]))
-
-
 @dataclass
 class Learned:
     """What tells wet from dry: trees, and nets over scaled features."""
@@ -179,79 +150,6 @@ def said_by_others(some: Set, beside: Set) -> tuple[Floats, Floats]:
         scores[held] = [reverb.score_by(trees, nets, NETS_SHARE, one) for one in some.features[held]]
         rt60_s[held] = np.exp2(learned_rt60(others).predict(some.features[held]))
     return scores, rt60_s
-
-
-def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
-    """Return by kind, layout and length under which score a sound is dry, and from which on it has reverb."""
-    wet, kinds, layouts = some.wet, some.column(lambda one: one.kind), layouts_of(some)
-    families, real = some.column(lambda one: one.source), some.column(lambda one: one.is_real)
-    is_long = rt60_s >= reverb.LONG_FROM_S
-    counts = {kind: len(set(families[~real & (kinds == kind)])) for kind in KINDS}
-    table: Table = {kind: {} for kind in KINDS}
-    for layout in LAYOUTS:
-        here = layouts == layout
-        rows_of = {kind: here & (kinds == kind) for kind in KINDS}
-        known = [kind for kind in KINDS if rows_of[kind].sum() >= FEWEST and counts[kind] > 1]
-        for kind in known:
-            aim, rows = FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]), rows_of[kind]
-            table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim)
-        # Where nobody says the kind it may be any, a long natural decay too: as sure as of the hardest.
-        unsaid = limits(scores[here], wet[here], is_long[here], FALSE_ALARMS["unknown"])
-        surest = max(
-            *(np.quantile(scores[rows_of[kind] & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in known),
-            *(reverb_from for kind in known for _, reverb_from in table[kind][layout].values()),
-        )
-        for kind in KINDS:
-            if kind not in known or counts[kind] < FEWEST_FAMILIES:  # how others of the kind would score is not known
-                own = table[kind].get(layout, unsaid)
-                table[kind][layout] = {length: (dry_below, surest) for length, (dry_below, _) in own.items()}
-    return {
-        kind: {
-            layout: {length: (round(min(pair), 4), math.ceil(pair[1] * 1e4) / 1e4) for length, pair in pairs.items()}
-            for layout, pairs in by_layout.items()
-        }
-        for kind, by_layout in table.items()
-    }
-
-
-def limits(
-    scores: Floats, wet: NDArray[np.bool_], is_long: NDArray[np.bool_], false_alarms: float
-) -> dict[str, tuple[float, float]]:
-    """Return by length of decay the score under which sounds are dry, and the one from which on they have reverb.
-
-    Of the sounds of just such a score and length no more than MOST_WRONG are called wrongly. Of all dry ones no more
-    than a share of `false_alarms` is called reverberant; the lengths share these so that most reverb is found.
-    """
-    likely, reverb_from = {}, {}
-    allowed = np.arange(int(false_alarms * (~wet).sum()) + 1)
-    found = np.zeros(len(allowed))
-    for length, rows, mistaken in (("short", ~is_long, allowed[::-1]), ("long", is_long, allowed)):
-        known, has_reverb = scores[rows], wet[rows]
-        likely[length], from_likely = _likely(known, has_reverb)
-        reverb_from[length] = np.maximum(from_likely, _over_all_but(known[~has_reverb], mistaken))
-        found -= np.searchsorted(np.sort(known[has_reverb]), reverb_from[length])  # but for these all are found
-    best = found.argmax()
-    return {length: (likely[length], float(reverb_from[length][best])) for length in likely}
-
-
-def _likely(scores: Floats, wet: NDArray[np.bool_]) -> tuple[float, float]:
-    """Return up to which score few have reverb, and from which on most do."""
-    if not len(scores):
-        return 0.0, 1.0
-    known = np.sort(scores)
-    shares = IsotonicRegression().fit(scores, wet).predict(known)  # of sounds with reverb among those of a score
-    dry, reverberant = known[shares <= MOST_WRONG], known[shares >= 1 - MOST_WRONG]
-    return float(max(dry, default=0.0)), float(min(reverberant, default=1.0))
-
-
-def _over_all_but(scores: Floats, counts: NDArray[np.int64]) -> Floats:
-    """Return for each count the lowest limit that no more of the scores reach."""
-    lowest: Floats = np.append(np.nextafter(np.sort(scores)[::-1], 2), 0.0)
-    return lowest[np.minimum(counts, len(scores))]
-
-
-def layouts_of(some: Set) -> NDArray[Any]:
-    return some.column(lambda one: "mono" if one.channels == 1 else "stereo")
 
 
 def limits_on(some: Set, *, says_kind: bool = True) -> tuple[Floats, Floats]:
@@ -381,10 +279,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if not options.tables_only:
         learning, beside = (together([measured(made, options.cache) for made in some]) for some in (LEARNING, BESIDE))
         numbers = {
-            "thresholds": thresholds(learning, *said_by_others(learning, beside)),
             **Learned.of(together([learning, beside])).numbers(),
             "rt60": numbers_of(learned_rt60(learning)),
         }
+        numbers["thresholds"] = held(thresholds(learning, *said_by_others(learning, beside)), numbers)
         reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
     tried = {name: measured(made, options.cache) for name, made in TRIED.items()}
     table = as_table(

@@ -77,7 +77,12 @@ def score_by(trees: Trees, nets: Nets, nets_share: float, features: NDArray[np.f
 
 def rt60_of(features: NDArray[np.float64]) -> float:
     """Return the time in which the reverb of a sound of these features falls by 60 dB, in seconds."""
-    return float(np.clip(2 ** _trees("rt60").sum(features), SHORTEST_RT60_S, LONGEST_RT60_S))
+    return rt60_by(_trees("rt60"), features)
+
+
+def rt60_by(trees: Trees, features: NDArray[np.float64]) -> float:
+    """Return the decay time that trees tell, within what reverb has, in seconds."""
+    return float(np.clip(2 ** trees.sum(features), SHORTEST_RT60_S, LONGEST_RT60_S))
 
 
 def evidence_of(decay: DecayFigures) -> dict[str, Any]:

@@ -1,0 +1,153 @@
+"""Sets the limits of `reverb`: under which score a sound is dry, and from which on it has reverb.
+
+They come from the scores of sounds by what never met their family, and are held by sounds that stand at the edge:
+those of the demo project that are dry keep the limit of reverb above them, and single bursts of noise, which nobody
+can tell from a burst in a room, lie between both.
+"""
+
+import io
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import soundfile
+from numpy.typing import NDArray
+from sklearn.isotonic import IsotonicRegression
+
+from app.demo.cues import CUES
+from app.demo.sounds import demo_sounds
+from audio_checks import parse_spec
+from audio_checks.judge import reverb
+from audio_checks.measure import decay, tails
+from audio_checks.nets import Nets
+from audio_checks.spec_presets import new_spec
+from audio_checks.trees import Trees
+from training.sets import KINDS, LAYOUTS, Floats, Set, layouts_of
+
+Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by kind, layout and length of decay
+# That thresholds aim at, under the 2 and 5 % that are allowed: who is blamed for what is not there, trusts no more.
+FALSE_ALARMS = {"event": 0.012, "natural-decay": 0.004, "unknown": 0.001}
+MOST_WRONG = 0.45  # of the sounds that are decided by a hair; of all that are decided far fewer are
+FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
+FEWEST_FAMILIES = 3  # from which on it may call reverb sooner than where the kind is unsaid
+BURST_RATE_HZ = 48_000
+BURSTS = [(rt60_s, seed) for rt60_s in (1.2, 1.5, 2.0, 2.5) for seed in range(12)]
+DEMO_NOT_HELD = {"warp_in", "explosion_far"}  # in a hall, and wide noise of 2 s that may as well be its own tail
+
+
+@dataclass(frozen=True)
+class AtTheEdge:
+    """A sound that holds limits: those of its kind where it is said, and those where none is."""
+
+    kind: str
+    layout: str
+    features: Floats
+    cannot_be_told: bool
+
+
+def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
+    """Return by kind, layout and length under which score a sound is dry, and from which on it has reverb."""
+    wet, kinds, layouts = some.wet, some.column(lambda one: one.kind), layouts_of(some)
+    families, real = some.column(lambda one: one.source), some.column(lambda one: one.is_real)
+    is_long = rt60_s >= reverb.LONG_FROM_S
+    counts = {kind: len(set(families[~real & (kinds == kind)])) for kind in KINDS}
+    table: Table = {kind: {} for kind in KINDS}
+    for layout in LAYOUTS:
+        here = layouts == layout
+        rows_of = {kind: here & (kinds == kind) for kind in KINDS}
+        known = [kind for kind in KINDS if rows_of[kind].sum() >= FEWEST and counts[kind] > 1]
+        for kind in known:
+            aim, rows = FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]), rows_of[kind]
+            table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim)
+        # Where nobody says the kind it may be any, a long natural decay too: as sure as of the hardest.
+        unsaid = limits(scores[here], wet[here], is_long[here], FALSE_ALARMS["unknown"])
+        surest = max(
+            *(np.quantile(scores[rows_of[kind] & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in known),
+            *(reverb_from for kind in known for _, reverb_from in table[kind][layout].values()),
+        )
+        for kind in KINDS:
+            if kind not in known or counts[kind] < FEWEST_FAMILIES:  # how others of the kind would score is not known
+                own = table[kind].get(layout, unsaid)
+                table[kind][layout] = {length: (dry_below, surest) for length, (dry_below, _) in own.items()}
+    return {
+        kind: {
+            layout: {length: (round(min(pair), 4), math.ceil(pair[1] * 1e4) / 1e4) for length, pair in pairs.items()}
+            for layout, pairs in by_layout.items()
+        }
+        for kind, by_layout in table.items()
+    }
+
+
+def limits(
+    scores: Floats, wet: NDArray[np.bool_], is_long: NDArray[np.bool_], false_alarms: float
+) -> dict[str, tuple[float, float]]:
+    """Return by length of decay the score under which sounds are dry, and the one from which on they have reverb.
+
+    Of the sounds of just such a score and length no more than MOST_WRONG are called wrongly. Of all dry ones no more
+    than a share of `false_alarms` is called reverberant; the lengths share these so that most reverb is found.
+    """
+    likely, reverb_from = {}, {}
+    allowed = np.arange(int(false_alarms * (~wet).sum()) + 1)
+    found = np.zeros(len(allowed))
+    for length, rows, mistaken in (("short", ~is_long, allowed[::-1]), ("long", is_long, allowed)):
+        known, has_reverb = scores[rows], wet[rows]
+        likely[length], from_likely = _likely(known, has_reverb)
+        reverb_from[length] = np.maximum(from_likely, _over_all_but(known[~has_reverb], mistaken))
+        found -= np.searchsorted(np.sort(known[has_reverb]), reverb_from[length])  # but for these all are found
+    best = found.argmax()
+    return {length: (likely[length], float(reverb_from[length][best])) for length in likely}
+
+
+def _likely(scores: Floats, wet: NDArray[np.bool_]) -> tuple[float, float]:
+    """Return up to which score few have reverb, and from which on most do."""
+    if not len(scores):
+        return 0.0, 1.0
+    known = np.sort(scores)
+    shares = IsotonicRegression().fit(scores, wet).predict(known)  # of sounds with reverb among those of a score
+    dry, reverberant = known[shares <= MOST_WRONG], known[shares >= 1 - MOST_WRONG]
+    return float(max(dry, default=0.0)), float(min(reverberant, default=1.0))
+
+
+def _over_all_but(scores: Floats, counts: NDArray[np.int64]) -> Floats:
+    """Return for each count the lowest limit that no more of the scores reach."""
+    lowest: Floats = np.append(np.nextafter(np.sort(scores)[::-1], 2), 0.0)
+    return lowest[np.minimum(counts, len(scores))]
+
+
+def at_the_edge() -> Iterator[AtTheEdge]:
+    """Yield the dry sounds of the demo project, and bursts of noise that die away by themselves."""
+    spec = parse_spec(new_spec("44k1"))
+    for key, sound in demo_sounds().items():
+        if key not in DEMO_NOT_HELD:
+            samples, rate = soundfile.read(io.BytesIO(sound.wav_bytes()), always_2d=True)
+            category = next((cue["category"] for cue in CUES if key.startswith(cue["name"])), "music")
+            yield from _measured(spec.for_category(category).kind, samples, rate)
+    for rt60_s, seed in BURSTS:
+        times_s = np.arange(int(1.25 * rt60_s * BURST_RATE_HZ)) / BURST_RATE_HZ
+        burst = np.random.default_rng(seed).normal(0, 0.15, len(times_s)).clip(-1, 1) * 10 ** (-3 * times_s / rt60_s)
+        yield from _measured("natural-decay", burst[:, np.newaxis], BURST_RATE_HZ, cannot_be_told=True)
+
+
+def _measured(kind: str | None, samples: Floats, rate: int, *, cannot_be_told: bool = False) -> Iterator[AtTheEdge]:
+    following = decay.Decay(rate, samples.shape[1], len(samples))
+    following.add(samples)
+    features = tails.features_of(following.result()["decay"])
+    if features is not None:
+        layout = "mono" if samples.shape[1] == 1 else "stereo"
+        yield AtTheEdge(kind or "unknown", layout, features, cannot_be_told)
+
+
+def held(table: Table, numbers: dict[str, Any]) -> Table:
+    """Return the limits with each sound at the edge on the side where it belongs, as what was learned scores it."""
+    trees, nets, rt60_trees = Trees(numbers["reverb"]), Nets(numbers["nets"]), Trees(numbers["rt60"])
+    for one in at_the_edge():
+        score = reverb.score_by(trees, nets, numbers["nets_share"], one.features)
+        length = "long" if reverb.rt60_by(rt60_trees, one.features) >= reverb.LONG_FROM_S else "short"
+        for kind in {one.kind, "unknown"}:
+            dry_below, reverb_from = table[kind][one.layout][length]
+            if one.cannot_be_told:
+                dry_below = min(dry_below, math.floor(score * 1e4) / 1e4)
+            table[kind][one.layout][length] = dry_below, max(reverb_from, math.floor(score * 1e4 + 1) / 1e4)
+    return table
