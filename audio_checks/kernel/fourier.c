@@ -8,46 +8,62 @@
 
 #define LANES 4
 #define VALUE (2 * LANES)
-#define EACH for (int l = 0; l < LANES; l++)
+
+/* Numbers of some lanes; where the compiler has no such type, one lane at a time. */
+#if defined(__GNUC__)
+typedef double numbers __attribute__((vector_size(LANES * sizeof(double)), aligned(sizeof(double))));
+enum { LANES_AT_ONCE = LANES };
+#define NONE ((numbers){0})
+#else
+typedef double numbers;
+enum { LANES_AT_ONCE = 1 };
+#define NONE 0.0
+#endif
+#define EACH for (int l = 0; l < LANES; l += LANES_AT_ONCE)
+#define RE(value) (*(numbers *)((value) + l))
+#define IM(value) (*(numbers *)((value) + LANES + l))
+#define IN_RE(value) (*(const numbers *)((value) + l))
+#define IN_IM(value) (*(const numbers *)((value) + LANES + l))
 
 typedef Py_ssize_t length;
 
 CLONES static void pass_2(const double *RESTRICT x, double *RESTRICT y, const double *turns, length m, length s) {
     for (length k = 0; k < m; k++) {
-        const double *w = turns + 2 * s * k;
+        const double w[2] = {turns[2 * s * k], turns[2 * s * k + 1]};
         const double *a = x + VALUE * s * k, *b = a + VALUE * s * m;
         double *p = y + VALUE * s * 2 * k, *q = p + VALUE * s;
         for (length t = 0; t < s; t++, a += VALUE, b += VALUE, p += VALUE, q += VALUE) EACH {
-                const double ar = a[l], ai = a[LANES + l], br = b[l], bi = b[LANES + l];
-                const double dr = ar - br, di = ai - bi;
-                p[l] = ar + br;
-                p[LANES + l] = ai + bi;
-                q[l] = dr * w[0] - di * w[1];
-                q[LANES + l] = dr * w[1] + di * w[0];
+                const numbers ar = IN_RE(a), ai = IN_IM(a), br = IN_RE(b), bi = IN_IM(b);
+                const numbers dr = ar - br, di = ai - bi;
+                RE(p) = ar + br;
+                IM(p) = ai + bi;
+                RE(q) = dr * w[0] - di * w[1];
+                IM(q) = dr * w[1] + di * w[0];
             }
     }
 }
 
 CLONES static void pass_4(const double *RESTRICT x, double *RESTRICT y, const double *turns, length m, length s) {
     for (length k = 0; k < m; k++) {
-        const double *w1 = turns + 2 * s * k, *w2 = turns + 4 * s * k, *w3 = turns + 6 * s * k;
+        const double *at = turns + 2 * s * k, w1[2] = {at[0], at[1]}, w2[2] = {at[2 * s * k], at[2 * s * k + 1]};
+        const double w3[2] = {at[4 * s * k], at[4 * s * k + 1]};
         const double *a = x + VALUE * s * k, *b = a + VALUE * s * m, *c = b + VALUE * s * m, *d = c + VALUE * s * m;
         double *p = y + VALUE * s * 4 * k, *q = p + VALUE * s, *r = q + VALUE * s, *u = r + VALUE * s;
         for (length t = 0; t < s;
              t++, a += VALUE, b += VALUE, c += VALUE, d += VALUE, p += VALUE, q += VALUE, r += VALUE, u += VALUE) EACH {
-                const double er = a[l] + c[l], ei = a[LANES + l] + c[LANES + l];
-                const double fr = a[l] - c[l], fi = a[LANES + l] - c[LANES + l];
-                const double gr = b[l] + d[l], gi = b[LANES + l] + d[LANES + l];
-                const double hr = b[LANES + l] - d[LANES + l], hi = d[l] - b[l];
-                const double qr = fr + hr, qi = fi + hi, rr = er - gr, ri = ei - gi, ur = fr - hr, ui = fi - hi;
-                p[l] = er + gr;
-                p[LANES + l] = ei + gi;
-                q[l] = qr * w1[0] - qi * w1[1];
-                q[LANES + l] = qr * w1[1] + qi * w1[0];
-                r[l] = rr * w2[0] - ri * w2[1];
-                r[LANES + l] = rr * w2[1] + ri * w2[0];
-                u[l] = ur * w3[0] - ui * w3[1];
-                u[LANES + l] = ur * w3[1] + ui * w3[0];
+                const numbers er = IN_RE(a) + IN_RE(c), ei = IN_IM(a) + IN_IM(c);
+                const numbers fr = IN_RE(a) - IN_RE(c), fi = IN_IM(a) - IN_IM(c);
+                const numbers gr = IN_RE(b) + IN_RE(d), gi = IN_IM(b) + IN_IM(d);
+                const numbers hr = IN_IM(b) - IN_IM(d), hi = IN_RE(d) - IN_RE(b);
+                const numbers qr = fr + hr, qi = fi + hi, rr = er - gr, ri = ei - gi, ur = fr - hr, ui = fi - hi;
+                RE(p) = er + gr;
+                IM(p) = ei + gi;
+                RE(q) = qr * w1[0] - qi * w1[1];
+                IM(q) = qr * w1[1] + qi * w1[0];
+                RE(r) = rr * w2[0] - ri * w2[1];
+                IM(r) = rr * w2[1] + ri * w2[0];
+                RE(u) = ur * w3[0] - ui * w3[1];
+                IM(u) = ur * w3[1] + ui * w3[0];
             }
     }
 }
@@ -64,47 +80,39 @@ CLONES static void pass_4(const double *RESTRICT x, double *RESTRICT y, const do
                 sine[r][j] = turns[2 * at + 1];                                                                        \
             }                                                                                                          \
         for (length k = 0; k < m; k++)                                                                                 \
-            for (length t = 0; t < s; t++) {                                                                           \
-                const double *a = x + VALUE * (s * k + t);                                                             \
-                double *p = y + VALUE * (s * RADIX * k + t);                                                           \
-                double sr[HALF + 1][LANES], si[HALF + 1][LANES], dr[HALF + 1][LANES], di[HALF + 1][LANES];             \
-                for (int j = 1; j <= HALF; j++) {                                                                      \
-                    const double *b = a + VALUE * s * m * j, *c = a + VALUE * s * m * (RADIX - j);                     \
-                    EACH {                                                                                             \
-                        sr[j][l] = b[l] + c[l];                                                                        \
-                        si[j][l] = b[LANES + l] + c[LANES + l];                                                        \
-                        dr[j][l] = b[l] - c[l];                                                                        \
-                        di[j][l] = b[LANES + l] - c[LANES + l];                                                        \
-                    }                                                                                                  \
-                }                                                                                                      \
-                EACH {                                                                                                 \
-                    double zr = a[l], zi = a[LANES + l];                                                               \
+            for (length t = 0; t < s; t++) EACH {                                                                      \
+                    const double *a = x + VALUE * (s * k + t);                                                         \
+                    double *p = y + VALUE * (s * RADIX * k + t);                                                       \
+                    const numbers ar = IN_RE(a), ai = IN_IM(a);                                                        \
+                    numbers sr[HALF + 1], si[HALF + 1], dr[HALF + 1], di[HALF + 1], zr = ar, zi = ai;                  \
                     for (int j = 1; j <= HALF; j++) {                                                                  \
-                        zr += sr[j][l];                                                                                \
-                        zi += si[j][l];                                                                                \
+                        const double *b = a + VALUE * s * m * j, *c = a + VALUE * s * m * (RADIX - j);                 \
+                        sr[j] = IN_RE(b) + IN_RE(c);                                                                   \
+                        si[j] = IN_IM(b) + IN_IM(c);                                                                   \
+                        dr[j] = IN_RE(b) - IN_RE(c);                                                                   \
+                        di[j] = IN_IM(b) - IN_IM(c);                                                                   \
+                        zr += sr[j];                                                                                   \
+                        zi += si[j];                                                                                   \
                     }                                                                                                  \
-                    p[l] = zr;                                                                                         \
-                    p[LANES + l] = zi;                                                                                 \
-                }                                                                                                      \
-                for (int r = 1; r <= HALF; r++) {                                                                      \
-                    const double *w = turns + 2 * s * k * r, *v = turns + 2 * s * k * (RADIX - r);                     \
-                    double *q = p + VALUE * s * r, *u = p + VALUE * s * (RADIX - r);                                   \
-                    EACH {                                                                                             \
-                        double er = a[l], ei = a[LANES + l], fr = 0.0, fi = 0.0;                                       \
+                    RE(p) = zr;                                                                                        \
+                    IM(p) = zi;                                                                                        \
+                    for (int r = 1; r <= HALF; r++) {                                                                  \
+                        const double *w = turns + 2 * s * k * r, *v = turns + 2 * s * k * (RADIX - r);                 \
+                        double *q = p + VALUE * s * r, *u = p + VALUE * s * (RADIX - r);                               \
+                        numbers er = ar, ei = ai, fr = NONE, fi = NONE;                                                \
                         for (int j = 1; j <= HALF; j++) {                                                              \
-                            er += cosine[r][j] * sr[j][l];                                                             \
-                            ei += cosine[r][j] * si[j][l];                                                             \
-                            fr -= sine[r][j] * di[j][l];                                                               \
-                            fi += sine[r][j] * dr[j][l];                                                               \
+                            er += cosine[r][j] * sr[j];                                                                \
+                            ei += cosine[r][j] * si[j];                                                                \
+                            fr -= sine[r][j] * di[j];                                                                  \
+                            fi += sine[r][j] * dr[j];                                                                  \
                         }                                                                                              \
-                        const double ar = er + fr, ai = ei + fi, br = er - fr, bi = ei - fi;                           \
-                        q[l] = ar * w[0] - ai * w[1];                                                                  \
-                        q[LANES + l] = ar * w[1] + ai * w[0];                                                          \
-                        u[l] = br * v[0] - bi * v[1];                                                                  \
-                        u[LANES + l] = br * v[1] + bi * v[0];                                                          \
+                        const numbers gr = er + fr, gi = ei + fi, hr = er - fr, hi = ei - fi;                          \
+                        RE(q) = gr * w[0] - gi * w[1];                                                                 \
+                        IM(q) = gr * w[1] + gi * w[0];                                                                 \
+                        RE(u) = hr * v[0] - hi * v[1];                                                                 \
+                        IM(u) = hr * v[1] + hi * v[0];                                                                 \
                     }                                                                                                  \
                 }                                                                                                      \
-            }                                                                                                          \
     }
 
 ODD_PASS(3, 1)
@@ -171,12 +179,12 @@ CLONES static void cut(const double *RESTRICT x, double *RESTRICT y, const doubl
         const double *a = x + VALUE * j, *b = x + VALUE * (n - j);
         double *p = y + VALUE * j, *q = y + VALUE * (m - j);
         EACH {
-            p[l] = a[LANES + l] * weight;
-            p[LANES + l] = a[l] * weight;
+            RE(p) = IN_IM(a) * weight;
+            IM(p) = IN_RE(a) * weight;
         }
         if (j) EACH {
-                q[l] = b[LANES + l] * weight;
-                q[LANES + l] = b[l] * weight;
+                RE(q) = IN_IM(b) * weight;
+                IM(q) = IN_RE(b) * weight;
             }
     }
     if (m % 2 == 0) memset(y + VALUE * (m / 2), 0, VALUE * sizeof(double));
@@ -306,10 +314,10 @@ CLONES static void split_powers(const double *RESTRICT z, length n, length bins,
         const double *here = z + VALUE * k, *mirror = z + VALUE * (k ? n - k : 0);
         double *to = powers + VALUE * k;
         EACH {
-            const double ar = here[l] + mirror[l], ai = here[LANES + l] - mirror[LANES + l];
-            const double br = here[l] - mirror[l], bi = here[LANES + l] + mirror[LANES + l];
-            to[l] = (ar * ar + ai * ai) * 0.25;
-            to[LANES + l] = (br * br + bi * bi) * 0.25;
+            const numbers ar = IN_RE(here) + IN_RE(mirror), ai = IN_IM(here) - IN_IM(mirror);
+            const numbers br = IN_RE(here) - IN_RE(mirror), bi = IN_IM(here) + IN_IM(mirror);
+            RE(to) = (ar * ar + ai * ai) * 0.25;
+            IM(to) = (br * br + bi * bi) * 0.25;
         }
     }
 }
@@ -355,22 +363,25 @@ static const double *next_powers(const windows *w, length done, length here, len
     return room;
 }
 
-/* signal, window, first start, distance of starts, turns, powers to fill: (windows of all channels, bins), the channels
- * of one window after each other */
+/* signal, window, first start, distance of starts, turns, powers to fill, whether by bin: (windows of all channels, bins),
+ * the channels of one window after each other, or (bins of all channels, windows), the bins of one channel after each other */
 PyObject *powers(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
     windows w;
     planar out;
     double *x = NULL;
-    if (arguments("powers", count, 6) < 0) return NULL;
+    if (arguments("powers", count, 7) < 0) return NULL;
+    const int by_bin = PyObject_IsTrue(args[6]);
     w.first = PyLong_AsSsize_t(args[2]), w.hop = PyLong_AsSsize_t(args[3]);
     if (PyErr_Occurred() || take_windows(&held, args[0], args[1], args[4], &w) < 0 || take_planar(&held, args[5], &out, 1) < 0) {
         goto refused;
     }
-    w.count = w.signal.channels ? out.channels / w.signal.channels : 0;
-    if (!lie_inside(&w) || out.frames > w.n || w.count * w.signal.channels != out.channels) {
-        PyErr_SetString(PyExc_ValueError, "windows inside the signal and a row of bins for each channel of each are wanted");
+    const length channels = w.signal.channels, each = channels ? out.channels / channels : 0;
+    const length bins = by_bin ? each : out.frames;
+    w.count = by_bin ? out.frames : each;
+    if (!lie_inside(&w) || bins > w.n || each * channels != out.channels) {
+        PyErr_SetString(PyExc_ValueError, "windows inside the signal, and a place for every bin of each channel of each, are wanted");
         goto refused;
     }
     if (!(x = PyMem_Malloc((size_t)w.n * 2 * VALUE * sizeof(double)))) {
@@ -378,11 +389,14 @@ PyObject *powers(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         goto refused;
     }
     Py_BEGIN_ALLOW_THREADS
-    for (length done = 0; done < out.channels; done += VALUE) {
-        const length here = out.channels - done < VALUE ? out.channels - done : VALUE;
-        const double *found = next_powers(&w, done, here, out.frames, x);
-        for (length v = 0; v < here; v++)
-            for (length k = 0; k < out.frames; k++) out.samples[(done + v) * out.row + k] = found[VALUE * k + v];
+    for (length done = 0; done < w.count * channels; done += VALUE) {
+        const length left = w.count * channels - done, here = left < VALUE ? left : VALUE;
+        const double *found = next_powers(&w, done, here, bins, x);
+        for (length v = 0; v < here; v++) {
+            const length number = done + v, apart = by_bin ? out.row : 1;
+            double *to = out.samples + (by_bin ? number % channels * bins * out.row + number / channels : number * out.row);
+            for (length k = 0; k < bins; k++) to[k * apart] = found[VALUE * k + v];
+        }
     }
     Py_END_ALLOW_THREADS
     PyMem_Free(x);

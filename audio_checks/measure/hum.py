@@ -120,7 +120,8 @@ class _Windows:
         self._scale = 8 / (cell_frames * length) ** 2 / 1.5
         self._most = max(8, KEPT // channels)
         self.next = 0  # where among the sums the next window starts
-        self._spectra: list[NDArray[np.float64]] = []
+        self._spectra: list[NDArray[np.float64]] = []  # of some windows each, (channels, bins, windows)
+        self._kept = 0  # windows
         self._every, self._number = 1, 0
         self.doubtful: set[tuple[int, float]] = set()  # channels, and the mains of which lines are found there
         while -(-((cells - length) // self._hop + 1) // self._every) > self._most:  # would be left out in the end
@@ -132,22 +133,33 @@ class _Windows:
         first = -self._number % self._every
         if first < count:
             start = self.next + first * self._hop
-            self._spectra += list(self._powers(sums, start, len(range(first, count, self._every))))
-        while len(self._spectra) > self._most:
-            self._spectra, self._every = self._spectra[::2], self._every * 2
+            self._keep(self._powers(sums, start, len(range(first, count, self._every))))
+        while self._kept > self._most:
+            thinner = self.spectra()[:, :, ::2]
+            self._spectra, self._kept, self._every = [], 0, self._every * 2
+            self._keep(thinner)
         self._number += count
         self.next += count * self._hop
 
+    def spectra(self) -> NDArray[np.float64]:
+        """Return the power of the lowest bins of the windows that are kept, shape (channels, bins, windows)."""
+        return np.concatenate(self._spectra, axis=2)
+
+    def _keep(self, spectra: NDArray[np.float64]) -> None:
+        self._spectra.append(spectra)
+        self._kept += spectra.shape[2]
+
     def _powers(self, sums: NDArray[np.float64], start: int, count: int) -> NDArray[np.float64]:
-        """Return the power of the lowest bins of windows from a start on, shape (count, channels, bins)."""
+        """Return the power of the lowest bins of windows from a start on, shape (channels, bins, count)."""
         hop = self._hop * self._every
-        return self._window_powers.of(sums, first=start, hop=hop, count=count, bins=self._bins)
+        return self._window_powers.by_bin(sums, first=start, hop=hop, count=count, bins=self._bins)
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
-        spectra = np.asarray(self._spectra)
-        place = int(STEADY * (len(spectra) - 1))
-        steady = np.partition(spectra, place, axis=0)[place] * self._scale
+        spectra = self.spectra()
+        place = int(STEADY * (self._kept - 1))
+        spectra.partition(place, axis=2)
+        steady = spectra[:, :, place] * self._scale
         return max(
             (self._hum(channel, spectrum, mains), mains)
             for channel, spectrum in enumerate(steady)

@@ -58,8 +58,18 @@ class WindowPowers:
             spectra = np.fft.rfft(windows * self._window, axis=2)[:, :, :bins]
             return (np.square(spectra.real) + np.square(spectra.imag)).swapaxes(0, 1)
         powers = np.empty((count * len(signal), bins))
-        kernel.powers(signal, self._window, first, hop, self._turns, powers)
+        kernel.powers(signal, self._window, first, hop, self._turns, powers, False)
         return powers.reshape(count, len(signal), bins)
+
+    def by_bin(
+        self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, bins: int
+    ) -> NDArray[np.float64]:
+        """Return the same as `of`, shape (channels, bins, count): what becomes of each bin lies in a row."""
+        if self._turns is None:
+            return self.of(signal, first=first, hop=hop, count=count, bins=bins).transpose(1, 2, 0)
+        powers = np.empty((len(signal) * bins, count))
+        kernel.powers(signal, self._window, first, hop, self._turns, powers, True)
+        return powers.reshape(len(signal), bins, count)
 
     def add_to(self, sums: NDArray[np.float64], signal: NDArray[np.float64], *, hop: int, count: int) -> None:
         """Add the squared magnitudes of each bin over all channels and windows.
