@@ -26,9 +26,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from subprocess import Popen
 from typing import Any
+from urllib.parse import urlencode
 from uuid import UUID
 
-import httpx
 import sqlalchemy as sa
 
 from app.conformance.models import CheckRun
@@ -37,8 +37,9 @@ from app.deliveries.rules import TakeState
 from app.kit.runtime import Runtime
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
+from benchmarks.asking import Answer, Broken, Client, Refused
 from benchmarks.bulk import analyse, filling
-from benchmarks.served import Place, cpu_now_s, cpu_seconds, cpu_since_s, headers_for, memory_bytes
+from benchmarks.served import Place, cpu_now_s, cpu_seconds, cpu_since_s, headers_for, memory_bytes, own_cpu_seconds
 from benchmarks.studios import Made, ProjectMaker, make_team
 from benchmarks.tables import DOCS, machine, table, write_between
 from benchmarks.throughput import sound
@@ -58,7 +59,7 @@ TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zz
 WEB_PROCESSES = os.cpu_count() or 1
 WORKER_NICENESS = 10  # as in deploy/systemd: whoever waits for an answer goes first
 HEADER_BYTES, SAMPLE_BYTES = 44, 3
-Answered = Coroutine[Any, Any, httpx.Response]
+Answered = Coroutine[Any, Any, Answer]
 
 
 @dataclass
@@ -71,25 +72,21 @@ class Told:
     alone_s: dict[str, float] = field(default_factory=dict)  # CPU of web process and database, by kind
     takes: int = 0
 
-    def add(self, kind: str, taken_s: float, answer: httpx.Response | Exception) -> None:
+    def add(self, kind: str, taken_s: float, answer: Answer | Exception) -> None:
         """Note one answer."""
         self.times_s[kind].append(taken_s)
         if isinstance(answer, Exception):
             self.wrong.append(f"{kind}: {answer!r}")
         elif not answer.is_success:
-            self.wrong.append(f"{kind}: {answer.status_code} {answer.text[:200]}")
+            self.wrong.append(f"{kind}: {answer.status} {answer.body[:200].decode()}")
 
 
 class People:
     """Whoever asks: a designer who delivers, and the decider's side that looks and decides."""
 
     def __init__(self, address: str, made: Made, to_approve: list[UUID], takes: list[UUID], told: Told) -> None:
-        unbounded = httpx.Limits(max_connections=None, max_keepalive_connections=None)
-        clients = [
-            httpx.AsyncClient(base_url=address, headers=headers_for(secret), timeout=60, limits=unbounded)
-            for secret in (made.designer_secret, made.decider_secret)
-        ]
-        self.designer, self.decider = clients
+        secrets = (made.designer_secret, made.decider_secret)
+        self.designer, self.decider = (Client(address, headers_for(secret)) for secret in secrets)
         self._project = f"/v1/projects/{made.project_id}"
         self._project_id = made.project_id
         self._takes = takes
@@ -101,8 +98,8 @@ class People:
     async def ask(self, kind: str, due: float) -> None:
         """Ask once, timed from when it was due."""
         try:
-            answer: httpx.Response | Exception = await self.kinds[kind](self)
-        except httpx.HTTPError as error:
+            answer: Answer | Exception = await self.kinds[kind](self)
+        except Broken as error:
             answer = error
         self._told.add(kind, time.perf_counter() - due, answer)
 
@@ -112,7 +109,7 @@ class People:
             costs = []
             for _ in range(WARM_UP + ALONE):
                 before = cpu_now_s(web_pid, database_pid)
-                (await ask(self)).raise_for_status()
+                (await ask(self)).ensured()
                 costs.append(cpu_since_s(before, web_pid, database_pid))
             self._told.alone_s[kind] = statistics.median(costs[WARM_UP:])
             print(f"{kind:20} {1000 * self._told.alone_s[kind]:6.1f} ms of CPU alone", flush=True)
@@ -124,30 +121,30 @@ class People:
         while time.perf_counter() < until:
             try:
                 if not delivery_id:
-                    opened = await self.designer.post(f"{self._project}/deliveries", json={"note": "load"})
-                    delivery_id = str(opened.raise_for_status().json()["id"])
+                    opened = await self.designer.ask_json("POST", f"{self._project}/deliveries", {"note": "load"})
+                    delivery_id = str(opened.ensured().json()["id"])
                 await self._deliver_one(delivery_id, f"load_{next(self._names)}.wav", unlike(content, self._dice))
-            except httpx.HTTPError as error:
+            except (Broken, Refused) as error:
                 self._told.wrong.append(f"upload: {error!r}")
 
     async def _deliver_one(self, delivery_id: str, name: str, content: bytes) -> None:
         named = metadata(delivery_id=delivery_id, file_name=name)
         headers = TUS | {"Upload-Length": str(len(content)), "Upload-Metadata": named}
-        begun = (await self.designer.post("/v1/uploads", headers=headers)).raise_for_status()
+        begun = (await self.designer.ask("POST", "/v1/uploads", headers=headers)).ensured()
         location = begun.headers["location"]
         headers = TUS | BYTES | {"Upload-Offset": "0", "Content-Length": str(len(content))}
-        sent = await self.designer.patch(location, headers=headers, content=in_pieces(content))
+        sent = await self.designer.ask("PATCH", location, headers=headers, pieces=in_pieces(content))
         body = {"upload_id": location.rpartition("/")[2], "file_name": name}
         due = time.perf_counter()
-        made = await self.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body)
+        made = await self.designer.ask_json("POST", f"/v1/deliveries/{delivery_id}/takes", body)
         self._told.add("a finished upload becomes a take", time.perf_counter() - due, made)
         if sent.is_success and made.is_success:
             self._told.takes += 1
         else:
-            self._told.wrong.append(f"upload: {sent.status_code} {sent.text[:200]}")
+            self._told.wrong.append(f"upload: {sent.status} {sent.body[:200].decode()}")
 
     def _get(self, path: str, **params: str) -> Answered:
-        return self.decider.get(path, params=params)
+        return self.decider.ask("GET", f"{path}?{urlencode(params)}" if params else path)
 
     def _take(self) -> str:
         return f"/v1/takes/{self._dice.choice(self._takes)}"
@@ -156,17 +153,17 @@ class People:
         return self._get(f"{self._project}/find", q=self._dice.choice(TYPED))
 
     def _comment(self) -> Answered:
-        return self.decider.post(f"{self._take()}/comments", json={"text": "a little shorter", "start_s": 0.5})
+        return self.decider.ask_json("POST", f"{self._take()}/comments", {"text": "a little shorter", "start_s": 0.5})
 
     def _approve(self) -> Answered:
-        return self.decider.post(f"/v1/takes/{next(self._to_approve)}/verdict", json={"kind": "approve"})
+        return self.decider.ask_json("POST", f"/v1/takes/{next(self._to_approve)}/verdict", {"kind": "approve"})
 
     kinds: dict[str, Callable[["People"], Answered]] = {  # noqa: RUF012 - of the class, and never changed
         "review queue": lambda self: self._get("/v1/review-queue", project_id=str(self._project_id)),
         "sound list": lambda self: self._get(f"{self._project}/sound-list"),
         "where cues stand": lambda self: self._get(f"{self._project}/sound-list/standing"),
         "search": _find,
-        "deliveries": lambda self: self.designer.get(f"{self._project}/deliveries"),
+        "deliveries": lambda self: self.designer.ask("GET", f"{self._project}/deliveries"),
         "a take": lambda self: self._get(self._take()),
         "its sounds": lambda self: self._get(f"{self._take()}/sounds"),
         "its comments": lambda self: self._get(f"{self._take()}/comments"),
@@ -195,9 +192,12 @@ async def load(
     people: People, *, seconds: float, uploads: int, rate: float, watch: Callable[[], None], pids: Mapping[str, int]
 ) -> dict[str, float]:
     """Ask alone, then let everybody work for a time; return what each process used of CPU in that, in seconds."""
+    for client in (people.designer, people.decider):
+        await client.open()
     await people.cost_alone_s(pids["web"], pids["database"])
     content = sound(1)
-    before = {name: cpu_seconds(pid) for name, pid in pids.items()}
+    pids = {**pids, "client": os.getpid()}
+    before = {name: own_cpu_s(name, pid) for name, pid in pids.items()}
     begun = time.perf_counter()
     until = begun + seconds
     deliveries = [asyncio.create_task(people.deliver(content, until)) for _ in range(uploads)]
@@ -220,8 +220,13 @@ async def load(
         task.add_done_callback(asked.discard)
     await asyncio.gather(*asked, watched, *deliveries)
     for client in (people.designer, people.decider):
-        await client.aclose()
-    return {name: cpu_seconds(pid) - before[name] for name, pid in pids.items()}
+        client.close()
+    return {name: own_cpu_s(name, pid) - before[name] for name, pid in pids.items()}
+
+
+def own_cpu_s(name: str, pid: int) -> float:
+    """Return what a process has used: the client by itself, since all others are below it."""
+    return own_cpu_seconds(pid) if name == "client" else cpu_seconds(pid)
 
 
 def main() -> None:

@@ -81,7 +81,7 @@ class Place:
         port = free_port()
         with self.running("serve", "--port", str(port), name="web", SOUNDLIST_WEB_PROCESSES=str(processes)) as process:
             address = f"http://127.0.0.1:{port}"
-            wait_until_alive(address, process)
+            wait_until_alive(address, process, self.folder / "web.log")
             yield address, process
 
 
@@ -92,12 +92,12 @@ def free_port() -> int:
         return int(asked.getsockname()[1])
 
 
-def wait_until_alive(address: str, process: subprocess.Popen[bytes]) -> None:
+def wait_until_alive(address: str, process: subprocess.Popen[bytes], log: Path) -> None:
     """Return once the server answers; fail when it ends or takes too long."""
     deadline = time.monotonic() + ALIVE_WITHIN_S
     while time.monotonic() < deadline:
         if process.poll() is not None:
-            raise SystemExit(f"the server ended with {process.returncode}; its log is beside its data")
+            raise SystemExit(f"the server ended with {process.returncode}:\n{log.read_text()[-2000:]}")
         try:
             if httpx.get(f"{address}/healthz", timeout=2).status_code == httpx.codes.OK:
                 return

@@ -3,10 +3,11 @@
 from collections import defaultdict
 from collections.abc import Collection, Sequence
 from datetime import datetime
+from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, and_, exists, select, text, tuple_, update
+from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, select, text, tuple_, update
 from sqlalchemy.orm import Session, aliased, joinedload
 
 import audio_checks
@@ -188,19 +189,23 @@ def sets_of_takes(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
 ) -> dict[UUID, tuple[TakeInSet, ...]]:
     """Return the checked takes that stand in the sets of some cues, by cue, in the order in which they came."""
-    query = (
-        select(Take.id, Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id, Take.cue_id)
-        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(among(Take.cue_id, cue_ids), Take.state.in_(STANDING))
-        .order_by(Take.received_at, Take.id)
-    )
-    if designer_id is not None:
-        query = query.where(Take.designer_id == designer_id)
     sets: dict[UUID, list[TakeInSet]] = defaultdict(list)
-    for row in session.execute(query):
+    given = {"cue_ids": cue_ids, "designer_id": designer_id}
+    for row in session.execute(_sets_of_takes(designer_id is not None), given):
         if row.cue_id is not None:
             sets[row.cue_id].append(TakeInSet._make(row[:-1]))
     return {cue_id: tuple(takes) for cue_id, takes in sets.items()}
+
+
+@cache
+def _sets_of_takes(is_own: bool) -> Select[UUID, int, int | None, int | None, TakeState, UUID, UUID | None]:
+    query = (
+        select(Take.id, Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id, Take.cue_id)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(among(Take.cue_id, "cue_ids"), Take.state.in_(STANDING))
+        .order_by(Take.received_at, Take.id)
+    )
+    return query.where(Take.designer_id == bindparam("designer_id")) if is_own else query
 
 
 def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[HeardTake]:

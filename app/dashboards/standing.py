@@ -137,15 +137,13 @@ class _Page(Statuses):
         self._of_sets: dict[UUID, list[Finding]] = defaultdict(list)
         for word in words_on_sets(session, sets, {project.id: spec}, designer_id=designer_id).values():
             self._of_sets[word.cue_id] += word.findings
-        self._waived = standing_queries.waived_cues(session, ids, designer_id)
-        self._elsewhere = standing_queries.cues_of_other_specs(session, ids, designer_id, spec.id)
-        self._rounds = standing_queries.rounds_by_cue(session, ids)
+        self._told = standing_queries.told_of_cues(session, ids, designer_id, spec.id)
         self._stems = stems_by_cue(session, ids)
 
     def standing_of(self, cue: Cue) -> schemas.Standing:
         """Return where one cue of the page stands."""
         facts, variations = self._facts[cue.id].values(), self._variations(cue)
-        take = self._shown.get(cue.id)
+        take, told = self._shown.get(cue.id), self._told[cue.id]
         picture = self._pictures.get(take.master_sha256) if take else None
         return schemas.Standing(
             cue_id=cue.id,
@@ -155,7 +153,7 @@ class _Page(Statuses):
             wanted=cue.variations,
             alternates=max((row.waiting for row in facts), default=0),
             versions=max((row.newest for row in facts), default=0),
-            rounds=self._rounds.get(cue.id, 0),
+            rounds=told.rounds,
             variations=[
                 schemas.VariationStanding(variation=variation, stem=stem, status=variations[variation - 1])
                 for variation, stem in self._stems[cue.id]
@@ -163,8 +161,8 @@ class _Page(Statuses):
             newest_take=newest_take(take, picture) if take else None,
             worst_finding=worst_of([*self._of_sets[cue.id], *self._findings.get(cue.id, [])]),
             open_question=self._questions.get(cue.id),
-            waived=cue.id in self._waived,
-            not_to_spec=cue.id in self._elsewhere,
+            waived=told.is_waived,
+            not_to_spec=told.is_elsewhere,
         )
 
 

@@ -3,10 +3,11 @@
 from collections import defaultdict
 from collections.abc import Collection
 from datetime import datetime
+from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, String, Subquery, and_, case, cast, exists, func, select
+from sqlalchemy import ColumnElement, Select, String, Subquery, and_, bindparam, case, cast, exists, func, select
 from sqlalchemy.orm import Session, load_only
 from sqlalchemy.sql.functions import aggregate_strings
 from typing_extensions import TypeVarTuple
@@ -113,37 +114,61 @@ class VariationRow(NamedTuple):
 
 def variation_rows(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> list[VariationRow]:
     """Return what the takes of some cues add up to, by variation."""
-    waiting = func.count(case((Take.state == TakeState.CONFORMING, 1)))
-    summed = select(
-        Take.cue_id, Take.variation, _packed(), waiting, func.max(Take.number), func.max(Take.state_since)
-    ).where(among(Take.cue_id, cue_ids))
-    rows = session.execute(_seen_by(summed, designer_id).group_by(Take.cue_id, Take.variation))
+    rows = session.execute(_variation_rows(designer_id is not None), _given(cue_ids, designer_id))
     return [VariationRow._make(row) for row in rows]
 
 
-_IN_A_LIST = select(Take).options(
-    load_only(
-        *(Take.cue_id, Take.number, Take.variation, Take.state, Take.file_name, Take.received_at, Take.master_sha256),
-        raiseload=True,
-    )
-)
+def _given(cue_ids: Collection[UUID], designer_id: UUID | None) -> dict[str, Any]:
+    return {"cue_ids": cue_ids, "designer_id": designer_id}
+
+
+def _owned(query: Select[*Ts], is_own: bool) -> Select[*Ts]:
+    return query.where(Take.designer_id == bindparam("designer_id")) if is_own else query
+
+
+# Statements of a page are built once: that takes longer than to send them. `is_own`: one designer's takes alone.
+@cache
+def _variation_rows(is_own: bool) -> Select[UUID | None, int, int, int, int | None, datetime]:
+    waiting = func.count(case((Take.state == TakeState.CONFORMING, 1)))
+    summed = select(
+        Take.cue_id, Take.variation, _packed(), waiting, func.max(Take.number), func.max(Take.state_since)
+    ).where(among(Take.cue_id, "cue_ids"))
+    return _owned(summed, is_own).group_by(Take.cue_id, Take.variation)
 
 
 def shown_takes(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None, *, accepted: Collection[UUID]
 ) -> dict[UUID, Take]:
     """Return the take that stands for each cue in a list: the approved one of an accepted cue, else the newest."""
-    newer = _seen_by(select(Take.id), designer_id).where(Take.cue_id == Cue.id)
-    newest_first = newer.order_by(Take.received_at.desc(), Take.id.desc())
-    newest = select(newest_first.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, cue_ids))
-    newest_ids = [take_id for take_id in session.scalars(newest) if take_id is not None]
-    shown = {take.cue_id: take for take in session.scalars(_IN_A_LIST.where(among(Take.id, newest_ids)))}
+    is_own = designer_id is not None
+    newest = [id_ for id_ in session.scalars(_newest_ids(is_own), _given(cue_ids, designer_id)) if id_ is not None]
+    shown = {take.cue_id: take for take in session.scalars(_listed(), {"take_ids": newest})}
     if accepted:
-        approved = _seen_by(_IN_A_LIST, designer_id).where(
-            among(Take.cue_id, accepted), Take.state == TakeState.APPROVED, Take.variation == 1
-        )
-        shown |= {take.cue_id: take for take in session.scalars(approved)}
+        shown |= {take.cue_id: take for take in session.scalars(_approved(is_own), _given(accepted, designer_id))}
     return {cue_id: take for cue_id, take in shown.items() if cue_id is not None}
+
+
+@cache
+def _newest_ids(is_own: bool) -> Select[UUID | None]:
+    newer = _owned(select(Take.id), is_own).where(Take.cue_id == Cue.id)
+    newest_first = newer.order_by(Take.received_at.desc(), Take.id.desc())
+    return select(newest_first.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, "cue_ids"))
+
+
+def _in_a_list() -> Select[Take]:
+    shown = (Take.cue_id, Take.number, Take.variation, Take.state, Take.file_name, Take.received_at, Take.master_sha256)
+    return select(Take).options(load_only(*shown, raiseload=True))
+
+
+@cache
+def _listed() -> Select[Take]:
+    return _in_a_list().where(among(Take.id, "take_ids"))
+
+
+@cache
+def _approved(is_own: bool) -> Select[Take]:
+    approved = (among(Take.cue_id, "cue_ids"), Take.state == TakeState.APPROVED, Take.variation == 1)
+    return _owned(_in_a_list(), is_own).where(*approved)
 
 
 def asked_cues(session: Session, project_id: UUID) -> set[UUID]:
@@ -157,52 +182,67 @@ def asked_cues(session: Session, project_id: UUID) -> set[UUID]:
 
 def first_open_questions(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the question that waits longest for an answer, by cue."""
-    rows = session.execute(
-        select(Question.cue_id, Question.text)
-        .where(Question.project_id == project_id, among(Question.cue_id, cue_ids), Question.answered_at.is_(None))
-        .order_by(Question.asked_at.desc())
-    )
-    return dict(rows.all())
+    return dict(session.execute(_open_questions(), {"project_id": project_id, "cue_ids": cue_ids}).all())
+
+
+@cache
+def _open_questions() -> Select[UUID, str]:
+    asked = (Question.project_id == bindparam("project_id"), among(Question.cue_id, "cue_ids"))
+    query = select(Question.cue_id, Question.text).where(*asked, Question.answered_at.is_(None))
+    return query.order_by(Question.asked_at.desc())
 
 
 def standing_findings(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
 ) -> dict[UUID, list[dict[str, Any]]]:
     """Return what was found in the takes of some cues that stand, in the order that the takes came."""
-    findings = CheckRun.report["findings"]
-    rows = session.execute(
-        _seen_by(select(Take.cue_id, findings), designer_id)
-        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(among(Take.cue_id, cue_ids), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
-        .where(findings.as_string() != "[]")
-        .order_by(Take.received_at, Take.id)
-    )
     found: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
-    for cue_id, each in rows:
+    for cue_id, each in session.execute(_standing_findings(designer_id is not None), _given(cue_ids, designer_id)):
         found[cue_id] += each
     return found
 
 
-def waived_cues(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> set[UUID]:
-    """Return those of the cues of which a take that stands was let through by a waiver."""
-    waived = (
-        _seen_by(select(Take.cue_id), designer_id)
-        .join(Waiver, Waiver.take_id == Take.id)
-        .where(among(Take.cue_id, cue_ids), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)))
-    )
-    return {cue_id for cue_id in session.scalars(waived) if cue_id is not None}
-
-
-def cues_of_other_specs(
-    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None, spec_id: UUID
-) -> set[UUID]:
-    """Return those of the cues with an approved take that another spec than this one let through."""
-    found = (
-        _seen_by(select(Take.cue_id), designer_id)
+@cache
+def _standing_findings(is_own: bool) -> Select[UUID | None, Any]:
+    findings = CheckRun.report["findings"]
+    return (
+        _owned(select(Take.cue_id, findings), is_own)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(among(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED, CheckRun.spec_id != spec_id)
+        .where(among(Take.cue_id, "cue_ids"), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
+        .where(findings.as_string() != "[]")
+        .order_by(Take.received_at, Take.id)
     )
-    return {cue_id for cue_id in session.scalars(found) if cue_id is not None}
+
+
+class Told(NamedTuple):
+    """What a row of the list says of a cue beside its takes."""
+
+    rounds: int
+    is_waived: bool
+    is_elsewhere: bool  # an approved take was let through by another spec than the newest
+
+
+def told_of_cues(
+    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None, spec_id: UUID
+) -> dict[UUID, Told]:
+    """Return what is told of some cues, a designer's own takes alone where one is given."""
+    rows = session.execute(_told(designer_id is not None), _given(cue_ids, designer_id) | {"spec_id": spec_id})
+    return {cue_id: Told(rounds or 0, is_waived, is_elsewhere) for cue_id, rounds, is_waived, is_elsewhere in rows}
+
+
+@cache
+def _told(is_own: bool) -> Select[UUID, int | None, bool, bool]:
+    rounds = select(func.max(Round.number)).where(Round.cue_id == Cue.id).correlate(Cue).scalar_subquery()
+    waived = _owned(select(Take.id).join(Waiver, Waiver.take_id == Take.id), is_own).where(
+        Take.cue_id == Cue.id, Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED))
+    )
+    elsewhere = (
+        _owned(select(Take.id), is_own)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED, CheckRun.spec_id != bindparam("spec_id"))
+    )
+    told = (Cue.id, rounds, waived.correlate(Cue).exists(), elsewhere.correlate(Cue).exists())
+    return select(*told).where(among(Cue.id, "cue_ids"))
 
 
 def waiting_files(session: Session, project_id: UUID, designer_id: UUID | None) -> int:
@@ -232,16 +272,12 @@ def decided_cues(session: Session, project_id: UUID, *, since: datetime) -> list
 
 def pictures(session: Session, studio_id: UUID, sounds: Collection[str]) -> dict[str, Picture]:
     """Return the pictures of stored sounds by their SHA-256, with what a line shows of them."""
-    shown = load_only(Picture.sound_sha256, Picture.duration_s, Picture.thumb, raiseload=True)
-    rows = session.scalars(
-        select(Picture).where(Picture.studio_id == studio_id, among(Picture.sound_sha256, sounds)).options(shown)
-    )
+    rows = session.scalars(_pictures(), {"studio_id": studio_id, "sounds": sounds})
     return {picture.sound_sha256: picture for picture in rows}
 
 
-def rounds_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many rounds cues have had; those without any are left out."""
-    rows = session.execute(
-        select(Round.cue_id, func.max(Round.number)).where(among(Round.cue_id, cue_ids)).group_by(Round.cue_id)
-    )
-    return {cue_id: number or 0 for cue_id, number in rows}
+@cache
+def _pictures() -> Select[Picture]:
+    shown = load_only(Picture.sound_sha256, Picture.duration_s, Picture.thumb, raiseload=True)
+    of_sounds = (Picture.studio_id == bindparam("studio_id"), among(Picture.sound_sha256, "sounds"))
+    return select(Picture).where(*of_sounds).options(shown)

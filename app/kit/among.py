@@ -52,9 +52,18 @@ class _Among(FunctionElement[bool]):
         return self
 
 
-def among(column: sa.orm.InstrumentedAttribute[Value] | sa.ColumnElement[Value], values: Collection[Any]) -> _Among:
-    """Say that a column is one of the values, however many there are."""
-    return _Among(column, sa.bindparam(None, values, type_=_Values(column.type), unique=True))
+def among(
+    column: sa.orm.InstrumentedAttribute[Value] | sa.ColumnElement[Value], values: Collection[Any] | str
+) -> _Among:
+    """Say that a column is one of the values, however many there are.
+
+    Where a name stands for the values they are given when the statement is sent: it can be built once, which takes
+    longer than to send it.
+    """
+    kind = _Values(column.type)
+    if isinstance(values, str):
+        return _Among(column, sa.bindparam(values, type_=kind))
+    return _Among(column, sa.bindparam(None, values, type_=kind, unique=True))
 
 
 @compiles(_Among, "postgresql")

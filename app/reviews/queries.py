@@ -8,8 +8,22 @@ from functools import cache
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, ScalarSelect, Select, and_, exists, func, select, tuple_
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy import (
+    ColumnElement,
+    Row,
+    ScalarSelect,
+    Select,
+    String,
+    and_,
+    bindparam,
+    cast,
+    exists,
+    func,
+    select,
+    tuple_,
+)
+from sqlalchemy.orm import Session, aliased, joinedload, load_only
+from sqlalchemy.sql.functions import aggregate_strings
 
 from app.accounts.models import Person
 from app.conformance.models import CheckRun, Waiver
@@ -20,7 +34,7 @@ from app.deliveries.rules import TakeState
 from app.kit.among import among
 from app.projects.models import Project, Spec
 from app.renders.models import Picture, Render, RenderSet
-from app.renders.queries import current_renders, pictures_of_sounds
+from app.renders.queries import current_renders, shown_of_pictures, shown_pictures
 from app.reviews.models import ChangeRequest, Comment, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue
@@ -129,12 +143,18 @@ def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Remind
 
 def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
     """Return the takes of some cues that wait, by cue, those first that wait longest."""
-    query = select(Take.cue_id, Take.id).where(among(Take.cue_id, cue_ids), _waits())
     by_cue: dict[UUID, list[UUID]] = {}
-    for cue_id, take_id in session.execute(query.order_by(Take.state_since, Take.id)):
+    for cue_id, take_id in session.execute(_waiting(), {"cue_ids": cue_ids}):
         if cue_id is not None:
             by_cue.setdefault(cue_id, []).append(take_id)
     return by_cue
+
+
+# Statements of a page are built once: that takes longer than to send them.
+@cache
+def _waiting() -> Select[UUID | None, UUID]:
+    waiting = select(Take.cue_id, Take.id).where(among(Take.cue_id, "cue_ids"), _waits())
+    return waiting.order_by(Take.state_since, Take.id)
 
 
 @dataclass(frozen=True)
@@ -152,46 +172,62 @@ class TakeOnReview:
     open_comments: int
 
 
-def _takes() -> Select[Take, Picture, CheckRun]:
+def _takes() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+    drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.sending_id.is_(None))
+    waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
+    comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
-        select(Take, Picture, CheckRun)
+        select(
+            *(Take, Picture, CheckRun, drafts.correlate(Take).exists(), waivers.correlate(Take).exists()),
+            comments.correlate(Take).scalar_subquery(),
+        )
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
         .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .options(joinedload(Take.cue), joinedload(Take.delivery).joinedload(Delivery.designer))
+        .options(
+            joinedload(Take.cue),
+            joinedload(Take.delivery)
+            .load_only(Delivery.number, Delivery.note, raiseload=True)
+            .joinedload(Delivery.designer)
+            .load_only(Person.name, raiseload=True),
+            shown_of_pictures(),
+            load_only(CheckRun.take_id, CheckRun.report, raiseload=True),
+        )
         .order_by(Take.variation, Take.number.desc())
     )
 
 
+@cache
+def _takes_by_id() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+    return _takes().where(among(Take.id, "ids"))
+
+
+@cache
+def _takes_of_cue() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+    return _takes().where(Take.cue_id == bindparam("cue_id"))
+
+
 def takes_on_review(session: Session, take_ids: Collection[UUID]) -> list[TakeOnReview]:
     """Return some takes, newest first of each variation."""
-    return _with_what_is_shown(session, _takes().where(among(Take.id, take_ids)))
+    return _with_what_is_shown(session, session.execute(_takes_by_id(), {"ids": take_ids}).all())
 
 
 def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
     """Return a cue's takes in every state, newest first."""
-    return _with_what_is_shown(session, _takes().where(Take.cue_id == cue_id))
+    return _with_what_is_shown(session, session.execute(_takes_of_cue(), {"cue_id": cue_id}).all())
 
 
-def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]) -> list[TakeOnReview]:
-    rows = session.execute(query).all()
-    takes = [take for take, _, _ in rows]
-    ids = [take.id for take in takes]
+def _with_what_is_shown(
+    session: Session, rows: Sequence[Row[Take, Picture, CheckRun, bool, bool, int]]
+) -> list[TakeOnReview]:
+    takes = [row[0] for row in rows]
     specs = newest_specs(session, {take.project_id for take in takes})
-    renders = current_renders(session, specs, takes)
+    renders = current_renders(session, specs, takes, with_figures=False)
     files = {render.sha256 for made in renders.values() for render in made.values() if render and render.sha256}
-    pictures = pictures_of_sounds(session, {take.studio_id for take in takes}, files)
-    drafts = {draft.take_id: draft for draft in open_drafts(session, ids)}
-    waivers = {
-        waiver.take_id: waiver
-        for waiver in session.scalars(select(Waiver).where(among(Waiver.take_id, ids)).order_by(Waiver.id))
-    }
-    comments = dict(
-        session.execute(
-            select(Comment.take_id, func.count())
-            .where(among(Comment.take_id, ids), Comment.resolved_at.is_(None))
-            .group_by(Comment.take_id)
-        ).all()
-    )
+    pictures = shown_pictures(session, {take.studio_id for take in takes}, files)
+    drafted = [take.id for take, _, _, is_drafted, _, _ in rows if is_drafted]
+    drafts = {draft.take_id: draft for draft in open_drafts(session, drafted)} if drafted else {}
+    waived = [take.id for take, _, _, _, is_waived, _ in rows if is_waived]
+    waivers = {waiver.take_id: waiver for waiver in _waivers_of(session, waived)} if waived else {}
     return [
         TakeOnReview(
             take=take,
@@ -202,30 +238,71 @@ def _with_what_is_shown(session: Session, query: Select[Take, Picture, CheckRun]
             draft=drafts.get(take.id),
             renders=renders[take.id],
             render_pictures=pictures,
-            open_comments=comments.get(take.id, 0),
+            open_comments=comments,
         )
-        for take, picture, check in rows
+        for take, picture, check, _, _, comments in rows
     ]
+
+
+def _waivers_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Waiver]:
+    return session.scalars(select(Waiver).where(among(Waiver.take_id, take_ids)).order_by(Waiver.id)).all()
 
 
 def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, Spec]:
     """Return the newest spec of each project."""
+    return {spec.project_id: spec for spec in session.scalars(_newest_specs(), {"project_ids": project_ids})}
+
+
+@cache
+def _newest_specs() -> Select[Spec]:
     newest = (
         select(Spec.project_id, func.max(Spec.version).label("version"))
-        .where(among(Spec.project_id, project_ids))
+        .where(among(Spec.project_id, "project_ids"))
         .group_by(Spec.project_id)
         .subquery()
     )
-    specs = session.scalars(
-        select(Spec).join(newest, and_(newest.c.project_id == Spec.project_id, newest.c.version == Spec.version))
+    return select(Spec).join(newest, and_(newest.c.project_id == Spec.project_id, newest.c.version == Spec.version))
+
+
+class CueOnReview(NamedTuple):
+    """What a card of the queue says of a cue beside its takes."""
+
+    prefix: str  # the letters that cue numbers of its project start with
+    rounds: int
+    approved: list[int]  # the variations that have their approved take
+    is_changed: bool  # something was sent of it
+    is_contracted: bool  # an agreed contract covers it, which is not settled there
+
+
+def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, CueOnReview]:
+    """Return what is told of some cues."""
+    rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
+    return {
+        cue_id: CueOnReview(prefix, rounds, sorted(map(int, approved.split(","))) if approved else [], *whether)
+        for cue_id, prefix, rounds, approved, *whether in rows
+    }
+
+
+@cache
+def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
+    rounds = select(func.count(Round.number)).where(Round.cue_id == Cue.id)
+    variations = aggregate_strings(cast(Take.variation, String), ",")
+    approved = select(variations).where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED)
+    changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.sending_id.is_not(None))
+    contracted = (
+        select(ContractCue.cue_id)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .where(ContractCue.cue_id == Cue.id, *_is_open())
     )
-    return {spec.project_id: spec for spec in specs}
-
-
-def cue_prefixes(session: Session, project_ids: Collection[UUID]) -> dict[UUID, str]:
-    """Return the letters that cue numbers of projects start with."""
-    query = select(Project.id, Project.cue_prefix).where(among(Project.id, project_ids))
-    return dict(session.execute(query).all())
+    return (
+        select(
+            *(Cue.id, Project.cue_prefix),
+            *(each.correlate(Cue).scalar_subquery() for each in (rounds, approved)),
+            *(each.correlate(Cue).exists() for each in (changed, contracted)),
+        )
+        .join(Project, Project.id == Cue.project_id)
+        .where(among(Cue.id, "cue_ids"))
+    )
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:

@@ -28,7 +28,7 @@ from app.projects.service import standing_in
 from app.renders.service import picture_of_render, sound_places
 from app.reviews import queries
 from app.reviews.models import ChangeRequest, Comment, Verdict
-from app.reviews.queries import TakeOnReview
+from app.reviews.queries import CueOnReview, TakeOnReview
 from app.reviews.rules import VerdictKind, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
@@ -62,22 +62,15 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
-    prefixes = queries.cue_prefixes(session, {one.take.project_id for takes in by_cue.values() for one in takes})
-    rounds = queries.round_counts(session, by_cue)
-    approved = queries.approved_variations(session, by_cue)
-    changes = queries.last_changes(session, by_cue)
+    told = queries.cues_on_review(session, by_cue)
+    changed = [cue_id for cue_id, of_cue in told.items() if of_cue.is_changed]
+    changes = queries.last_changes(session, changed) if changed else {}
     words = words_on_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
-    last = last_days(session, by_cue)
+    contracted = [cue_id for cue_id, of_cue in told.items() if of_cue.is_contracted]
+    last = last_days(session, contracted) if contracted else {}
     items = [
         _queue_item(
-            takes,
-            cue.since,
-            prefixes,
-            rounds.get(cue.id, 0),
-            changes.get(cue.id),
-            approved.get(cue.id, []),
-            words,
-            last.get(cue.id),
+            takes, cue.since, told[cue.id], words, last_change=changes.get(cue.id), accepted_after=last.get(cue.id)
         )
         for cue in shown
         if (takes := by_cue.get(cue.id))
@@ -111,26 +104,24 @@ def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnEle
 def _queue_item(
     waiting: list[TakeOnReview],
     since: datetime,
-    prefixes: dict[UUID, str],
-    rounds: int,
-    last_change: str | None,
-    approved: list[int],
+    told: CueOnReview,
     words: dict[UUID, SetWord],
+    *,
+    last_change: str | None,
     accepted_after: date | None,
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
         raise AssertionError("only matched takes wait")
-    prefix = prefixes[cue.project_id]
-    takes = [review_take(one, prefix, words) for one in waiting]
+    takes = [review_take(one, told.prefix, words) for one in waiting]
     findings = [finding for take in takes for finding in take.findings]
     return QueueItem(
-        cue=review_cue(cue, prefix),
+        cue=review_cue(cue, told.prefix),
         kind=queue_kind(cue.variations, [take.variation for take in takes]),
         waiting_since=since,
-        rounds_so_far=rounds,
+        rounds_so_far=told.rounds,
         last_change=last_change,
-        approved_variations=approved,
+        approved_variations=told.approved,
         accepted_after=accepted_after,
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),

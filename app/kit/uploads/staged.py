@@ -16,6 +16,8 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from uuid import UUID
 
+from anyio import CapacityLimiter, to_thread
+from anyio.lowlevel import RunVar
 from sqlalchemy import select
 
 from app.kit import clock, kill, metrics
@@ -43,6 +45,9 @@ LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
 SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
+# Files that are synced, hashed and stored at once in a process: many that end together stand before nobody's request.
+FINISHED_AT_ONCE = 2
+_FINISHING: RunVar[CapacityLimiter] = RunVar("finishing")  # of one event loop
 
 
 @dataclass(frozen=True)
@@ -156,13 +161,14 @@ class Uploads:
                 await _pour(stream, file, room)
             else:
                 await self._pour_proven(upload, stream, file, room, checksum)
-            await asyncio.to_thread(os.fsync, file)
-            kill.point("uploads.received")
-            if os.fstat(file).st_size == upload.length:
-                return await asyncio.to_thread(self._finish, upload)
-            return upload
+            return await to_thread.run_sync(self._received, upload, file, limiter=_finishing())
         finally:
             os.close(file)  # which gives the lock back
+
+    def _received(self, upload: Upload, file: int) -> Upload:
+        os.fsync(file)
+        kill.point("uploads.received")
+        return self._finish(upload) if os.fstat(file).st_size == upload.length else upload
 
     def parts(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsStanding:
         """Return which parts of an upload are in the store, and links for those whose SHA-256 is given."""
@@ -328,6 +334,14 @@ class Uploads:
             raise StoreFull("the server's disk has no room for this file", fix="tell whoever runs this server")
 
 
+def _finishing() -> CapacityLimiter:
+    try:
+        return _FINISHING.get()
+    except LookupError:
+        _FINISHING.set(limiter := CapacityLimiter(FINISHED_AT_ONCE))
+        return limiter
+
+
 async def _pour(
     stream: AsyncIterator[bytes], file: int, room: int, also: Callable[[bytes], None] | None = None
 ) -> None:
@@ -350,7 +364,8 @@ async def _pour(
 async def _lively(stream: AsyncIterator[bytes]) -> AsyncIterator[bytes]:
     while True:
         try:
-            chunk = await asyncio.wait_for(anext(stream), SILENT_FOR_S)
+            async with asyncio.timeout(SILENT_FOR_S):  # which makes no task for each chunk, as wait_for would
+                chunk = await anext(stream)
         except StopAsyncIteration:
             return
         except TimeoutError:
