@@ -6,7 +6,7 @@ How to fix: go to the named places and draw the samples anew, use a declicker, o
 where both waves meet and fade across it. Crackle that is meant may stay: say so, or turn this off.
 Source: Godsill and Rayner, Digital Audio Restoration (1998), chapter 5: what is sudden stands out of
 its surroundings once what moves slowly is taken away, here by a sixth difference; and, where that is
-in doubt, once each sample is foretold from those before it.
+in doubt, where samples can be foretold neither from those before nor from those after them.
 """
 
 from collections.abc import Iterator

@@ -49,6 +49,7 @@ try:
         survey,
         true_peak,
         unforeseen,
+        unforeseen_both_ways,
     )
 except ImportError as error:
     raise ImportError(
@@ -100,6 +101,7 @@ __all__ = [
     "survey",
     "true_peak",
     "unforeseen",
+    "unforeseen_both_ways",
 ]
 
 

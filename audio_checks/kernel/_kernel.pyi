@@ -164,3 +164,16 @@ def unforeseen(
     kept: NDArray[np.int64],
     /,
 ) -> int: ...
+def unforeseen_both_ways(
+    samples: _Floats,
+    places: NDArray[np.int64],
+    beside: _Floats,
+    around: _Floats,
+    order: int,
+    size: int,
+    place: int,
+    times_beside: float,
+    times_around: float,
+    kept: NDArray[np.int64],
+    /,
+) -> int: ...

@@ -244,15 +244,22 @@ static void measure_rests(const steady *by, const double *samples, const double 
     }
 }
 
+/* The coefficients that foretell samples best, as a window weighs them. */
+static void fit_to(const double *samples, const double *window, Py_ssize_t frames, Py_ssize_t order, double *room,
+                   double *coefficients) {
+    double products[MOST_COEFFICIENTS + 1];
+    for (Py_ssize_t at = 0; at < frames; at++) room[at] = samples[at] * window[at];
+    in_lanes()->lagged(room, frames, order, products);
+    products[0] *= 1 + 1e-10;
+    fit(products, order, coefficients);
+}
+
 /* Measure what cannot be foretold of each cell, first of those that may stand out (all but `reach` on either side):
  * what does not stand out among these does not among all, and the rest need not be measured. */
 static int look_closer(const steady *by, const double *samples, double *heights) {
-    double products[MOST_COEFFICIENTS + 1], coefficients[MOST_COEFFICIENTS] = {0};
+    double coefficients[MOST_COEFFICIENTS] = {0};
     const Py_ssize_t inner = by->cells - 2 * by->reach;
-    for (Py_ssize_t at = 0; at < by->frames; at++) by->room[at] = samples[at] * by->window[at];
-    in_lanes()->lagged(by->room, by->frames, by->order, products);
-    products[0] *= 1 + 1e-10;
-    fit(products, by->order, coefficients);
+    fit_to(samples, by->window, by->frames, by->order, by->room, coefficients);
     measure_rests(by, samples, coefficients, by->reach, by->reach + inner, heights);
     if (!find_outstanding(heights + by->reach, inner, 0, inner, by->reach, by->core, by->times, by->least, by->places)) {
         return 0;
@@ -313,6 +320,122 @@ PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     free(by.places);
     let_go(&held);
     return PyLong_FromSsize_t(found);
+}
+
+/* A place where a click may be, and the sound beside it: cells of `size` frames. */
+typedef struct {
+    const double *beside, *around; /* windows: of the sound on either side, and of all with the place in its middle */
+    Py_ssize_t order, size, place, span, reach;
+    double times_beside, times_around;
+    double *room;
+} doubt;
+
+enum { AT_A_TIME = 128 }; /* frames: few of those beside a place show in most cases that they are as bad */
+
+/* Whether a place cannot be foretold from the sound that leads up to it, by far less well than that sound itself. */
+static int surprises(const doubt *by, const double *leading) {
+    const Py_ssize_t span = by->span * by->size, place = by->place * by->size;
+    double coefficients[MOST_COEFFICIENTS] = {0};
+    fit_to(leading, by->beside, span, by->order, by->room, coefficients);
+    in_lanes()->foretell(leading + span, coefficients, by->order, place, by->room);
+    const double here = in_lanes()->highest(by->room, place);
+    for (Py_ssize_t until = span, from; until > by->order; until = from) {
+        from = until - AT_A_TIME > by->order ? until - AT_A_TIME : by->order;
+        in_lanes()->foretell(leading + from, coefficients, by->order, until - from, by->room);
+        if (!(here > by->times_beside * in_lanes()->highest(by->room, until - from))) return 0;
+    }
+    return 1;
+}
+
+static const double *turned_round(const double *samples, Py_ssize_t count, double *out) {
+    for (Py_ssize_t at = 0; at < count; at++) out[at] = samples[count - 1 - at];
+    return out;
+}
+
+/* How badly as many cells as a place has are told, by the sound before them or after them, whichever does better. */
+static double worst_both_ways(const doubt *by, const double *rests, const double *behind, Py_ssize_t cell) {
+    const Py_ssize_t first = cell * by->size, frames = by->place * by->size;
+    const Py_ssize_t last = (by->place + 2 * by->reach) * by->size - first - frames;
+    const double before = in_lanes()->highest(rests + first, frames), after = in_lanes()->highest(behind + last, frames);
+    return before < after ? before : after;
+}
+
+/* Whether a place is told less well both ways than any other around it; a click spills into the cells beside it. */
+static int is_hardest_to_tell(const doubt *by, const double *start) {
+    const Py_ssize_t cells = by->place + 2 * by->reach, frames = cells * by->size;
+    double coefficients[MOST_COEFFICIENTS] = {0}, *rests = by->room, *behind = rests + frames;
+    fit_to(start, by->around, frames, by->order, rests, coefficients);
+    const double *turned = turned_round(start, frames + by->order, behind + frames);
+    in_lanes()->foretell(start, coefficients, by->order, frames, rests);
+    in_lanes()->foretell(turned + by->order, coefficients, by->order, frames, behind);
+    const double most = worst_both_ways(by, rests, behind, by->reach) / by->times_around;
+    for (Py_ssize_t cell = 0; cell < by->reach - by->place; cell++) {
+        if (worst_both_ways(by, rests, behind, cell) >= most) return 0;
+        if (worst_both_ways(by, rests, behind, cells - by->place - cell) >= most) return 0;
+    }
+    return 1;
+}
+
+static int is_click(const doubt *by, const double *place) {
+    const Py_ssize_t span = by->span * by->size;
+    if (!surprises(by, place - span)) return 0;
+    const double *following = turned_round(place, by->place * by->size + span, by->room + span);
+    return surprises(by, following) && is_hardest_to_tell(by, place - by->reach * by->size);
+}
+
+/* samples, where places start, window of the sound on either side, window of all around, coefficients, frames of a cell,
+ * cells of a place, times that it is harder to foretell than the sound beside it, and than any other around it, places to
+ * fill -> how many of them are */
+PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *samples;
+    const int64_t *places;
+    int64_t *kept;
+    doubt by;
+    if (arguments("unforeseen_both_ways", count, 10) < 0) return NULL;
+    by.order = PyLong_AsSsize_t(args[4]), by.size = PyLong_AsSsize_t(args[5]), by.place = PyLong_AsSsize_t(args[6]);
+    by.times_beside = PyFloat_AsDouble(args[7]), by.times_around = PyFloat_AsDouble(args[8]);
+    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(places = take_row(&held, args[1], -1, sizeof(int64_t), 0)) || !(by.beside = TAKE_DOUBLES(&held, args[2], -1, 0)) ||
+        !(by.around = TAKE_DOUBLES(&held, args[3], -1, 0))) {
+        goto refused;
+    }
+    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t asked = held.views[1].len / (Py_ssize_t)sizeof(int64_t);
+    const Py_ssize_t beside = held.views[2].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t around = held.views[3].len / (Py_ssize_t)sizeof(double);
+    int fits = by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.place >= 1;
+    if (fits) {
+        by.span = beside / by.size, by.reach = (around / by.size - by.place) / 2;
+        fits = by.span * by.size == beside && (by.place + 2 * by.reach) * by.size == around && beside > by.order &&
+               by.place <= by.span && by.span <= by.reach;
+    }
+    const Py_ssize_t before = by.reach * by.size + by.order, after = before + by.place * by.size;
+    for (Py_ssize_t at = 0; at < asked && fits; at++) fits = places[at] >= before && places[at] + after <= length;
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError,
+                        "1 to 64 coefficients, whole cells, more frames beside a place and more still around it are wanted");
+        goto refused;
+    }
+    if (!(kept = take_row(&held, args[9], asked, sizeof(int64_t), 1))) goto refused;
+    by.room = malloc((size_t)(3 * around + by.order) * sizeof *by.room);
+    if (!by.room) {
+        PyErr_NoMemory();
+        goto refused;
+    }
+    Py_ssize_t found = 0;
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t at = 0; at < asked; at++) {
+        if (is_click(&by, samples + places[at])) kept[found++] = at;
+    }
+    Py_END_ALLOW_THREADS
+    free(by.room);
+    let_go(&held);
+    return PyLong_FromSsize_t(found);
+refused:
+    let_go(&held);
+    return NULL;
 }
 
 /* How many times a height is as high as what lies around it; see `find_outstanding`. */

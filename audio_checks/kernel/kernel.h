@@ -196,7 +196,8 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
-    EACH(unforeseen, "Foretell samples of steady stretches from those before; find where an error may stand out.")
+    EACH(unforeseen, "Foretell samples of steady stretches from those before; find where an error may stand out.") \
+    EACH(unforeseen_both_ways, "Find the places that can be told neither from what leads up to them nor from what follows.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);
 FUNCTIONS(DECLARED)

@@ -16,10 +16,14 @@ from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way;
 BENDS_OUT = 5.0  # or so many times as bent below 1 kHz: a dull click in a bright sound shows there alone
-DOUBTFUL = 1.5  # times as much of either: a closer look is worth its time, at what cannot be foretold of the sound
+DOUBTFUL = 1.2  # times as sharp, or a step so many times as large, is worth a closer look, or
+BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be foretold neither from the sound before it nor from that
+HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound itself,
+HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
 DOUBTED = 1 + 2 * CORE  # cells that are looked at together where a click may be
+BESIDE = 24  # cells of the sound before them, and of that after them, from which they are foretold: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothing
@@ -41,6 +45,15 @@ class Click(NamedTuple):
     at_s: float
     channel: int
     level_dbfs: float
+
+
+class _Doubt(NamedTuple):
+    """A cell where a click may be, how many times as high it stands as others, and the power of the sound around."""
+
+    channel: int
+    cell: int
+    stands: float
+    power: float
 
 
 class Clicks:
@@ -65,7 +78,7 @@ class Clicks:
         self._least = max(GRAIN * step, 1e-6)
         self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
-        self._doubtful: set[tuple[int, int]] = set()  # cell, channel
+        self._doubtful: list[_Doubt] = []
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
@@ -156,34 +169,51 @@ class Clicks:
         sharpness, steps = cells.sharpness[channel], cells.steps[channel]
         bends = np.empty(len(sharpness) - first)
         kernel.bends(cells.sums[channel, first - 2 :], bends)  # a cell late: the last one bends with what follows it
-        for heights, begin, scale, times in (
-            (sharpness[first:], first, IMPULSE, STANDS_OUT),
-            (steps[first:], first, 1.0, STEPS_OUT),
-            (bends, first - 1, 1.0, BENDS_OUT),
+        for heights, begin, scale, times, doubtful in (
+            (sharpness[first:], first, IMPULSE, STANDS_OUT, DOUBTFUL),
+            (steps[first:], first, 1.0, STEPS_OUT, DOUBTFUL),
+            (bends, first - 1, 1.0, BENDS_OUT, BENDS_DOUBTFUL),
         ):
             rows, starts = heights[np.newaxis], np.array([begin])
-            for _, at, height, power, stands in self._outstanding(cells, channel, rows, starts, DOUBTFUL, scale=scale):
+            for _, at, height, power, stands in self._outstanding(cells, channel, rows, starts, doubtful, scale=scale):
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful.add((before + place, channel))
+                    self._doubtful.append(_Doubt(channel, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
-                    sharpest = float(sharpness[place - CORE : place + CORE + 1].max()) / IMPULSE
-                    self._keep(before + place, channel, sharpest, power)
+                    self._keep(before + place, channel, _sharpest(sharpness, place), power)
 
     def _look_at_doubtful(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
     ) -> None:
-        """Look at what cannot be foretold where a click may be, and the cells that it is compared with are known.
+        """Keep what can be foretold neither way of where a click may be, once all that it is compared with is known.
 
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
-        ready = sorted(one for one in self._doubtful if one[0] + CORE + REACH < total)
-        self._doubtful.difference_update(ready)
-        for channel in {channel for _, channel in ready}:
-            starts = np.array([cell for cell, one in ready if one == channel]) - CORE - REACH
-            self._foretell(cells, before, channel, starts, DOUBTED, samples[channel], origin)
+        known = total - CORE - REACH - -(-ORDER // self._cell)
+        ready = _foremost([one for one in self._doubtful if one.cell < known])
+        self._doubtful = [one for one in self._doubtful if one.cell >= known]
+        for channel in {one.channel for one in ready}:
+            doubts = [one for one in ready if one.channel == channel]
+            starts = origin + (np.array([one.cell for one in doubts]) - CORE) * self._cell
+            late = np.flatnonzero(starts >= REACH * self._cell + ORDER)  # of many channels less is kept
+            kept = np.empty(len(late), np.int64)
+            found = kernel.unforeseen_both_ways(
+                samples[channel],
+                starts[late],
+                _window(BESIDE * self._cell),
+                _window((DOUBTED + 2 * REACH) * self._cell),
+                ORDER,
+                self._cell,
+                DOUBTED,
+                HARDER_THAN_BESIDE,
+                HARDER_THAN_AROUND,
+                kept,
+            )
+            for place in late[kept[:found]].tolist():
+                cell, power = doubts[place].cell, doubts[place].power
+                self._keep(cell, channel, _sharpest(cells.sharpness[channel], cell - before), power)
 
     def _look_at_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
         """Look at what cannot be foretold of the next segments, where they are steady.
@@ -203,7 +233,7 @@ class Clicks:
         for channel in np.flatnonzero(steady.any(axis=1)).tolist():
             starts = self._segment + np.flatnonzero(steady[channel]) * SEGMENT - REACH
             origin = at - self._segment * self._cell
-            self._foretell(cells, before, channel, starts, SEGMENT, samples[channel], origin)
+            self._foretell(cells, before, channel, starts, samples[channel], origin)
 
     def _foretell(
         self,
@@ -211,22 +241,21 @@ class Clicks:
         before: int,
         channel: int,
         starts: NDArray[np.int64],
-        count: int,
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
         """Keep what stands out of what cannot be foretold of a channel.
 
-        Looked at are `count` cells and REACH on either side, from each of `starts` on; cell 0 starts at frame `origin`.
+        Looked at are a segment and REACH on either side, from each of `starts` on; cell 0 starts at frame `origin`.
         """
         frames = origin + starts * self._cell
         starts, frames = starts[frames >= ORDER], frames[frames >= ORDER]  # of many channels less is kept
-        heights = np.empty((len(starts), count + 2 * REACH))
+        heights = np.empty((len(starts), SEGMENT + 2 * REACH))
         kept = np.empty(len(starts), np.int64)
         found = kernel.unforeseen(
             samples,
             frames,
-            _window((count + 2 * REACH) * self._cell),
+            _window((SEGMENT + 2 * REACH) * self._cell),
             ORDER,
             self._cell,
             REACH,
@@ -242,7 +271,24 @@ class Clicks:
             self._keep(int(starts[int(row)]) + int(at), channel, height, power)
 
 
-@lru_cache(maxsize=4)
+def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
+    """Return, of doubts that one click may have raised, the one that stands out most."""
+    foremost: list[_Doubt] = []
+    for one in sorted(doubts):
+        last = foremost[-1] if foremost else None
+        if last is None or one.channel != last.channel or one.cell - last.cell >= DOUBTED:
+            foremost.append(one)
+        elif one.stands > last.stands:
+            foremost[-1] = one
+    return foremost
+
+
+def _sharpest(sharpness: NDArray[np.float64], cell: int) -> float:
+    """Return the single sample that is as sharp as a cell and those that a click there may spill into."""
+    return float(sharpness[cell - CORE : cell + CORE + 1].max()) / IMPULSE
+
+
+@lru_cache(maxsize=8)
 def _window(frames: int) -> NDArray[np.float64]:
     """Return a Hann window whose ends lie just outside."""
     return np.hanning(frames + 2)[1:-1].copy()

@@ -62,7 +62,24 @@ def test_a_small_click_in_a_tone_that_sweeps(codes_of):
     air = noise(seconds=0.5, dbfs=-62)
     call = 0.5 * np.sin(2 * np.pi * (3_000 * times + 2_000 * times**2))[:, np.newaxis] + air
     assert codes_of("click", call) == []
-    assert codes_of("click", clicked(call, 0.012, at=12_000)) == ["click:isolated"]
+    assert codes_of("click", clicked(call, 0.018, at=12_000)) == ["click:isolated"]
+
+
+def test_a_splice_in_a_whistle(codes_of):
+    # No cell is much sharper than the breath; but from the sound on either side nobody expects the other.
+    times = np.arange(24_000) / 48_000
+    whistle = (0.5 * np.sin(2 * np.pi * 1_500 * times) * (1 + 0.5 * np.sin(2 * np.pi * 7 * times)))[:, np.newaxis]
+    whistle += noise(seconds=0.5, dbfs=-50)
+    assert codes_of("click", whistle) == []
+    assert codes_of("click", np.delete(whistle, slice(12_000, 12_016), axis=0)) == ["click:isolated"]
+
+
+def test_ticks_that_are_the_sound_itself(codes_of):
+    # Every other one is a quarter louder, and none is foreseen by the 12 ms beside it; but there are others nearby.
+    ticks = noise(seconds=0.5, dbfs=-45)
+    for number, at in enumerate(range(2_400, 21_600, 672)):  # 14 ms apart
+        ticks[at : at + 40, 0] += (0.4 + 0.1 * (number % 2)) * np.hanning(40) * np.sin(1.3 * np.arange(40))
+    assert codes_of("click", ticks) == []
 
 
 def test_a_step_and_a_splice_are_clicks(found_by):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import butter, sosfilt
 
 from tests.audio_checks.faults.audible import WINDOW_S, excess_db
 from tests.audio_checks.faults.sounds import Samples
@@ -148,6 +149,30 @@ def _pop(rng: np.random.Generator, samples: Samples, rate: int, level_db: float)
     shape[first : first + len(pulse)] = rng.choice([-1.0, 1.0]) * pulse
     faulty = scaled_to(samples, _in_one_or_all(rng, shape, samples.shape[1]), at, rate, level_db)
     return None if faulty is None else Injured(faulty, at / rate, at / rate)
+
+
+def _any_pulse(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """A pulse that imitates nothing: up to a millisecond of noise, rung through a filter drawn at random."""
+    for _ in range(4):
+        at = place_in_sound(rng, samples, rate)
+        if at is None:
+            return None
+        length = max(2, round(np.exp(rng.uniform(np.log(4e-5), np.log(8e-4))) * rate))
+        fade = np.hanning(length + 2)[1:-1] if rng.random() < 0.5 else np.exp(-4 * np.arange(length) / length)
+        corner_hz = np.exp(rng.uniform(np.log(700), np.log(16_000)))
+        ring = np.append(rng.standard_normal(length) * fade, np.zeros(round(0.002 * rate)))
+        ring = sosfilt(butter(rng.integers(1, 4), corner_hz, fs=rate, output="sos"), ring)
+        if rng.random() < 0.4:
+            ring = sosfilt(butter(1, corner_hz * rng.uniform(0.2, 0.8), "high", fs=rate, output="sos"), ring)
+        ring[-(rate // 1000) :] *= np.linspace(1, 0, rate // 1000)
+        shape = np.zeros(len(samples))
+        shape[at : at + len(ring)] = ring[: len(shape) - at]
+        highest = int(np.abs(shape).argmax())
+        spread = _in_one_or_all(rng, shape / np.abs(shape[highest]), samples.shape[1])
+        faulty = scaled_to(samples, spread, highest, rate, level_db)
+        if faulty is not None:
+            return Injured(faulty, highest / rate, highest / rate)
+    return None
 
 
 def _garbled(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
@@ -352,4 +377,5 @@ FAULTS = (
     Fault("click", "pop", CLICK_DB, CLICK_UNIT, _pop),
     Fault("click", "samples in the wrong order", CLICK_DB, CLICK_UNIT, _garbled),
     Fault("hum", "three or four multiples", HUM_DB, HUM_UNIT, _buzz),
+    Fault("click", "pulse of any shape", CLICK_DB, CLICK_UNIT, _any_pulse),
 )

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -222,6 +222,93 @@ def test_a_stretch_that_is_passed_over_has_nothing_that_stands_out(seed: int, cl
         assert found is not None
     if found is not None:
         np.testing.assert_array_equal(found, all_inner[0])
+
+
+SIZE, PLACE, SPAN, AROUND = 10, 3, 8, 12  # frames of a cell, and cells
+MIDDLE = AROUND + PLACE + AROUND + 5
+
+
+def both_ways(row: NDArray[np.float64], order: int, times_beside: float, times_around: float) -> bool:
+    """Whether the place in the middle of a row is kept."""
+    places, kept = np.array([MIDDLE * SIZE]), np.empty(1, np.int64)
+    windows = np.hanning(SPAN * SIZE), np.hanning((PLACE + 2 * AROUND) * SIZE)
+    return bool(
+        kernel.unforeseen_both_ways(row, places, *windows, order, SIZE, PLACE, times_beside, times_around, kept)
+    )
+
+
+def rests(row: NDArray[np.float64], first: int, end: int, order: int, weighed: slice) -> NDArray[np.float64]:
+    """What cannot be foretold of frames, by the coefficients that fit some of them best."""
+    faded = row[weighed] * np.hanning(weighed.stop - weighed.start)
+    products = np.array([faded[: len(faded) - lag] @ faded[lag:] for lag in range(order + 1)])
+    products[0] *= 1 + 1e-10
+    lags = np.abs(np.subtract.outer(np.arange(order), np.arange(order)))
+    coefficients = np.linalg.solve(products[lags], products[1:])
+    return np.array([abs(row[at] - coefficients @ row[at - order : at][::-1]) for at in range(first, end)])
+
+
+def how_hard_to_tell(row: NDArray[np.float64], order: int) -> tuple[float, float]:
+    """How many times as badly the middle is told as the sound on either side, the lesser, and as any place around."""
+    start, end, span, length = MIDDLE * SIZE, (MIDDLE + PLACE) * SIZE, SPAN * SIZE, len(row)
+    beside = []
+    for turned, first in ((row, start), (row[::-1], length - end)):
+        foretold = rests(turned, first - span + order, first + PLACE * SIZE, order, slice(first - span, first))
+        beside.append(foretold[span - order :].max() / foretold[: span - order].max())
+    around = slice(start - AROUND * SIZE, end + AROUND * SIZE)
+    before = rests(row, around.start, around.stop, order, around)
+    after = rests(
+        row[::-1],
+        length - around.stop,
+        length - around.start,
+        order,
+        slice(length - around.stop, length - around.start),
+    )[::-1]
+    cells = [one.reshape(-1, SIZE).max(axis=1) for one in (before, after)]
+    worst = [min(one[at : at + PLACE].max() for one in cells) for at in range(2 * AROUND + 1)]
+    others = worst[: AROUND - PLACE] + worst[AROUND + PLACE + 1 :]
+    return min(beside), worst[AROUND] / max(others)
+
+
+@settings(max_examples=30)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1, 8, 20]), st.sampled_from([0.0, 0.3, 4.0]), st.booleans())
+def test_what_can_be_foretold_neither_way(seed: int, order: int, click: float, is_step: bool):
+    rng = np.random.default_rng(seed)
+    times = np.arange((2 * MIDDLE + PLACE) * SIZE)
+    row = np.sin(rng.uniform(0.05, 1) * times) + 0.02 * rng.standard_normal(len(times))
+    at = (MIDDLE + 1) * SIZE + 3
+    row[at : None if is_step else at + 1] += click
+    beside, around = how_hard_to_tell(row, order)
+    assert both_ways(row, order, beside * 0.999, around * 0.999)
+    assert not both_ways(row, order, beside * 1.001, around * 0.999)
+    assert not both_ways(row, order, beside * 0.999, around * 1.001)
+
+
+@pytest.mark.parametrize(
+    ("at", "beside", "around", "order", "size", "place"),
+    [
+        (100, 40, 110, 20, 10, 4),  # an odd number of cells on both sides together
+        (100, 45, 110, 20, 10, 3),  # half a cell
+        (100, 30, 110, 30, 10, 3),  # no more frames than coefficients
+        (100, 20, 110, 10, 10, 3),  # fewer than the place has
+        (100, 50, 110, 20, 10, 3),  # more than around it
+        (100, 40, 110, 65, 10, 3),
+        (100, 40, 110, 0, 10, 3),
+        (100, 40, 110, 20, 0, 3),
+        (100, 40, 110, 20, 10, 0),
+        (59, 40, 110, 20, 10, 3),  # one frame too few before it
+        (211, 40, 110, 20, 10, 3),  # and after it
+    ],
+)
+def test_places_that_do_not_fit(at: int, beside: int, around: int, order: int, size: int, place: int):
+    windows, kept = (np.ones(beside), np.ones(around)), np.empty(1, np.int64)
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.unforeseen_both_ways(np.zeros(300), np.array([at]), *windows, order, size, place, 4.0, 1.3, kept)
+
+
+@pytest.mark.parametrize("at", [60, 210])
+def test_the_outermost_places_that_fit(at: int):
+    windows, kept = (np.ones(40), np.ones(110)), np.empty(1, np.int64)
+    assert kernel.unforeseen_both_ways(np.zeros(300), np.array([at]), *windows, 20, 10, 3, 4.0, 1.3, kept) == 0
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(0, 7), st.floats(0.5, 3.0), st.sampled_from([0.0, 1.0]))

@@ -75,6 +75,10 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         unforeseen,
         np.empty(2, np.int64),
     )
+    untold = np.full(40, -1)
+    starts = np.linspace(2_000, frames - 4_000, 40).astype(np.int64)
+    windows = np.hanning(480), np.hanning(83 * 20)
+    kernel.unforeseen_both_ways(samples[0], starts, *windows, 20, 20, 3, 0.8, 0.8, untold)
     even = channels + channels % 2
     energies = np.empty(frames * 100 // rate + 2)
     kernel.hop_energies(
@@ -87,7 +91,7 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     beside = 0.0, squares, squares, 4, 0.0, 30.0
     kernel.outstanding_amid(np.abs(samples[-1:]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
     found_in_doubles = [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen]
-    return [*found_in_doubles, *whole, sixteen, hops, energies, again, standing, bent]
+    return [*found_in_doubles, *whole, sixteen, hops, energies, again, untold, standing, bent]
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3])
