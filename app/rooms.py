@@ -49,6 +49,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "palette.changed": ("renders.hear_palette",),
     "mend.asked": ("conformance.make_mend",),
     "mend.made": ("renders.draw_mend",),
+    "dry_stem.changed": ("conformance.compare_takes",),
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),

@@ -14,7 +14,7 @@ from audio_checks.version import TOOL_VERSION
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
-    from audio_checks.beside import reverb_beside
+    from audio_checks.beside import DryStem, reverb_beside
     from audio_checks.errors import (
         AudioChecksError,
         MendRefused,
@@ -47,9 +47,11 @@ if TYPE_CHECKING:
     from audio_checks.sound_list import (
         SoundList,
         TakeName,
+        dry_stem_for,
         parse_file_name,
         read_sound_list,
         slug,
+        stem_of_file,
         stems_of,
         write_sound_list,
     )
@@ -67,6 +69,7 @@ __all__ = [
     "BandLevels",
     "CueFacts",
     "DeliverySpec",
+    "DryStem",
     "Exported",
     "FileReport",
     "Finding",
@@ -99,6 +102,7 @@ __all__ = [
     "average_spectrum",
     "check_file",
     "check_files",
+    "dry_stem_for",
     "export_master",
     "is_placeholder",
     "load_spec",
@@ -127,6 +131,7 @@ __all__ = [
     "slug",
     "spectrogram",
     "spoken",
+    "stem_of_file",
     "stems_of",
     "wave_shapes",
     "write_rehearsal_sound",
@@ -135,7 +140,7 @@ __all__ = [
 
 _HOMES = {
     "audio_checks.audio": ("AudioFile",),
-    "audio_checks.beside": ("reverb_beside",),
+    "audio_checks.beside": ("DryStem", "reverb_beside"),
     "audio_checks.errors": (
         "AudioChecksError",
         "MendRefused",
@@ -168,9 +173,11 @@ _HOMES = {
     "audio_checks.sound_list": (
         "SoundList",
         "TakeName",
+        "dry_stem_for",
         "parse_file_name",
         "read_sound_list",
         "slug",
+        "stem_of_file",
         "stems_of",
         "write_sound_list",
     ),

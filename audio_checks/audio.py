@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.beside import DryStem, judged_beside
 from audio_checks.hashes import Hashes
 from audio_checks.judge import Judgement, judge
 from audio_checks.measure import spare
@@ -204,8 +205,16 @@ class AudioFile:
         When a FLAC could not be unpacked: for want of time, memory or disk, or because its decoder broke.
     """
 
-    def __init__(self, path: str | os.PathLike[str], *, name: str | None = None, flac: bool = True) -> None:
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        name: str | None = None,
+        flac: bool = True,
+        dry: DryStem | None = None,
+    ) -> None:
         self.path = path
+        self._dry = dry
         self.name = PurePath(os.fspath(path)).name if name is None else name
         self._sound = open_sound(path, name=name, flac=flac)
         self._file = self._sound.file
@@ -305,9 +314,15 @@ class AudioFile:
         return self._figures[name]
 
     def judgement(self, name: str, kind: str | None = None) -> Judgement:
-        """Return a judgement by its name, for a kind of sound; made once. See `audio_checks.judge`."""
+        """Return a judgement by its name, for a kind of sound; made once. See `audio_checks.judge`.
+
+        Reverb is judged beside the dry stem where there is one.
+        """
         if (name, kind) not in self._judgements:
-            self._judgements[name, kind] = judge(name, self, kind)
+            judged = judge(name, self, kind)
+            if name == "reverb" and self._dry is not None:
+                judged = judged_beside(judged, self.path, self._dry)
+            self._judgements[name, kind] = judged
         return self._judgements[name, kind]
 
     def _hashed(self) -> tuple[str, str]:

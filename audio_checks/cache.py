@@ -317,6 +317,9 @@ def _context(task: Task) -> bytes:
         [getattr(cue, one.name) for one in fields(cue) if one.compare] if cue else None,
         task.unlisted,
     ]
+    if task.dry is not None:
+        stem = _sha256(os.fspath(task.dry.path))
+        parts.append([task.dry.name, stem.hex() if stem else None])
     return hashlib.sha256(json.dumps(parts).encode()).digest()
 
 

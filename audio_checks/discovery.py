@@ -2,12 +2,12 @@
 
 import os
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from audio_checks.errors import SpecError
-from audio_checks.sound_list import AUDIO_SUFFIXES
+from audio_checks.sound_list import AUDIO_SUFFIXES, SoundList, dry_stem_for, stem_of_file
 from audio_checks.spec import DeliverySpec, load_spec
 from audio_checks.spec_files import has_spec
 from audio_checks.windows import reachable, unlimited
@@ -69,6 +69,29 @@ def _below(path: str) -> Iterator[Found]:
 
 def _refuse(error: OSError) -> None:
     raise NotThere(f"{error.filename}: the folder cannot be listed: {error.strerror}")
+
+
+def dry_stems(paths: Iterable[str], sound_list: SoundList | None = None) -> dict[str, str]:
+    """Return the dry stem of each file that has one among the paths: `x__dry.wav` in the folder of `x.wav`.
+
+    A name that a cue of the list owns whole is that cue's, and no stem.
+    """
+    stems: dict[tuple[str, str], str] = {}
+    sounds: list[tuple[tuple[str, str], str]] = []
+    for path in paths:
+        folder, name = os.path.split(path)
+        stem_of = dry_stem_for(name)
+        if stem_of is None or (sound_list is not None and sound_list.slot(stem_of_file(name)) is not None):
+            sounds.append(((folder, stem_of_file(name)), path))
+        else:
+            stems[folder, stem_of] = path
+    return {path: stems[place] for place, path in sounds if place in stems}
+
+
+def without_dry_stems(found: Sequence[Found], sound_list: SoundList | None = None) -> list[Found]:
+    """Return the files that are no dry stem of another one; see `dry_stems`."""
+    stems = frozenset(dry_stems((one.path for one in found), sound_list).values())
+    return [one for one in found if one.path not in stems]
 
 
 class SpecFinder:

@@ -84,6 +84,10 @@ class Repairs:
         _ensure_own(task.path)
         new_path = task.path if name is None else os.path.join(os.path.dirname(task.path), name)
         if name is not None:
+            if task.dry is not None:
+                raise CannotBePutRight(
+                    f"under the name {name} it would lose its dry stem {task.dry.name}; rename the two together"
+                )
             self._ensure_free(task.path, new_path)
         header = _right_header(task.path, keep=False) if codes & SIZES else ()
         if name is None and not header:

@@ -11,7 +11,7 @@ from typing import Any
 from audio_checks import check_names
 from audio_checks import judge as judgements
 from audio_checks.audio import AudioFile
-from audio_checks.beside import reverb_beside
+from audio_checks.beside import DryStem, heeding, reverb_beside
 from audio_checks.checks import Check, all_checks
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
@@ -33,7 +33,7 @@ class Task:
 
     `spec` is the view for the file's category and the target, None for structure only; `unlisted`
     says that there is a sound list, and no cue in it owns the file's name; `variation` is which of
-    the cue's variations it is.
+    the cue's variations it is; `dry` is the file's dry stem, for its reverb to be judged beside.
     """
 
     path: str
@@ -41,6 +41,7 @@ class Task:
     cue: CueFacts | None = None
     unlisted: bool = False
     variation: int = 1
+    dry: DryStem | None = None
 
 
 def check_file(
@@ -53,6 +54,7 @@ def check_file(
     name: str | None = None,
     checks: Iterable[str] | None = None,
     all_figures: bool = False,
+    dry: DryStem | None = None,
 ) -> FileReport:
     """Judge one file.
 
@@ -74,6 +76,9 @@ def check_file(
         Run only these.
     all_figures : bool
         Measure everything, not only what the checks read.
+    dry : DryStem, optional
+        The same sound without reverb: reverb is judged beside it where the two are the same sound. One that
+        cannot be read is said to be so in the judgement.
 
     Returns
     -------
@@ -88,7 +93,7 @@ def check_file(
     """
     if spec is not None:
         spec = view_of(spec, path, target=target, category=category, cue=cue)
-    return _judge(Task(os.fspath(path), spec, cue), name=name, checks=checks, all_figures=all_figures)
+    return _judge(Task(os.fspath(path), spec, cue, dry=dry), name=name, checks=checks, all_figures=all_figures)
 
 
 def check_files(
@@ -145,7 +150,10 @@ def measure_file(
     wanted = {one: PRESETS[one] for one in presets}
     with AudioFile(path, name=name) as file:
         measurements = file.measurements.to_dict()
-        judged = {one: file.judgement(one, kind).to_dict() for one in judgements.names()}
+        judged = {one: file.judgement(one, kind) for one in judgements.names()}
+        if dry is not None:
+            compared = reverb_beside(path, dry)
+            judged["reverb"] = heeding(judged["reverb"], compared, os.path.basename(os.fspath(dry)))
         return FileReport(
             path=legible(path) if name is None else name,
             verdict="unjudged",
@@ -154,18 +162,9 @@ def measure_file(
             category=category,
             facts=file.facts.to_dict(),
             measurements=measurements,
-            judgements=judged if dry is None else {**judged, "reverb": _beside(judged["reverb"], path, dry)},
+            judgements={one: judgement.to_dict() for one, judgement in judged.items()},
             loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
         )
-
-
-def _beside(judged: dict[str, Any], path: PathLike, dry: PathLike) -> dict[str, Any]:
-    """Return what is judged beside a dry sound; what was judged without where the two are not the same sound."""
-    compared = reverb_beside(path, dry)
-    if compared.verdict == judgements.CANNOT_TELL:
-        return judged
-    evidence = {**judged.get("evidence", {}), **compared.evidence}
-    return {**compared.to_dict(), "beside": os.path.basename(os.fspath(dry)), "evidence": evidence}
 
 
 def is_placeholder(path: PathLike) -> bool:
@@ -193,6 +192,7 @@ def task_for(
     category: str | None = None,
     sound_list: SoundList | None = None,
     views: dict[tuple[int, str | None], DeliverySpec] | None = None,
+    dry: PathLike | None = None,
 ) -> Task:
     """Return the task of judging one file: its cue found by name, its limits by category and target.
 
@@ -208,7 +208,8 @@ def task_for(
             views[id(spec), name] = view_of(spec, path, target=target, category=name, cue=cue)
         view = views[id(spec), name]
     unlisted = sound_list is not None and slot is None
-    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1)
+    stem = None if dry is None else DryStem(os.fspath(dry), os.path.basename(legible(dry)))
+    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1, dry=stem)
 
 
 def together(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
@@ -268,7 +269,9 @@ def _judge(
     shown = legible(task.path) if name is None else name
     blank = FileReport(path=shown, verdict="unjudged", category=spec.category)
     try:
-        with AudioFile(task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec)) as file:
+        with AudioFile(
+            task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec), dry=task.dry
+        ) as file:
             asked = judgements.names() if all_figures else _judgements_of(selected)
             if not all_figures:
                 file.prepare(figure for check in selected for figure in check.figures)

@@ -39,6 +39,7 @@ AUDIO_SUFFIXES = frozenset(
 )
 
 _ALTERNATE = re.compile(r"(?<=[^_])(?:__alt([1-9][0-9]?)|__?alt([A-Z]))$")
+_DRY_STEM = re.compile(r"(?<=[^_])__dry$")
 _TYPED_VERSION = re.compile(r"(?<=[^_])_+[vV]([0-9]{1,4})$")
 _MOST_VARIATIONS = 999
 
@@ -73,6 +74,20 @@ def parse_file_name(file_name: str) -> TakeName:
 def _split(whole: str) -> tuple[str, str]:
     stem, dot, ending = whole.rpartition(".")
     return (stem, dot + ending) if stem else (whole, "")
+
+
+def dry_stem_for(file_name: str) -> str | None:
+    """Return the stem, in NFC, of the file that this one is the dry stem of, by its name; None for any other name.
+
+    `warp_in__dry.wav` is that of `warp_in.wav`, and `warp_in__alt2__dry.wav` that of `warp_in__alt2.wav`.
+    """
+    stem = stem_of_file(file_name)
+    return stem[: found.start()] if (found := _DRY_STEM.search(stem)) else None
+
+
+def stem_of_file(file_name: str) -> str:
+    """Return a file's name without its ending, in NFC and with all its marks; folders before it are dropped."""
+    return _split(unicodedata.normalize("NFC", re.split(r"[/\\]", file_name)[-1]))[0]
 
 
 def slug(name: str) -> str:
@@ -123,8 +138,7 @@ class SoundList:
 
     def slot_of_file(self, file_name: str) -> tuple[CueFacts, int] | None:
         """Return the cue and the variation that a file is for, by its name; a name the list has whole comes first."""
-        whole = unicodedata.normalize("NFC", re.split(r"[/\\]", file_name)[-1])
-        return self.slot(_split(whole)[0]) or self.slot(parse_file_name(whole).stem)
+        return self.slot(stem_of_file(file_name)) or self.slot(parse_file_name(file_name).stem)
 
 
 def read_sound_list(source: str | Path) -> SoundList:

@@ -11,8 +11,8 @@ from prometheus_client import Counter
 
 import audio_checks
 from app.conformance import mends, service
-from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before
-from app.conformance.service import CheckOrder
+from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before, with_stem
+from app.conformance.service import CheckOrder, StemBeside
 from app.kit import kill
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing, Store
@@ -57,7 +57,7 @@ def judge(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
     if order is None:
         return
     kill.point("conformance.before_check")
-    report = with_reverb_before(report or _checked(order, bench), _beside_before(runtime, order, bench))
+    report = with_reverb_before(report or _checked(runtime, order, bench), _beside_before(runtime, order, bench))
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
         is_news = service.record_check(session, order, report)
@@ -69,21 +69,55 @@ def judge(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
     kill.point("conformance.after_commit")
 
 
-def _checked(order: CheckOrder, bench: Bench) -> Report:
-    """Return the report of a child; after three failures, one that says that it is our fault."""
-    bench.child.timeout_s = time_for(order.master_bytes)
+def _checked(runtime: Runtime, order: CheckOrder, bench: Bench) -> Report:
+    """Return the report of a child; after three failures, one that says that it is our fault.
+
+    Where only the comparison with a dry stem fails, the take is judged without it.
+    """
+    if order.stem is None:
+        report, why = _tried(order, bench, bench.child)
+        return report or unjudged(order.name, order.spec.category, why)
+    report, why = _beside_stem(runtime, order, order.stem, bench)
+    failed = report is None
+    if failed:
+        log.warning("no comparison with a dry stem", take_id=str(order.take_id), error=why)
+        report, why = _tried(order, bench, bench.child)
+    return with_stem(report or unjudged(order.name, order.spec.category, why), order.stem.sha256, failed=failed)
+
+
+def _beside_stem(runtime: Runtime, order: CheckOrder, stem: StemBeside, bench: Bench) -> tuple[Report | None, str]:
+    """Return the report of a child that has the dry stem too, and why there is none after three failures."""
+    try:
+        with (
+            runtime.store.local_copy(order.studio_id, stem.sha256) as path,
+            sandbox().child() as child,  # reads the stem too, so it is not the child that goes on with the take
+        ):
+            return _tried(order, bench, child, audio_checks.DryStem(path, stem.name), stem.file_bytes)
+    except (BlobAltered, BlobMissing) as error:
+        return None, str(error)
+
+
+def _tried(
+    order: CheckOrder,
+    bench: Bench,
+    child: audio_checks.SandboxChild,
+    dry: audio_checks.DryStem | None = None,
+    dry_bytes: int = 0,
+) -> tuple[Report | None, str]:
+    """Return the report of a child, and why there is none after three failures."""
+    child.timeout_s = time_for(order.master_bytes + dry_bytes)
     why = ""
     for _ in range(TRIES):
         try:
             path = bench.master(order.studio_id, order.master_sha256)
-            report = bench.child.call(
-                audio_checks.check_file, path, order.spec, cue=order.cue, name=order.name, all_figures=True
+            report = child.call(
+                audio_checks.check_file, path, order.spec, cue=order.cue, name=order.name, all_figures=True, dry=dry
             )
         except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
             why = str(error)
             continue
-        return report.to_dict() | {"path": order.name}
-    return unjudged(order.name, order.spec.category, why)
+        return report.to_dict() | {"path": order.name}, ""
+    return None, why
 
 
 def _beside_before(runtime: Runtime, order: CheckOrder, bench: Bench) -> dict[str, Any] | None:

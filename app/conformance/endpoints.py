@@ -8,9 +8,9 @@ from fastapi import Response
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.conformance import mends, service
-from app.conformance.errors import CheckNotFound, MakerNeeded, MendNotMade, NothingToMend, NothingToWaive
+from app.conformance.errors import CheckNotFound, MendNotMade, NothingToMend, NothingToWaive
 from app.conformance.schemas import CheckRead, MendOffer, MendRead, WaiverAdd
-from app.deliveries.errors import TakeNotFound, WrongState
+from app.deliveries.errors import MakerNeeded, TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
 from app.kit.http import DbSession, Route, Router, problems

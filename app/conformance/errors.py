@@ -1,6 +1,6 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Conflict, Forbidden, NotFound
+from app.kit.errors import Conflict, NotFound
 
 
 class CheckNotFound(NotFound):
@@ -17,7 +17,3 @@ class NothingToMend(Conflict):
 
 class MendNotMade(Conflict):
     """The mended copy is still being made, or could not be made."""
-
-
-class MakerNeeded(Forbidden):
-    """Only the sound's own designer takes a mend."""

@@ -10,8 +10,9 @@ import structlog
 import audio_checks
 from app.conformance import checking, mending, mends, queries, service
 from app.conformance.rules import TRIES
+from app.deliveries import queries as deliveries
 from app.kit import kill
-from app.kit.queue import Payload, job
+from app.kit.queue import NORMAL, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
 
@@ -49,6 +50,16 @@ def recheck_takes(runtime: Runtime, payload: Payload) -> None:
     for take_id in take_ids:
         with runtime.database.writing() as session:
             service.recheck_if_changed(session, take_id)
+
+
+@job("conformance.compare_takes")
+def compare_takes(runtime: Runtime, payload: Payload) -> None:
+    """Have the undecided takes checked again whose dry stem came, changed or was withdrawn."""
+    with runtime.database.reading() as session:
+        take_ids = deliveries.takes_beside(session, UUID(payload["delivery_id"]), payload["stem"])
+    for take_id in take_ids:
+        with runtime.database.writing() as session:
+            service.recheck_if_changed(session, take_id, priority=NORMAL)
 
 
 def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, Any] | None:

@@ -11,15 +11,16 @@ from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.conformance import queries
-from app.conformance.errors import MakerNeeded, MendNotMade, NothingToMend
+from app.conformance.errors import MendNotMade, NothingToMend
 from app.conformance.models import CheckRun, Mend
 from app.conformance.rules import MENDABLE_STATES, MendState, is_enough, mend_offers
 from app.conformance.schemas import LeftRead, MendedFrom, MendOffer, MendRead, RepairRead, SpotRead
 from app.conformance.service import resolved_spec
 from app.deliveries import queries as deliveries
+from app.deliveries.dry_stems import carry_to_mend
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
-from app.deliveries.service import add_mended_take, check_name, take_for
+from app.deliveries.service import add_mended_take, check_name, ensure_maker, take_for
 from app.kit import clock
 from app.kit.events import publish
 from app.projects.service import Standing, standing_in
@@ -125,6 +126,7 @@ def use_mend(session: Session, actor: Actor, take_id: UUID) -> tuple[Take, bool,
             fix="ask for it first, and listen to it once it is made",
         )
     made, already_here = add_mended_take(session, take, mend.sha256, mend.mended_bytes, _file_name(take, mend))
+    carry_to_mend(session, take, made)
     mend.used_by, mend.used_at, mend.new_take_id = actor.person, clock.now(), made.id
     session.flush()
     return made, already_here, standing
@@ -160,12 +162,6 @@ def mends_offered(session: Session, actor: Actor, project_id: UUID) -> list[Mend
             )
         )
     return offered
-
-
-def ensure_maker(standing: Standing, take: Take) -> None:
-    """Raise MakerNeeded unless the caller is the designer who made the take, still engaged on its project."""
-    if standing.engagement is None or standing.actor.person != take.designer_id:
-        raise MakerNeeded("a mend becomes a version only with the consent of the sound's own designer")
 
 
 def _asked(session: Session, take: Take, run: CheckRun, *, asked_by: UUID | None) -> Mend:

@@ -14,6 +14,7 @@ import audio_checks
 from app.deliveries.rules import TakeState
 
 TRIES = 3
+COMPARISON_FAILED = "failed"
 Report = dict[str, Any]  # the file object of the report
 
 
@@ -39,10 +40,18 @@ def asked_of(spec: audio_checks.DeliverySpec) -> str:
     return (spec if spec.category else spec.for_category("")).sha256
 
 
-def run_key(master_sha256: str, spec: audio_checks.DeliverySpec, cue: audio_checks.CueFacts | None, name: str) -> str:
+def run_key(
+    master_sha256: str,
+    spec: audio_checks.DeliverySpec,
+    cue: audio_checks.CueFacts | None,
+    name: str,
+    stem_sha256: str | None = None,
+) -> str:
     """Return what a check run is known by: two runs with one key say the same."""
     facts = None if cue is None else {k: v for k, v in dataclasses.asdict(cue).items() if k != "more"}
     said = [master_sha256, asked_of(spec), spec.category, facts, name, audio_checks.TOOL_VERSION]
+    if stem_sha256 is not None:
+        said.append(stem_sha256)
     return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
 
@@ -68,6 +77,22 @@ def with_reverb_before(report: Report, before: Mapping[str, Any] | None) -> Repo
         return report
     reverb = {key: value for key, value in judgements["reverb"].items() if key != "before"}
     return {**report, "judgements": {**judgements, "reverb": {**reverb, "before": dict(before)} if before else reverb}}
+
+
+def with_stem(report: Report, sha256: str, *, failed: bool = False) -> Report:
+    """Return a report that says which dry stem it heeds; with what it lacks where our comparison failed."""
+    heeding = {**report, "stem_sha256": sha256}
+    judgements = report["judgements"]
+    if not failed or "reverb" not in judgements:
+        return heeding
+    stem = {"verdict": COMPARISON_FAILED, "why": "our comparison of the two failed"}
+    return heeding | {"judgements": {**judgements, "reverb": {**judgements["reverb"], "stem": stem}}}
+
+
+def has_failed_comparison(report: Report) -> bool:
+    """Whether a report lacks a comparison for a fault of ours, so that another check may have it."""
+    stem = report["judgements"].get("reverb", {}).get("stem") or {}
+    return bool(stem.get("verdict") == COMPARISON_FAILED)
 
 
 def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str]) -> list[dict[str, Any]]:

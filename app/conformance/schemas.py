@@ -8,7 +8,7 @@ from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
 from app.deliveries.rules import TakeState
-from app.deliveries.schemas import CueBrief
+from app.deliveries.schemas import CueBrief, ShownName
 from app.kit.http import Schema
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]
@@ -48,6 +48,15 @@ class WaiverRead(Schema):
     created_at: datetime
 
 
+class BesideRead(Schema):
+    """The dry stem that a take has now; `judgements.reverb.stem` says what was found beside it."""
+
+    file_name: ShownName
+    file_bytes: int
+    sha256: str
+    received_at: datetime
+
+
 class CheckRead(Schema):
     """What the newest check says of a take."""
 
@@ -61,6 +70,8 @@ class CheckRead(Schema):
     facts: dict[str, Any] | None
     measurements: dict[str, Any]
     judgements: dict[str, Any]
+    dry_stem: BesideRead | None
+    is_newest_stem: bool = Field(description="This check heeds the dry stem that there is now, or that there is none.")
     findings: list[FindingRead]
     waiver: WaiverRead | None
 

@@ -16,6 +16,7 @@ from app.conformance.rules import (
     Report,
     asked_of,
     error_codes,
+    has_failed_comparison,
     mend_offers,
     parsed_spec,
     run_key,
@@ -23,11 +24,11 @@ from app.conformance.rules import (
     with_offers,
     with_waived,
 )
-from app.conformance.schemas import CheckRead, FindingRead, WaiverRead
+from app.conformance.schemas import BesideRead, CheckRead, FindingRead, WaiverRead
 from app.conformance.sets import same_sounds, with_set_word, words_on_sets
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
-from app.deliveries.rules import CHECKABLE, TakeState
+from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
 from app.deliveries.service import change_state, check_again, check_name, take_for
 from app.kit import clock
 from app.kit.events import publish
@@ -50,6 +51,15 @@ class TakeBefore:
 
 
 @dataclass(frozen=True)
+class StemBeside:
+    """The dry stem that a take is compared with."""
+
+    name: str
+    sha256: str
+    file_bytes: int
+
+
+@dataclass(frozen=True)
 class CheckOrder:
     """All that a check of one take needs to know, as of one moment."""
 
@@ -63,6 +73,7 @@ class CheckOrder:
     spec: audio_checks.DeliverySpec
     cue: audio_checks.CueFacts | None
     before: TakeBefore | None
+    stem: StemBeside | None
     key: str
 
 
@@ -79,6 +90,7 @@ def _order(session: Session, take: Take) -> CheckOrder:
     cue = cue_facts(take.cue) if take.cue else None
     resolved = resolved_spec(spec, take)
     name = check_name(session, take)
+    stem = deliveries.dry_stem_of(session, take)
     return CheckOrder(
         take_id=take.id,
         edition=take.edition,
@@ -90,7 +102,8 @@ def _order(session: Session, take: Take) -> CheckOrder:
         spec=resolved,
         cue=cue,
         before=_before(session, take),
-        key=run_key(take.master_sha256, resolved, cue, name),
+        stem=StemBeside(shown_name(base_name(stem.file_name)), stem.sha256, stem.file_bytes) if stem else None,
+        key=run_key(take.master_sha256, resolved, cue, name, stem.sha256 if stem else None),
     )
 
 
@@ -113,7 +126,7 @@ def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
 def known_report(session: Session, order: CheckOrder) -> Report | None:
     """Return what an earlier check with the same key said."""
     run = queries.run_with_key(session, order.studio_id, order.key)
-    return run.report if run else None
+    return run.report if run and not has_failed_comparison(run.report) else None
 
 
 def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
@@ -163,8 +176,8 @@ def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:
     return take
 
 
-def recheck_if_changed(session: Session, take_id: UUID) -> None:
-    """Have a take checked again where the spec or the list now asks something else of it."""
+def recheck_if_changed(session: Session, take_id: UUID, *, priority: int = BULK) -> None:
+    """Have a take checked again where spec, list or dry stem now ask something else of it."""
     take = deliveries.take_by_id(session, take_id, locked=True)
     if take is None or take.state not in CHECKABLE:
         return
@@ -173,7 +186,7 @@ def recheck_if_changed(session: Session, take_id: UUID) -> None:
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take
         return
-    check_again(session, take, priority=BULK)
+    check_again(session, take, priority=priority)
 
 
 def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRead:
@@ -221,6 +234,7 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
     specs = {take.project_id: newest}
     word = words_on_sets(session, [take.cue] if take.cue else [], specs, designer_id=designer_id).get(take.id)
     same = same_sounds(session, take, run.pcm_sha256, newest)
+    stem = deliveries.dry_stem_of(session, take)
     report = with_set_word(run.report, word.findings if word else (), same)
     return CheckRead(
         take_id=take.id,
@@ -234,6 +248,8 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
         facts=run.report["facts"],
         measurements=run.report["measurements"],
         judgements=run.report["judgements"],
+        dry_stem=BesideRead.model_validate(stem) if stem else None,
+        is_newest_stem=run.report.get("stem_sha256") == (stem.sha256 if stem else None),
         findings=told_findings(report, resolved, waiver.codes if waiver else []),
         waiver=waiver and _waiver_read(waiver),
     )

@@ -9,10 +9,12 @@ from sqlalchemy.orm import Session
 from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Scope, Sight
 from app.accounts.schemas import PersonBrief
-from app.deliveries import queries, service
+from app.deliveries import dry_stems, queries, service
 from app.deliveries.errors import (
     DeliveryNotFound,
+    DryStemNotFound,
     InHouseDesignerNeeded,
+    MakerNeeded,
     TakeNotFound,
     VariationUnknown,
     WrongState,
@@ -26,6 +28,8 @@ from app.deliveries.schemas import (
     DeliveryChange,
     DeliveryDetail,
     DeliveryRead,
+    DryStemGive,
+    DryStemRead,
     TakeAdd,
     TakeMatch,
     TakeRead,
@@ -45,6 +49,9 @@ router.include_router(uploads_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeRead, "description": "The same file was here before; this is its take."}
+}
+KEPT_BESIDE: dict[int | str, dict[str, Any]] = {
+    202: {"model": DryStemRead, "description": "It is named `…__dry`: no take, but the dry stem of the take so named."}
 }
 Cursor = Annotated[str | None, Query(description="`next` of the page before.")]
 Limit = Annotated[int, Query(ge=1, le=200)]
@@ -93,14 +100,16 @@ def see_delivery(
     session: DbSession,
     actor: Actor = allows(Sight.PROJECT, build=Scope.DELIVERIES_WRITE),
 ) -> DeliveryDetail:
-    """Show a delivery with its takes and ZIPs."""
+    """Show a delivery with its takes, dry stems and ZIPs."""
     delivery, standing = service.delivery_for(session, actor, delivery_id)
-    takes = service.read_takes(session, standing.project, queries.takes_in(session, delivery_id))
+    found = queries.takes_in(session, delivery_id)
+    takes = service.read_takes(session, standing.project, found)
     archives = [_archive_read(archive) for archive in queries.archives_in(session, delivery_id)]
     return DeliveryDetail(
         **_delivery_read(delivery, len(takes)).model_dump(exclude={"designer"}),
         designer=PersonBrief.model_validate(delivery.designer),
         takes=takes,
+        dry_stems=dry_stems.read_dry_stems(session, delivery_id, found),
         archives=archives,
     )
 
@@ -136,6 +145,7 @@ def change_delivery(
     status_code=201,
     response_model=TakeRead,
     responses=SAME_TAKE
+    | KEPT_BESIDE
     | problems(
         DeliveryNotFound, UploadNotFound, CueNotFound, DesignerNeeded, InHouseDesignerNeeded, UploadUnfinished,
         VariationUnknown,
@@ -147,10 +157,17 @@ def add_take(
     response: Response,
     session: DbSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
-) -> TakeRead:
+) -> TakeRead | Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
-    _, standing = service.own_delivery(session, actor, delivery_id)
+    delivery, standing = service.own_delivery(session, actor, delivery_id)
     upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
+    stem = dry_stems.stem_meant(session, delivery, body.file_name)
+    if stem is not None:
+        kept = dry_stems.receive_dry_stem(
+            session, actor, delivery_id, upload=upload, file_name=body.file_name, stem=stem
+        )
+        beside = dry_stems.read_dry_stem(session, kept)
+        return Response(beside.model_dump_json(), 202, media_type="application/json")
     take, already_here = service.receive_take(
         session,
         actor,
@@ -254,6 +271,50 @@ def download_master(
         file_name=shown_name(base_name(take.file_name)),
         headers={"Content-Security-Policy": "sandbox"},
         by_link=True,
+    )
+
+
+@router.put(
+    "/takes/{take_id}/dry-stem",
+    response_model=DryStemRead,
+    responses=problems(TakeNotFound, MakerNeeded, WrongState, UploadNotFound, UploadUnfinished),
+)
+def give_dry_stem(
+    take_id: UUID, body: DryStemGive, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+) -> DryStemRead:
+    """Give a take its sound without reverb; the take's reverb is then measured beside it."""
+    return dry_stems.read_dry_stem(session, dry_stems.give_dry_stem(session, actor, take_id, body.upload_id))
+
+
+@router.delete("/takes/{take_id}/dry-stem", status_code=204, responses=problems(TakeNotFound, MakerNeeded, WrongState))
+def withdraw_dry_stem(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> None:
+    """Withdraw a take's dry stem; the take is judged without it again."""
+    dry_stems.withdraw_dry_stem(session, actor, take_id)
+
+
+@router.get(
+    "/takes/{take_id}/dry-stem",
+    response_class=Response,
+    responses=problems(TakeNotFound, DryStemNotFound, BlobMissing)
+    | {200: {"content": {"application/octet-stream": {}}}},
+)
+def download_dry_stem(
+    take_id: UUID,
+    request: Request,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Sight.PROJECT),
+) -> Response:
+    """Give a take's dry stem exactly as it was delivered; ranges may be asked for."""
+    stem = dry_stems.dry_stem_in_sight(session, actor, take_id)
+    return blob_answer(
+        request,
+        runtime.store,
+        stem.studio_id,
+        stem.sha256,
+        media_type="application/octet-stream",
+        file_name=shown_name(base_name(stem.file_name)),
+        headers={"Content-Security-Policy": "sandbox", "Cache-Control": "private, no-cache"},  # another may come
     )
 
 

@@ -15,6 +15,14 @@ class TakeNotFound(NotFound):
     """No take of that id within the caller's sight."""
 
 
+class DryStemNotFound(NotFound):
+    """The take has no dry stem."""
+
+
+class MakerNeeded(Forbidden):
+    """Only the sound's own designer does this: takes a mend, gives a dry stem."""
+
+
 class WrongState(Conflict):
     """The take is not in a state from which this can be done."""
 

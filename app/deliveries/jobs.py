@@ -3,7 +3,7 @@
 from typing import Any
 from uuid import UUID
 
-from app.deliveries import queries, service, unzip
+from app.deliveries import dry_stems, queries, service, unzip
 from app.deliveries.errors import ArchiveRefused
 from app.deliveries.models import Archive
 from app.deliveries.rules import ArchiveState, shown_name
@@ -48,6 +48,8 @@ def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, ent
         take = queries.take_of_entry(session, archive.id, entry.place)
         if take is not None:
             return told | {"taken": True, "take_id": str(take.id)}
+        if (stem := queries.dry_stem_of_entry(session, archive.id, entry.place)) is not None:
+            return told | {"taken": True, "reason": _is_stem_of(stem.stem)}
     try:
         stored = runtime.store.put(archive.studio_id, opened.content(entry))
     except unzip.EntryBroken as error:
@@ -56,13 +58,21 @@ def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, ent
         delivery = queries.delivery_by_id(session, archive.delivery_id)
         if delivery is None:
             raise LookupError(f"archive {archive.id} has no delivery")
+        origin = Origin(archive_id=archive.id, archive_entry=entry.place)
+        if (name := dry_stems.stem_meant(session, delivery, entry.path)) is not None:
+            dry_stems.add_dry_stem(session, delivery, stored.sha256, stored.size_bytes, entry.path, name, origin)
+            return told | {"taken": True, "reason": _is_stem_of(name)}
         take, already_here = service.add_take(
             session,
             delivery,
             stored.sha256,
             stored.size_bytes,
             entry.path,
-            Origin(archive_id=archive.id, archive_entry=entry.place),
+            origin,
         )
         reason = "the same file was here before" if already_here else None
         return told | {"taken": True, "take_id": str(take.id), "reason": reason}
+
+
+def _is_stem_of(stem: str) -> str:
+    return f"no version of its own: the dry stem of {shown_name(stem)}"

@@ -82,6 +82,36 @@ class Take(Base):
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
+class DryStem(Base):
+    """A sound of a delivery without its reverb, by its name: what the takes of that name are compared with.
+
+    The newest that is not withdrawn counts. A withdrawn one is on record still, as everything that was delivered.
+    """
+
+    __tablename__ = "deliveries_dry_stems"
+    __table_args__ = (
+        UniqueConstraint("upload_id", "stem"),
+        UniqueConstraint("archive_id", "archive_entry"),
+        CheckConstraint("file_bytes >= 0", name="size_known"),
+        Index("ix_deliveries_dry_stems_of_takes", "delivery_id", "stem"),
+        Index("ix_deliveries_dry_stems_kept", "studio_id", "sha256", "file_bytes"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"))
+    stem: Mapped[str]  # of the takes that it is for: their file names without the ending
+    upload_id: Mapped[UUID | None] = mapped_column(ForeignKey(Upload.id))
+    archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
+    archive_entry: Mapped[int | None]  # its place in there
+    file_name: Mapped[str]  # as the designer named it; never a path
+    sha256: Mapped[str]
+    file_bytes: Mapped[int] = mapped_column(BigInteger)
+    received_at: Mapped[datetime] = mapped_column(default=clock.now)
+    withdrawn_at: Mapped[datetime | None]
+
+
 class Archive(Base):
     """A delivered ZIP and what became of it."""
 

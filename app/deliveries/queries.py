@@ -7,8 +7,9 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
-from app.deliveries.models import Archive, Delivery, Take
+from app.deliveries.models import Archive, Delivery, DryStem, Take
 from app.deliveries.rules import TakeState
+from app.deliveries.rules import stem_of as stem_of_name
 from app.kit.among import among
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
@@ -110,6 +111,47 @@ def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
 def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None:
     """Return the take that a file of a ZIP became."""
     return _one(session, Take.archive_id == archive_id, Take.archive_entry == place)
+
+
+def dry_stem_of(session: Session, take: Take) -> DryStem | None:
+    """Return the dry stem that a take is compared with."""
+    return session.scalar(_live_stems(take.delivery_id, stem_of_name(take.file_name)).limit(1))
+
+
+def live_stems(session: Session, delivery_id: UUID, stem: str) -> Sequence[DryStem]:
+    """Return the dry stems of one name in a delivery that are not withdrawn, the newest first."""
+    return session.scalars(_live_stems(delivery_id, stem)).all()
+
+
+def _live_stems(delivery_id: UUID, stem: str) -> Select[DryStem]:
+    return (
+        select(DryStem)
+        .where(DryStem.delivery_id == delivery_id, DryStem.stem == stem, DryStem.withdrawn_at.is_(None))
+        .order_by(DryStem.received_at.desc(), DryStem.id.desc())
+    )
+
+
+def dry_stem_of_upload(session: Session, upload_id: UUID, stem: str) -> DryStem | None:
+    """Return the dry stem that an upload became for takes of this name."""
+    return session.scalar(select(DryStem).where(DryStem.upload_id == upload_id, DryStem.stem == stem))
+
+
+def dry_stem_of_entry(session: Session, archive_id: UUID, place: int) -> DryStem | None:
+    """Return the dry stem that a file of a ZIP became."""
+    return session.scalar(select(DryStem).where(DryStem.archive_id == archive_id, DryStem.archive_entry == place))
+
+
+def dry_stems_in(session: Session, delivery_id: UUID) -> Sequence[DryStem]:
+    """Return the dry stems of a delivery that are not withdrawn, in the order they came."""
+    return session.scalars(
+        select(DryStem).where(DryStem.delivery_id == delivery_id, DryStem.withdrawn_at.is_(None)).order_by(DryStem.id)
+    ).all()
+
+
+def takes_beside(session: Session, delivery_id: UUID, stem: str) -> list[UUID]:
+    """Return the takes of a delivery that a dry stem of this name is for."""
+    rows = session.execute(select(Take.id, Take.file_name).where(Take.delivery_id == delivery_id).order_by(Take.id))
+    return [take_id for take_id, file_name in rows if stem_of_name(file_name) == stem]
 
 
 def same_take(session: Session, delivery: Delivery, sha256: str, cue_id: UUID | None, variation: int) -> Take | None:

@@ -88,6 +88,22 @@ def stems_to_try(file_name: str) -> list[tuple[str, int | None]]:
     return [(whole, None), (name.stem, name.alternate)]
 
 
+def dry_stem_for(file_name: str) -> str | None:
+    """Return the stem of the takes that a file is the dry stem of, by its name; None for any other name."""
+    return audio_checks.dry_stem_for(file_name)
+
+
+def stem_of(file_name: str) -> str:
+    """Return the stem by which a take finds its dry stem: its name as delivered without the ending."""
+    return audio_checks.stem_of_file(file_name)
+
+
+def ensure_undecided(state: TakeState) -> None:
+    """Raise WrongState where a take is decided upon: what its verdict went by stays."""
+    if state not in CHECKABLE:
+        raise WrongState(f"this version is {state.replace('_', ' ')}; what its verdict went by stays as it was")
+
+
 def alternate_of(file_name: str) -> int | None:
     """Return the number of the alternate that a name ends in; 2 for `_altB` and `__alt2`."""
     return audio_checks.parse_file_name(file_name).alternate

@@ -135,6 +135,26 @@ class TakeRead(Schema):
     already_here: bool = Field(False, description="The same file was here before; this is its take.")
 
 
+class DryStemGive(Schema):
+    """A finished upload into a take's delivery that is the take's sound without its reverb."""
+
+    upload_id: UUID
+
+
+class DryStemRead(Schema):
+    """A sound without its reverb; the takes of its name are compared with it."""
+
+    id: UUID
+    project_id: UUID
+    delivery_id: UUID
+    stem: str = Field(description="Of the takes that it is for: their file names without the ending.")
+    take_ids: list[UUID] = Field(description="The takes that it is for; none while they have not come.")
+    file_name: ShownName
+    file_bytes: int
+    sha256: str
+    received_at: datetime
+
+
 class TakeMatch(Schema):
     """The cue that a take is for."""
 
@@ -175,4 +195,5 @@ class DeliveryDetail(DeliveryRead):
     """A delivery with everything that came in it."""
 
     takes: list[TakeRead]
+    dry_stems: list[DryStemRead]
     archives: list[ArchiveRead]

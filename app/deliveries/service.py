@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.contracts.settlement import note_work
 from app.deliveries import queries
-from app.deliveries.errors import DeliveryClosed, DeliveryNotFound, InHouseDesignerNeeded, TakeNotFound
+from app.deliveries.errors import DeliveryClosed, DeliveryNotFound, InHouseDesignerNeeded, MakerNeeded, TakeNotFound
 from app.deliveries.models import Archive, Delivery, Take
 from app.deliveries.rules import (
     TakeState,
@@ -74,9 +74,16 @@ def own_delivery(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Del
     return delivery, standing
 
 
-def ensure_may_upload(session: Session, actor: Actor, delivery_id: UUID) -> Delivery:
-    """Return an open delivery that the caller may add to, before a byte is stored."""
+def ensure_may_upload(
+    session: Session, actor: Actor, delivery_id: UUID, *, beside_take_id: UUID | None = None
+) -> Delivery:
+    """Return an open delivery that the caller may add to, before a byte is stored.
+
+    A closed one takes what is to stand beside a take of it: a dry stem.
+    """
     delivery, _ = own_delivery(session, actor, delivery_id)
+    if beside_take_id is not None and take_for(session, actor, beside_take_id)[0].delivery_id == delivery_id:
+        return delivery
     if delivery.closed_at is not None:
         raise DeliveryClosed(f"delivery {delivery.number} is closed; open a new one")
     return delivery
@@ -155,7 +162,7 @@ def add_take(
 ) -> tuple[Take, bool]:
     """Add stored bytes to a delivery and ask for their check; see `receive_take`."""
     name = kept_name(file_name)
-    slot = slot or _slot_named(session, delivery.project_id, name)
+    slot = slot or slot_named(session, delivery.project_id, name)
     cue_id, variation = (slot.cue.id, slot.variation) if slot else (None, 1)
     number = queries.next_number(session, cue_id, variation) if cue_id else None
     same = queries.same_take(session, delivery, sha256, cue_id, variation)
@@ -231,6 +238,12 @@ def take_for(session: Session, actor: Actor, take_id: UUID, *, locked: bool = Fa
     if standing.only_designer_id not in (None, take.designer_id):
         raise TakeNotFound(f"no take {take_id}")
     return take, standing
+
+
+def ensure_maker(standing: Standing, take: Take) -> None:
+    """Raise MakerNeeded unless the caller is the designer who made the take, still engaged on its project."""
+    if standing.engagement is None or standing.actor.person != take.designer_id:
+        raise MakerNeeded("only the sound's own designer does this")
 
 
 def match_take(
@@ -332,7 +345,8 @@ def _slot_given(session: Session, standing: Standing, cue_id: UUID, variation: i
     return Slot(cue, variation, alternate_of(file_name))
 
 
-def _slot_named(session: Session, project_id: UUID, file_name: str) -> Slot | None:
+def slot_named(session: Session, project_id: UUID, file_name: str) -> Slot | None:
+    """Return the place in the list that a file is for by its name; None where no cue owns that."""
     for stem, alternate in stems_to_try(file_name):
         if (found := sound_lists.slot_by_stem(session, project_id, stem)) is not None:
             return Slot(*found, alternate)

@@ -125,7 +125,10 @@ async def begin_upload(
     tus_resumable: Tus = None,
     upload_length: Annotated[str | None, Header(description="How many bytes the whole file has.")] = None,
     upload_metadata: Annotated[
-        str | None, Header(description="`delivery_id` and `file_name`, `sha256` if known; values in Base64.")
+        str | None,
+        Header(
+            description="In Base64: `delivery_id`, `file_name`, `sha256` if known, `take_id` of what a dry stem is for."
+        ),
     ] = None,
     upload_checksum: Annotated[str | None, Header()] = None,
 ) -> Response:
@@ -139,8 +142,9 @@ async def begin_upload(
     checksum = _checksum(upload_checksum)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(
-        _permitted, runtime, actor, _uuid(metadata.get("delivery_id", "")), metadata.get("file_name", ""), length,
-        _sha256(metadata.get("sha256")),
+        _permitted, runtime, actor, _uuid("delivery_id", metadata.get("delivery_id", "")),
+        metadata.get("file_name", ""), length, _sha256(metadata.get("sha256")),
+        _uuid("take_id", metadata["take_id"]) if "take_id" in metadata else None,
     )  # fmt: skip
     if has_body:
         upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
@@ -250,6 +254,7 @@ async def put_upload(
     actor: UploadsActor,
     delivery_id: UUID,
     file_name: Annotated[str, Query(min_length=1, max_length=100_000)],
+    take_id: Annotated[UUID | None, Query(description="Of the take that a dry stem is for.")] = None,
     repr_digest: Annotated[str | None, Header(description="RFC 9530, `sha-256=:…:`")] = None,
     x_content_sha256: Annotated[str | None, Header(description="The file's SHA-256 in hex.")] = None,
 ) -> UploadRead:
@@ -259,7 +264,7 @@ async def put_upload(
         raise LengthRequired("say how long the file is: Content-Length is missing")
     expected = _sha256(x_content_sha256) or _repr_digest(repr_digest)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected)
+    upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected, take_id)
     try:
         upload = await uploads.receive(upload, 0, _body(request), announced=length)
         if upload.sha256 is None:
@@ -288,13 +293,19 @@ def _uploads(runtime: Runtime) -> Uploads:
 
 
 def _permitted(
-    runtime: Runtime, actor: Actor, delivery_id: UUID, file_name: str, length: int, expected_sha256: str | None
+    runtime: Runtime,
+    actor: Actor,
+    delivery_id: UUID,
+    file_name: str,
+    length: int,
+    expected_sha256: str | None,
+    beside_take_id: UUID | None,
 ) -> Upload:
     """Make room for a file, once it is certain that the caller may deliver it there."""
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:
-        studio_id = service.ensure_may_upload(session, actor, delivery_id).studio_id
+        studio_id = service.ensure_may_upload(session, actor, delivery_id, beside_take_id=beside_take_id).studio_id
     return _uploads(runtime).create(
         studio_id=studio_id,
         owner_id=service.uploader(actor),
@@ -357,11 +368,12 @@ def _text(name: str, value: str) -> str:
         raise BadUploadHeader(f"the value of {name!r} in Upload-Metadata is not UTF-8 in Base64") from None
 
 
-def _uuid(value: str) -> UUID:
+def _uuid(name: str, value: str) -> UUID:
     try:
         return UUID(value)
     except ValueError:
-        raise BadUploadHeader(f"delivery_id in Upload-Metadata is {value!r}; it must be the id of a delivery") from None
+        kind = name.removesuffix("_id")
+        raise BadUploadHeader(f"{name} in Upload-Metadata is {value!r}; it must be the id of a {kind}") from None
 
 
 def _checksum(header: str | None) -> Checksum | None:

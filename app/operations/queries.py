@@ -11,7 +11,7 @@ from app.accounts.models import Person, Studio
 from app.builds.models import PackedFile, StandIn
 from app.conformance.models import Mend
 from app.contracts.models import ContractVersion
-from app.deliveries.models import Archive, Take
+from app.deliveries.models import Archive, DryStem, Take
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.renders.models import MasterExport, Picture, Reel, Render
@@ -30,6 +30,7 @@ class Source(NamedTuple):
 
 KEPT = (
     Source(KeptKind.MASTERS, Take.studio_id, Take.master_sha256, Take.master_bytes),
+    Source(KeptKind.DRY_STEMS, DryStem.studio_id, DryStem.sha256, DryStem.file_bytes),
     Source(KeptKind.ARCHIVES, Archive.studio_id, Archive.sha256, Archive.archive_bytes),
     Source(KeptKind.GAME_FILES, Render.studio_id, Render.sha256, Render.file_bytes),
     Source(KeptKind.MENDS, Mend.studio_id, Mend.sha256, Mend.mended_bytes),

@@ -67,6 +67,7 @@ class KeptKind(StrEnum):
     """What a kept file is."""
 
     MASTERS = "masters"
+    DRY_STEMS = "dry_stems"  # withdrawn ones too
     ARCHIVES = "archives"  # ZIPs as they were delivered
     GAME_FILES = "game_files"
     DRAWINGS = "drawings"  # wave shapes, spectrum and preview of one sound together

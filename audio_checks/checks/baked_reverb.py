@@ -6,7 +6,8 @@ How to fix: deliver the sound dry, with its own decay but without sends, rooms o
 part of the design, say so in the sound list (`designed-tail`), or deliver it as a layer of its own.
 Source: the delivery spec, `[engine] adds`. Reverb is judged, not measured: by how the bands fall, what the
 tail is made of beside the head, and how alike left and right stay; docs/judgements.md says how often that is
-right. "Cannot tell" is no finding, and a cue whose list asks for a designed tail has none.
+right. Beside a dry stem (`warp_in__dry.wav` beside `warp_in.wav`) it is what was added that counts. "Cannot
+tell" is no finding, and a cue whose list asks for a designed tail has none.
 """
 
 from collections.abc import Iterator
@@ -36,9 +37,10 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
         return
     rt60_s, score = judged.figures["rt60_s"], score_in_words(judged.score)
     why = "the game adds its own" if "reverb" in spec.engine.adds else "the spec asks for a dry sound"
+    added = f" added to {judged.figures['beside']}" if "beside" in judged.figures else ""
     yield Finding(
         code="baked-reverb:heard",
-        message=f"reverb of about {rt60_s:.1f} s, score {score} of 1, and {why}: needs a listen",
+        message=f"reverb of about {rt60_s:.1f} s{added}, score {score} of 1, and {why}: needs a listen",
         fix="take the reverb off, and deliver its tail as a layer of its own"
         if cue is not None and cue.reverb == "separate-tail"
         else "take the reverb off, or say in the sound list that the tail is part of the design",

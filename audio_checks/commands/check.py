@@ -19,7 +19,7 @@ from audio_checks.arguments import (
     spec_for,
 )
 from audio_checks.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_bytes, read_baseline
-from audio_checks.discovery import Found, SpecFinder
+from audio_checks.discovery import Found, SpecFinder, dry_stems
 from audio_checks.findings import FileReport, Report, printable, with_waivers
 from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.progress import Progress
@@ -113,12 +113,17 @@ class _Judging:
         self.specs: list[DeliverySpec] = []
         self._spec_of: dict[str, DeliverySpec | None] = {}
         self._views: dict[tuple[int, str | None], DeliverySpec] = {}
+        self._dry: dict[str, str] = {}  # stems by the files that they are judged beside; what ships has none
+        self._stems: frozenset[str] = frozenset()
 
     def tasks(self) -> list["Task"]:
         """Return a task for every file that is meant, and say what is doubtful about the specs."""
         options = self._options
         found = found_files(options, may_be_none=options.allow_empty)
         self._spec_of = {one.path: spec_for(one.path, self._finder, options) for one in found}
+        if options.target is None:
+            self._dry = dry_stems((one.path for one in found), self.sound_list)
+            self._stems = frozenset(self._dry.values())
         if options.changed_since is not None:
             found = self._changed(found)
         specs = [self._spec_of[one.path] for one in found]
@@ -132,9 +137,11 @@ class _Judging:
     def _task(self, path: str, spec: DeliverySpec | None) -> "Task":
         from audio_checks import runner
 
-        target, category = self._options.target, self._options.category
+        if path in self._stems:
+            return runner.Task(path)  # held to its structure alone
+        target, category, dry = self._options.target, self._options.category, self._dry.get(path)
         return runner.task_for(
-            path, spec, target=target, category=category, sound_list=self.sound_list, views=self._views
+            path, spec, target=target, category=category, sound_list=self.sound_list, views=self._views, dry=dry
         )
 
     def _changed(self, found: list[Found]) -> list[Found]:
@@ -151,7 +158,12 @@ class _Judging:
             of_all[id(spec)] = bool(new)
             for rule in new:
                 say(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
-        touched = [one for one in found if of_all[id(self._spec_of[one.path])] or changes.touch(one.path)]
+        touched = [
+            one
+            for one in found
+            if of_all[id(self._spec_of[one.path])]
+            or any(changes.touch(path) for path in (one.path, self._dry.get(one.path)) if path)
+        ]
         if not touched:
             say(f"nothing to judge: no audio differs from {options.changed_since}")
         return touched

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from audio_checks.arguments import FOUND, OK, WRONG, UsageError, add_paths, add_spec, found_files, spec_for
 from audio_checks.check_names import Severity
-from audio_checks.discovery import SpecFinder
+from audio_checks.discovery import SpecFinder, without_dry_stems
 from audio_checks.outputs import FORMAT_HELP, Outputs
 from audio_checks.progress import Progress
 from audio_checks.sound_list import read_sound_list
@@ -40,8 +40,8 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("a mend answers a spec: name it with --spec")
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
-    found = found_files(options)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    found = without_dry_stems(found_files(options), sound_list)
     mending = MendRun(Path(options.out), options.target, options.category, sound_list)
     with Progress(len(found), shown=not options.no_progress) as progress:
         for one in found:

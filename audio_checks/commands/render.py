@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from audio_checks.arguments import FOUND, OK, UsageError, add_paths, add_spec, found_files, spec_for
-from audio_checks.discovery import SpecFinder
+from audio_checks.discovery import SpecFinder, without_dry_stems
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.findings import printable
 from audio_checks.sound_list import read_sound_list
@@ -30,8 +30,8 @@ def run(options: argparse.Namespace) -> int:
     if options.spec is None:
         raise UsageError("renders are made to the targets of a spec: name it with --spec")
     finder = SpecFinder(options.spec)
-    found = found_files(options)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    found = without_dry_stems(found_files(options), sound_list)
     run, code = RenderRun(options.out, replaces=options.replace), OK
     told: list[dict[str, Any]] = []
     for one in found:

@@ -33,7 +33,7 @@ from app.contracts.models import (
     WorkedDay,
 )
 from app.contracts.rules import ContractKind, ContractState, LineKind
-from app.deliveries.models import Delivery, Take
+from app.deliveries.models import Delivery, DryStem, Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import new_id
@@ -100,7 +100,15 @@ class House(World):
             master_sha256=self.sha256,
             master_bytes=len(FILE),
         )
-        session.add(take)
+        dry_stem = DryStem(
+            **of,
+            delivery_id=delivery.id,
+            stem="shield_hit",
+            file_name="shield_hit__dry.wav",
+            sha256=self.sha256,
+            file_bytes=len(FILE),
+        )
+        session.add_all([take, dry_stem])
         session.flush()
         spec = current_spec(session, self.project_id)
         picture = Picture(

@@ -2002,7 +2002,7 @@ export interface paths {
         };
         /**
          * See Delivery
-         * @description Show a delivery with its takes and ZIPs.
+         * @description Show a delivery with its takes, dry stems and ZIPs.
          */
         get: operations["see_delivery"];
         put?: never;
@@ -2152,6 +2152,34 @@ export interface paths {
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/dry-stem": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Dry Stem
+         * @description Give a take's dry stem exactly as it was delivered; ranges may be asked for.
+         */
+        get: operations["download_dry_stem"];
+        /**
+         * Give Dry Stem
+         * @description Give a take its sound without reverb; the take's reverb is then measured beside it.
+         */
+        put: operations["give_dry_stem"];
+        post?: never;
+        /**
+         * Withdraw Dry Stem
+         * @description Withdraw a take's dry stem; the take is judged without it again.
+         */
+        delete: operations["withdraw_dry_stem"];
         options?: never;
         head?: never;
         patch?: never;
@@ -3904,6 +3932,23 @@ export interface components {
             reason: string;
         };
         /**
+         * BesideRead
+         * @description The dry stem that a take has now; `judgements.reverb.stem` says what was found beside it.
+         */
+        BesideRead: {
+            /** File Name */
+            file_name: string;
+            /** File Bytes */
+            file_bytes: number;
+            /** Sha256 */
+            sha256: string;
+            /**
+             * Received At
+             * Format: date-time
+             */
+            received_at: string;
+        };
+        /**
          * BlockRead
          * @description A head, a paragraph, one item of a list, or a table whose first row is its head.
          */
@@ -4235,6 +4280,12 @@ export interface components {
             judgements: {
                 [key: string]: unknown;
             };
+            dry_stem: components["schemas"]["BesideRead"] | null;
+            /**
+             * Is Newest Stem
+             * @description This check heeds the dry stem that there is now, or that there is none.
+             */
+            is_newest_stem: boolean;
             /** Findings */
             findings: components["schemas"]["FindingRead"][];
             waiver: components["schemas"]["WaiverRead"] | null;
@@ -5176,6 +5227,8 @@ export interface components {
             takes_count: number;
             /** Takes */
             takes: components["schemas"]["TakeRead"][];
+            /** Dry Stems */
+            dry_stems: components["schemas"]["DryStemRead"][];
             /** Archives */
             archives: components["schemas"]["ArchiveRead"][];
         };
@@ -5366,6 +5419,59 @@ export interface components {
             note: string;
             /** Based On Version */
             based_on_version: number;
+        };
+        /**
+         * DryStemGive
+         * @description A finished upload into a take's delivery that is the take's sound without its reverb.
+         */
+        DryStemGive: {
+            /**
+             * Upload Id
+             * Format: uuid
+             */
+            upload_id: string;
+        };
+        /**
+         * DryStemRead
+         * @description A sound without its reverb; the takes of its name are compared with it.
+         */
+        DryStemRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Delivery Id
+             * Format: uuid
+             */
+            delivery_id: string;
+            /**
+             * Stem
+             * @description Of the takes that it is for: their file names without the ending.
+             */
+            stem: string;
+            /**
+             * Take Ids
+             * @description The takes that it is for; none while they have not come.
+             */
+            take_ids: string[];
+            /** File Name */
+            file_name: string;
+            /** File Bytes */
+            file_bytes: number;
+            /** Sha256 */
+            sha256: string;
+            /**
+             * Received At
+             * Format: date-time
+             */
+            received_at: string;
         };
         /**
          * EndAdd
@@ -6212,7 +6318,7 @@ export interface components {
          * @description What a kept file is.
          * @enum {string}
          */
-        KeptKind: "masters" | "archives" | "game_files" | "drawings" | "mends" | "reels" | "exports" | "stand_ins" | "documents";
+        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "mends" | "reels" | "exports" | "stand_ins" | "documents";
         /**
          * LaneRead
          * @description The jobs of one studio and one urgency; lanes take turns.
@@ -15364,6 +15470,8 @@ export interface operations {
             query: {
                 delivery_id: string;
                 file_name: string;
+                /** @description Of the take that a dry stem is for. */
+                take_id?: string | null;
             };
             header?: {
                 /** @description RFC 9530, `sha-256=:…:` */
@@ -15489,7 +15597,7 @@ export interface operations {
                 "Tus-Resumable"?: string | null;
                 /** @description How many bytes the whole file has. */
                 "upload-length"?: string | null;
-                /** @description `delivery_id` and `file_name`, `sha256` if known; values in Base64. */
+                /** @description In Base64: `delivery_id`, `file_name`, `sha256` if known, `take_id` of what a dry stem is for. */
                 "upload-metadata"?: string | null;
                 "upload-checksum"?: string | null;
             };
@@ -16286,6 +16394,15 @@ export interface operations {
                     "application/json": components["schemas"]["TakeRead"];
                 };
             };
+            /** @description It is named `…__dry`: no take, but the dry stem of the take so named. */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DryStemRead"];
+                };
+            };
             /** @description `designer-needed`, `in-house-designer-needed` */
             403: {
                 headers: {
@@ -16572,6 +16689,173 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_dry_stem: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description `take-not-found`, `dry-stem-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    give_dry_stem: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DryStemGive"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DryStemRead"];
+                };
+            };
+            /** @description `maker-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found`, `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state`, `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    withdraw_dry_stem: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `maker-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

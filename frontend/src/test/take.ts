@@ -64,6 +64,8 @@ export const aCheck = (check: object = {}) => ({
   facts: { container: 'wav', encoding: 'pcm', sample_rate_hz: 48_000, bit_depth: 24, channels: 1, duration_s: 0.8 },
   measurements: { sample_peak_dbfs: 0, true_peak_dbtp: 0.62, bandwidth_hz: 19_000, head_silence_ms: 412 },
   judgements: {},
+  dry_stem: null,
+  is_newest_stem: true,
   findings: [LATE, LOUD],
   waiver: null,
   ...check,

@@ -91,8 +91,9 @@ export function DeliveryCard({
           <p>
             <span className="strong">Drop files, a folder or a ZIP anywhere on this page.</span>{' '}
             <span className="mid">
-              The name says which cue a file is for; what no name fits waits here until you say. A line that drops loses
-              nothing.
+              The name says which cue a file is for; what no name fits waits here until you say. A file named{' '}
+              <span className="mono">…__dry.wav</span> is no version: it is the dry stem of the one of that name. A line
+              that drops loses nothing.
             </span>
           </p>
           <span className={classes.choose}>

@@ -68,7 +68,8 @@ export class DeliveryUploads {
       await addArchive(deliveryId, { upload_id: uploadId, file_name: upload.path })
     } else {
       const body = { upload_id: uploadId, file_name: upload.path, cue_id: upload.cueId, note: '' }
-      this.#takes.set(upload.id, await addTake(deliveryId, body))
+      const made = await addTake(deliveryId, body)
+      if ('state' in made) this.#takes.set(upload.id, made) // else it is a dry stem, which the delivery lists
     }
     void this.#client.invalidateQueries({ queryKey: keys.delivery(deliveryId) })
     void refresh(this.#client, this.#projectId)

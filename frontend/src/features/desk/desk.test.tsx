@@ -426,7 +426,7 @@ describe('delivering', () => {
     const { asked } = serve(
       answers({
         'GET /v1/projects/p1/deliveries': { items: [DELIVERY], next: null },
-        'GET /v1/deliveries/d4': { ...DELIVERY, takes, archives: [] },
+        'GET /v1/deliveries/d4': { ...DELIVERY, takes, dry_stems: [], archives: [] },
         'PATCH /v1/deliveries/d4': { ...DELIVERY, note: 'Doors.' },
         'POST /v1/deliveries/d4/close': { ...DELIVERY, closed_at: '2026-11-17T10:00:00Z' },
       }),

@@ -53,6 +53,7 @@ const detail = (more: Partial<DeliveryDetail>): DeliveryDetail => ({
   designer: { id: 'x3', name: 'Sound designer' },
   takes_count: 1,
   takes: [],
+  dry_stems: [],
   archives: [],
   ...more,
 })
@@ -138,11 +139,34 @@ describe('what became of the files', () => {
   })
 })
 
+test('a dry stem is no version: it stands beside the one it is for, or waits for it', () => {
+  const stem = {
+    id: 's',
+    project_id: 'p1',
+    delivery_id: 'd1',
+    stem: 'warp_in',
+    take_ids: ['t1'],
+    file_name: 'warp_in__dry.wav',
+    file_bytes: 1_200_000,
+    sha256: 's',
+    received_at: '2026-11-17T09:00:00Z',
+  }
+  const beside = rows([], detail({ dry_stems: [stem] }))
+  expect(beside.done.map(({ state, detail: said }) => [state, said])).toEqual([
+    ['passed', 'the dry stem of warp_in, 1.2 MB'],
+  ])
+  const waiting = rows([], detail({ dry_stems: [{ ...stem, take_ids: [] }] }))
+  expect(waiting.open.map(({ state, detail: said }) => [state, said])).toEqual([
+    ['waiting', 'the dry stem of warp_in, which has not come; send it into this delivery'],
+  ])
+})
+
 test.each([
   ['warp_in.wav', null, 'SW-018'],
   ['warp_in_v03.wav', null, 'SW-018'],
   ['warp_in_altB.wav', null, 'SW-018'],
   ['warp_in__alt2_v1.wav', null, 'SW-018'],
+  ['warp_in_v03__dry.wav', null, 'SW-018'],
   ['foot_02.wav', null, 'SW-008'],
   ['warp.wav', null, ''],
   ['warp.wav', 'c8', 'SW-008'],

@@ -2,7 +2,7 @@ import { bytes, bytesOf, figure, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 import type { Upload } from '@/uploads'
 
-import type { Archive, DeliveryDetail, Take } from './api'
+import type { Archive, DeliveryDetail, DryStem, Take } from './api'
 
 /** One line of the delivery, whatever it stands for. */
 export interface DeliveryRow {
@@ -31,7 +31,10 @@ export function labelsOf(cues: readonly { id: string; label: string; stems: stri
   return ({ cueId, file }) => {
     if (cueId !== null) return byId.get(cueId) ?? ''
     const whole = file.name.normalize('NFC').replace(/\.[^.]+$/, '')
-    const bare = whole.replace(/_v\d+$/i, '').replace(/(?:__alt\d+|_alt[A-Z])$/, '')
+    const bare = whole
+      .replace(/__dry$/, '')
+      .replace(/_v\d+$/i, '')
+      .replace(/(?:__alt\d+|_alt[A-Z])$/, '')
     return byStem.get(whole) ?? byStem.get(bare) ?? ''
   }
 }
@@ -124,6 +127,22 @@ function ofTake(take: Take): DeliveryRow {
   }
 }
 
+function ofDryStem(stem: DryStem): DeliveryRow {
+  const of = `the dry stem of ${stem.stem}`
+  return {
+    id: stem.id,
+    name: stem.file_name,
+    label: '',
+    state: stem.take_ids.length > 0 ? 'passed' : 'waiting',
+    share: null,
+    detail:
+      stem.take_ids.length > 0
+        ? `${of}, ${bytes(stem.file_bytes)}`
+        : `${of}, which has not come; send it into this delivery`,
+    does: null,
+  }
+}
+
 function ofArchive(archive: Archive): DeliveryRow[] {
   const taken = archive.entries.filter((entry) => entry.taken).length
   const head: DeliveryRow = {
@@ -175,6 +194,7 @@ export function rowsOf(
   const here = detail
     ? [
         ...detail.archives.flatMap(ofArchive),
+        ...detail.dry_stems.map(ofDryStem),
         ...detail.takes.toSorted((a, b) => b.received_at.localeCompare(a.received_at)).map(ofTake),
       ]
     : []

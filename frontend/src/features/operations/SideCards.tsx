@@ -11,6 +11,7 @@ import { laneKey, laneLine, laneWords } from './words'
 
 const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   masters: 'master',
+  dry_stems: 'dry stem',
   archives: 'ZIP file',
   game_files: 'game file',
   drawings: 'preview',

@@ -4,7 +4,8 @@ import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
 import { figure, score } from '@/ui/format'
 
-import type { Check } from './api'
+import type { Check, Take } from './api'
+import { DryStem } from './DryStem'
 import { type DecayBand, type ReverbBefore, type ReverbEvidence, reverbOf } from './reverb'
 import classes from './Take.module.css'
 
@@ -15,10 +16,17 @@ const LINES_DB = [-20, -40]
 /** Smaller changes of a decay time are not spoken of. */
 const LEAST_CHANGE_S = 0.05
 
+interface ReverbCardProps {
+  take: Take
+  check: Check | null | undefined
+  /** Who looks has made it, and may add its dry stem. */
+  isMaker: boolean
+}
+
 /** What the judgement of reverb goes by: how each octave dies away, and how alike left and right stay. */
-export function ReverbCard({ check }: { check: Check | null | undefined }) {
+export function ReverbCard({ take, check, isMaker }: ReverbCardProps) {
   const evidence = check ? reverbOf(check.judgements) : null
-  if (!evidence) return null
+  if (!check || !evidence) return null
   return (
     <Card aria-labelledby="reverb">
       <CardHead id="reverb" title="Is there reverb in it?" end={answer(evidence)} />
@@ -32,6 +40,7 @@ export function ReverbCard({ check }: { check: Check | null | undefined }) {
           </figcaption>
         </figure>
         <DecayTable evidence={evidence} />
+        <DryStem take={take} check={check} found={evidence.stem} mayGive={isMaker} />
         {evidence.before && <BesideBefore before={evidence.before} />}
       </div>
     </Card>

@@ -1,6 +1,6 @@
-import { useQuery } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import { type ReactNode, useMemo, useState } from 'react'
+import { type ReactNode, useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
@@ -73,6 +73,12 @@ const nameOf = ({ cue, file_name, number }: Take): string =>
 function WithSounds({ take }: { take: Take }) {
   const { data: sounds, error: noSounds } = useSounds(take.id)
   const { data: check, error: noCheck } = useQuery(checkQuery(take))
+  const client = useQueryClient()
+  const isElsewhere = check != null && check.state !== take.state
+  useEffect(() => {
+    // The check was asked later, and has seen it move on.
+    if (isElsewhere) void client.invalidateQueries({ queryKey: takeQuery(take.id).queryKey, exact: true })
+  }, [client, isElsewhere, take.id])
   const problem = [noSounds, noCheck].find((each) => each instanceof ApiProblem)
   return (
     <TakeSheet take={take} sounds={sounds} check={check}>
@@ -183,7 +189,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
             </Card>
           )}
           <SpectrumCard peaksUrl={master?.peaks_url ?? null} check={check} />
-          <ReverbCard check={check} />
+          <ReverbCard take={take} check={check} isMaker={isMaker} />
           <ReversedCard check={check} />
           <UpsampledCard check={check} />
           <LossyCard check={check} />

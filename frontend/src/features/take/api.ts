@@ -1,4 +1,4 @@
-import { queryOptions } from '@tanstack/react-query'
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem } from '@/api'
 import type { components } from '@/api/schema.gen'
@@ -26,9 +26,19 @@ export const takeQuery = (takeId: string) =>
     refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
   })
 
-/** What the newest check says of it; null before the first one. */
+const UNDECIDED: readonly Take['state'][] = ['received', 'conforming', 'returned', 'unjudged']
+
+/** Whether no verdict stands on what was found of it, so that it may be found anew. */
+export const isUndecided = ({ state }: Pick<Take, 'state'>): boolean => UNDECIDED.includes(state)
+
+/** Whether it is being checked again beside another dry stem, or without. */
+export const isComparing = (check: Check): boolean => !check.is_newest_stem && isUndecided(check)
+
+/** What the newest check says of it, asked again while that is about to change; null before the first one. */
 export const checkQuery = (take: Take) =>
   queryOptions({
+    refetchInterval: ({ state: { data } }: { state: { data?: Check | null } }) =>
+      data && isComparing(data) ? POLL_MS : false,
     queryKey: ['take', take.id, 'check', take.state, take.state_since],
     queryFn: async (): Promise<Check | null> => {
       try {
@@ -45,6 +55,18 @@ export const historyQuery = (takeId: string) =>
     queryKey: keys.history(takeId),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', ofTake(takeId))),
   })
+
+/** Give a version its dry stem, which an upload into its delivery brought. */
+export const giveDryStem = (takeId: string, uploadId: string) =>
+  answered(api.PUT('/v1/takes/{take_id}/dry-stem', { ...ofTake(takeId), body: { upload_id: uploadId } }))
+
+export function useWithdrawDryStem(takeId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.DELETE('/v1/takes/{take_id}/dry-stem', ofTake(takeId))),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['take', takeId] }),
+  })
+}
 
 /** How a version lies among the approved sounds; for the team. */
 export const fitQuery = (take: Take) =>

@@ -22,7 +22,24 @@ export interface ReverbEvidence {
   stepS: number
   bands: readonly DecayBand[]
   isStereo: boolean
+  stem: ReverbStem | null
   before: ReverbBefore | null
+}
+
+/** What was found beside its dry stem. */
+export interface ReverbStem {
+  verdict: string
+  /** Of what was added. */
+  rt60S: number | null
+  wetDb: number | null
+  /** Why nothing can be said. */
+  why: string
+}
+
+function stemOf(value: unknown): ReverbStem | null {
+  if (!isTable(value) || typeof value.verdict !== 'string') return null
+  const why = typeof value.why === 'string' ? value.why : ''
+  return { verdict: value.verdict, rt60S: numberOf(value.rt60_s), wetDb: numberOf(value.wet_db), why }
 }
 
 /** What its reverb is beside that of the designer's version before. */
@@ -78,6 +95,7 @@ export function reverbOf(judgements: Values): ReverbEvidence | null {
     stepS: numberOf(decay.step_s) ?? 0,
     bands,
     isStereo: sides.length > 0,
+    stem: stemOf(reverb.stem),
     before: beforeOf(reverb.before),
   }
 }

@@ -1,0 +1,174 @@
+import { useQueryClient } from '@tanstack/react-query'
+import { useCallback, useEffect, useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { ended } from '@/judging/findings'
+import { Button, ButtonLink } from '@/ui/Button'
+import { ago, bytes, bytesOf, figure } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+import { ProblemNote } from '@/ui/ProblemNote'
+import {
+  filesOfField,
+  partsTransport,
+  type Picked,
+  tusTransport,
+  type Upload,
+  UploadQueue,
+  useLeaveWarning,
+  usePageDrop,
+  useUploads,
+} from '@/uploads'
+
+import { type Check, giveDryStem, isComparing, isUndecided, type Take, useWithdrawDryStem } from './api'
+import type { ReverbStem } from './reverb'
+import classes from './Take.module.css'
+
+interface DryStemProps {
+  take: Take
+  check: Check
+  found: ReverbStem | null
+  mayGive: boolean
+}
+
+/** The same sound without reverb, beside which nothing needs to be guessed: what was added, or how to give one. */
+export function DryStem({ take, check, found, mayGive }: DryStemProps) {
+  const { dry_stem: stem } = check
+  const gives = mayGive && isUndecided(take)
+  if (!stem && !gives && !isComparing(check)) return null
+  return (
+    <section className={`stack ${classes.stem}`} aria-labelledby="dry-stem">
+      <h3 id="dry-stem" className="strong">
+        Beside its dry stem
+      </h3>
+      <p className="small" role="status">
+        {saidOf(check, found)}
+      </p>
+      {stem && (
+        <div className="row wrap small">
+          <span className="mid">
+            <span className="mono">{stem.file_name}</span>, {bytes(stem.file_bytes)}, {ago(stem.received_at)}
+          </span>
+          <ButtonLink variant="quiet" href={`/v1/takes/${take.id}/dry-stem`} download icon="download">
+            Download the stem
+          </ButtonLink>
+          {gives && <Withdraw takeId={take.id} />}
+        </div>
+      )}
+      {gives && <Give take={take} isFirst={!stem} />}
+    </section>
+  )
+}
+
+/** What was found, in a sentence or two; whose turn it is where nothing was found yet. */
+function saidOf(check: Check, found: ReverbStem | null): string {
+  if (isComparing(check)) return check.dry_stem ? 'The two are being compared …' : 'It is judged without the stem …'
+  if (!check.dry_stem) return 'With the same sound without reverb beside it, nothing needs to be guessed.'
+  if (!check.is_newest_stem) return 'It came after the verdict, which stands on what was found before.'
+  if (found === null) return 'Nothing in this version can be compared with it.'
+  if (found.verdict === 'dry') return 'Nothing was added, down to 30 dB under the sound.'
+  if (found.verdict === 'reverb') return `Reverb was added${tailOf(found)}.`
+  const why = `${found.why.charAt(0).toUpperCase()}${found.why.slice(1)}`
+  if (found.verdict === 'unreadable') return `The stem cannot be read. ${ended(why)}`
+  if (found.verdict === 'failed') return `${ended(why)} That is our fault; a new check tries again.`
+  return `${why}, so the judgement without the stem stands.`
+}
+
+const tailOf = ({ wetDb, rt60S }: ReverbStem): string =>
+  wetDb === null || rt60S === null
+    ? ''
+    : `: its tail lies ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s`
+
+function Withdraw({ takeId }: { takeId: string }) {
+  const { mutate, isPending, error } = useWithdrawDryStem(takeId)
+  return (
+    <>
+      <Button variant="quiet" icon="cross" disabled={isPending} onClick={() => mutate()}>
+        Withdraw it
+      </Button>
+      {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+    </>
+  )
+}
+
+/** Takes a file by choice or by drop, and carries it whatever the line does. */
+function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
+  const client = useQueryClient()
+  const field = useRef<HTMLInputElement>(null)
+  const [queue] = useState(() => {
+    const where = {
+      endpoint: '/v1/uploads',
+      metadata: ({ file }: Upload) => ({ delivery_id: take.delivery_id, take_id: take.id, file_name: file.name }),
+    }
+    return new UploadQueue({
+      accepts: ['wav', 'rf64', 'flac'],
+      atATime: 1,
+      transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
+      onFinished: async (_, uploadId) => {
+        await giveDryStem(take.id, uploadId)
+        await client.invalidateQueries({ queryKey: ['take', take.id] })
+      },
+    })
+  })
+  useEffect(() => () => queue.dispose(), [queue])
+  const { uploads } = useUploads(queue)
+  useLeaveWarning(uploads)
+  const newest = uploads.at(-1)
+  const going = newest !== undefined && isGoing(newest)
+  const add = useCallback(
+    (picked: readonly Picked[]) => {
+      const first = picked[0]
+      if (first === undefined || queue.get().some(isGoing)) return
+      for (const { id } of queue.get()) queue.dismiss(id)
+      void queue.add([first])
+    },
+    [queue],
+  )
+  const over = usePageDrop(add)
+  return (
+    <div className={classes.stemDrop} data-over={over || undefined}>
+      <input
+        ref={field}
+        type="file"
+        hidden
+        aria-label="File of the dry stem"
+        accept=".wav,.wave,.flac,audio/*"
+        onChange={({ currentTarget }) => {
+          add(filesOfField(currentTarget.files ?? []))
+          currentTarget.value = ''
+        }}
+      />
+      {going ? (
+        <Going upload={newest} onStop={() => queue.stop(newest.id)} />
+      ) : (
+        <>
+          <Button icon="upload" onClick={() => field.current?.click()}>
+            {isFirst ? 'Add the dry stem' : 'Put another in its place'}
+          </Button>
+          <span className="small mid">
+            or drop it anywhere on this page. In a delivery a file named <span className="mono">…__dry.wav</span> does
+            the same.
+          </span>
+        </>
+      )}
+      {newest?.state === 'not_sent' && newest.reason !== null && <ProblemNote detail={ended(newest.reason)} />}
+    </div>
+  )
+}
+
+const isGoing = ({ state }: Upload): boolean => ['waiting', 'sending', 'line_lost', 'paused'].includes(state)
+
+function Going({ upload: { file, sentBytes, state }, onStop }: { upload: Upload; onStop: () => void }) {
+  const share = file.size > 0 ? sentBytes / file.size : 0
+  const here = bytesOf(sentBytes, file.size)
+  return (
+    <>
+      <span className={classes.stemBar}>
+        <Meter thin label={`${file.name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
+      </span>
+      <span className="small mid">
+        {state === 'line_lost' ? `The line dropped at ${here}. It goes on by itself from there.` : here}
+      </span>
+      <Button square variant="quiet" icon="cross" aria-label={`Stop ${file.name}`} onClick={onStop} />
+    </>
+  )
+}
