@@ -18,7 +18,7 @@ from app.accounts.doors import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import cues
-from app.demo.sounds import DemoSound, demo_sounds
+from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
 from app.kit import clock
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -158,6 +158,7 @@ class _Maker:
                 self._sounds["suit_hit_take2"],
                 self._sounds["missile_launch_take3"],
                 self._sounds["final_FINAL_sting2"],
+                warp_in_stem(),
                 *self._files(("thruster_burst", "warp_in", "drone_swarm_loop", "vo_oath")),
             ],
         )
@@ -222,7 +223,7 @@ class _Maker:
     def _deliver(self, note: str, sounds: list[DemoSound]) -> None:
         delivery = self._designer.ask("POST", f"/projects/{self._project}/deliveries", once=note, json={"note": note})
         known = self._designer.ask("GET", f"/deliveries/{delivery['id']}")
-        there = {take["file_name"] for take in known["takes"]}
+        there = {one["file_name"] for one in [*known["takes"], *known["dry_stems"]]}
         for sound in sounds:
             if sound.file_name not in there:
                 self._ensure_going()

@@ -396,6 +396,16 @@ def _rounded(signal: Signal, clock: Clock, out_s: float) -> Signal:
 
 def warp_in(clock: Clock) -> Signal:
     """Return own ship's arrival, 1.2 s of suction and blow, in a hall of 1.8 s that its list did not ask for."""
+    hall = _in_hall(_arrival(clock), clock, rt60_s=1.8, wet_db=-4.0)
+    return at_true_peak(_faded(hall, clock, 0.12), -1.5)
+
+
+def warp_in_dry(clock: Clock) -> Signal:
+    """Return own ship's arrival as it was before the hall."""
+    return at_true_peak(mono(faded(_arrival(clock), clock, 0.12)), -1.5)
+
+
+def _arrival(clock: Clock) -> Signal:
     times = clock.times()
     arrival_s = 0.62
     pull = np.where(
@@ -404,8 +414,7 @@ def warp_in(clock: Clock) -> Signal:
     suction = (noise(clock, 1, 500, 5_000, -2) + 0.6 * tone(clock, 180 + 900 * (times / arrival_s) ** 2)) * pull * 0.5
     blow = burst(clock, 2, arrival_s, [(50, 300, 0, 0.06), (300, 2_500, -4, 0.03), (2_500, 9_000, -9, 0.015)])
     hull = metal(clock, 30, arrival_s + 0.18, [(240, -8, 0.05), (610, -12, 0.04), (1_480, -16, 0.03)])
-    dry = suction + 1.4 * blow + hull
-    return at_true_peak(_faded(_in_hall(dry, clock, rt60_s=1.8, wet_db=-4.0), clock, 0.12), -1.5)
+    return suction + 1.4 * blow + hull
 
 
 def _in_hall(dry: Signal, clock: Clock, *, rt60_s: float, wet_db: float) -> Signal:

@@ -2,8 +2,8 @@
 
 All conform to the 44.1 kHz defaults but where the demo needs something to show: `airlock_cycle`
 begins with silence and is too loud, `shield_hit` peaks between its samples, one thruster stands out,
-`warp_in` comes with the hall that the game adds anyway, `drone_swarm_loop` has nothing over 11 kHz
-though its file could hold 48, and `vo_oath` is spoken backwards.
+`warp_in` comes with the hall that the game adds anyway, and with its dry stem, `drone_swarm_loop` has
+nothing over 11 kHz though its file could hold 48, and `vo_oath` is spoken backwards.
 """
 
 import io
@@ -95,6 +95,11 @@ def demo_sounds() -> dict[str, DemoSound]:
             "missile_launch.wav", 96_000, 24, 1.40, 230, partial(recipes.missile_launch, thrust_s=thrust_s)
         )
     return by_key
+
+
+def warp_in_stem() -> DemoSound:
+    """Return the dry stem that comes with `warp_in`."""
+    return DemoSound("warp_in__dry.wav", 48_000, 24, 2.15, 198, recipes.warp_in_dry)
 
 
 def _set(

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 from uuid import UUID
 
+import numpy as np
 import pytest
 
 import audio_checks
@@ -275,3 +276,17 @@ def test_beside_a_master_that_cannot_be_read_nothing_is_compared(world: World) -
     give(world, take, DRY)
     check = checked(world, take["id"])
     assert (check["verdict"], check["is_newest_stem"], check["judgements"]) == ("unreadable", True, {})
+
+
+def test_a_mend_that_puts_the_name_right_keeps_the_stem(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Airlock cycle"})
+    late = wav_bytes(np.concatenate([np.zeros((2_400, 1)), hits(seconds=1.0)]))
+    take = deliver(world, "Bounce 7.WAV", late, cue_id=cue["id"])
+    give(world, take, wav_bytes(hits(seconds=1.0)), "dry.wav")
+    world.server.wait_for_jobs()
+    assert world.designer.post(f"/v1/takes/{take['id']}/mend").status_code == 202
+    world.server.wait_for_jobs()
+    used = world.designer.post(f"/v1/takes/{take['id']}/mend/use")
+    assert (used.status_code, used.json()["file_name"]) == (201, "airlock_cycle.wav")
+    mended = checked(world, used.json()["id"])
+    assert (mended["dry_stem"]["file_name"], mended["is_newest_stem"]) == ("dry.wav", True)

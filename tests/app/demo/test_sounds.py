@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from app.demo.cues import CUES
-from app.demo.sounds import demo_sounds
-from audio_checks import AudioFile, parse_spec
+from app.demo.sounds import demo_sounds, warp_in_stem
+from audio_checks import AudioFile, parse_spec, reverb_beside
 from audio_checks.judge.reverb import judge_decay
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.faults import Faults
@@ -159,6 +159,13 @@ def test_only_the_arrival_comes_with_reverb(files, tmp_path):
                 found[key, kind] = judged.figures["rt60_s"]
     assert found.keys() - MISTAKEN == {("warp_in", None)}
     assert found["warp_in", None] == pytest.approx(1.8, rel=0.2)
+
+
+def test_beside_its_stem_the_hall_is_what_was_added(files, tmp_path):
+    (tmp_path / "warp_in.wav").write_bytes(files["warp_in"])
+    found = reverb_beside(tmp_path / "warp_in.wav", warp_in_stem().write(tmp_path))
+    assert found.verdict == "reverb"
+    assert found.figures["rt60_s"] == pytest.approx(1.8, rel=0.2)
 
 
 def test_only_the_swarm_and_the_oath_are_asked_about(files, tmp_path):
