@@ -2,7 +2,6 @@
 
 import io
 import zipfile
-from pathlib import Path
 from typing import Any
 from uuid import UUID
 
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 import audio_checks
-from app.conformance import jobs
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.db import new_id
@@ -119,14 +117,14 @@ def test_a_comparison_that_breaks_leaves_the_take_judged_and_is_tried_again(
     take = deliver(world, "warp_in.wav", WET)
     world.server.wait_for_jobs()
 
-    class Breaking:
-        def call(self, work: Any, path: Path, *more: Any, **options: Any) -> Any:
-            if options.get("dry"):
-                raise audio_checks.SandboxCrashed("the child was killed by signal 9")
-            return work(path, *more, **options)
+    def breaking(child: audio_checks.SandboxChild, work: Any, *given: Any, **options: Any) -> Any:
+        if options.get("dry"):
+            raise audio_checks.SandboxCrashed("the child was killed by signal 9")
+        return call(child, work, *given, **options)
 
+    call = audio_checks.SandboxChild.call
     with monkeypatch.context() as patched:
-        patched.setattr(jobs, "_sandbox", lambda _: Breaking())
+        patched.setattr(audio_checks.SandboxChild, "call", breaking)
         give(world, take, WET)
         broken = checked(world, take["id"])
     assert (broken["state"], broken["judgements"]["reverb"]["stem"]["verdict"]) == ("conforming", "failed")
