@@ -74,7 +74,7 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
             log.info("a sound could not be drawn", sha256=sha256, error=str(error))
             picture = Picture(studio_id=studio_id, sound_sha256=sha256)
         else:
-            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn, None)
+            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn)
     with runtime.database.writing() as session:
         service.keep_made(session, [], picture)
 
@@ -95,10 +95,12 @@ def _stored_picture(
     sound_sha256: str,
     folder: Path,
     drawn: dict[str, Any],
-    preview: StoredBlob | None,
+    preview: StoredBlob | None = None,
+    spectrum: StoredBlob | None = None,
 ) -> Picture:
-    """Store what was drawn of a sound; `preview` is what plays it where that is stored already."""
-    peaks, spectrum = (runtime.store.put_file(studio_id, folder / name) for name in (drawing.PEAKS, drawing.SPECTRUM))
+    """Store what was drawn of a sound, but for what is stored already: what plays it, and what that looks like."""
+    peaks = runtime.store.put_file(studio_id, folder / drawing.PEAKS)
+    spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
     if preview is None and not drawn["plays_itself"]:
         preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
     return Picture(
@@ -206,6 +208,7 @@ def _prepared(
         found = _outcomes(bench.child, str(master), folder, recipes, loop=order.loop, draws=draws)
         renders: service.Made = []
         files: dict[str, StoredBlob] = {}
+        spectra: dict[str, StoredBlob] = {}
         for target, recipe in recipes.items():
             outcome, place = found[target]
             render = Render(
@@ -222,7 +225,8 @@ def _prepared(
                 continue
             files[target] = blob = runtime.store.put_file(studio_id, place / drawing.GAME_FILE)
             _describe(render, blob, outcome["rendered"])
-            drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], None)
+            spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)
+            drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], spectrum=spectrum)
             renders.append((render, drawn))
         if not draws:
             return renders, None
@@ -230,8 +234,8 @@ def _prepared(
         if isinstance(outcome, AudioChecksError):
             log.info("a sound could not be drawn", sha256=sha256, error=str(outcome))
             return renders, Picture(studio_id=studio_id, sound_sha256=sha256)
-        preview = files[outcome["preview_of"]] if outcome["preview_of"] else None
-        return renders, _stored_picture(runtime, studio_id, sha256, place, outcome, preview)
+        like = outcome["preview_of"]
+        return renders, _stored_picture(runtime, studio_id, sha256, place, outcome, files.get(like), spectra.get(like))
 
 
 def _outcomes(
