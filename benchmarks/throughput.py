@@ -5,9 +5,10 @@
     python -m benchmarks.throughput --takes 40 --workers 1 2
 
 From the moment at which all takes are written down to the one at which no job waits or runs, or at most 40 seconds:
-each is checked, drawn, rendered to the one target of the preset for 48 kHz, the game file measured and drawn too,
-and its people are told. CPU time says what a free machine could do where this one is shared: that of the workers, of
-the processes in which they open sounds, and of PostgreSQL; what an upload costs the web process is measured before.
+each is checked, drawn, rendered to the one target of the preset for 48 kHz, the game file measured and drawn too;
+its people are told of all takes of some seconds together, for some of them after the end. CPU time says what a free
+machine could do where this one is shared: that of the workers, of the processes in which they open sounds, and of
+PostgreSQL; what an upload costs the web process is measured before.
 """
 
 import argparse
