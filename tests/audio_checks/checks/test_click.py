@@ -54,6 +54,7 @@ def test_a_step_under_a_bright_sound(codes_of):
     step[12_000:, 0] = 0.06 * np.exp(-np.arange(12_000) / 960)
     assert codes_of("click", bright) == []
     assert codes_of("click", bright + step) == ["click:isolated"]
+    assert codes_of("click", bright + step / 1.5) == ["click:isolated"]  # in doubt there, and foretold by nothing
 
 
 def test_a_small_click_in_a_tone_that_sweeps(codes_of):
