@@ -87,7 +87,7 @@ def serve(
     if settings.demo and host != "127.0.0.1":
         raise _refusal(["the demo listens on 127.0.0.1 only, since it asks nobody to sign in"])
     if settings.web_processes == 1:
-        _serve(settings, lambda: processes.listener(host, port))
+        _serve(_ready_to_serve(settings), lambda: processes.listener(host, port))
         return
     # What is wrong is said once, by a process whose threads and connections nobody inherits.
     if code := processes.run_apart(lambda: _apart(lambda: _ready_to_serve(settings).close())):
@@ -98,7 +98,7 @@ def serve(
         raise _refusal([str(error)]) from None
 
     def serve_beside(place: int) -> None:
-        _apart(lambda: _serve(settings, lambda: processes.beside(kept), place=place))
+        _apart(lambda: _serve(_opened(settings), lambda: processes.beside(kept), place=place))
 
     raise typer.Exit(processes.Siblings(serve_beside, settings.web_processes).run())
 
@@ -111,11 +111,11 @@ def _apart(work: Callable[[], None]) -> None:
         raise SystemExit(end.exit_code) from None
 
 
-def _serve(settings: Settings, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
+def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
     from app.kit import metrics, processes, serving
     from app.main import create_app
 
-    runtime = _ready_to_serve(settings)
+    settings = runtime.settings
     try:
         with metrics.listening(settings, metrics.collectors(runtime), place=place):
             serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)

@@ -5,6 +5,7 @@ import fcntl
 import hashlib
 import os
 import resource
+import threading
 import time
 from collections.abc import AsyncIterator, Iterator
 from contextlib import contextmanager
@@ -172,6 +173,30 @@ def test_a_second_writer_is_told_to_wait(incoming: Uploads) -> None:
         assert (await first).sha256 == SHA256
 
     asyncio.run(both())
+
+
+def test_files_that_end_together_are_finished_two_at_a_time(incoming: Uploads, monkeypatch: pytest.MonkeyPatch) -> None:
+    counting, now, most = threading.Lock(), 0, 0
+    finish = Uploads._finish
+
+    def counted(uploads: Uploads, upload: Upload) -> Upload:
+        nonlocal now, most
+        with counting:
+            now, most = now + 1, max(most, now + 1)
+        time.sleep(0.05)  # others would come in meanwhile
+        finished = finish(uploads, upload)
+        with counting:
+            now -= 1
+        return finished
+
+    monkeypatch.setattr(Uploads, "_finish", counted)
+    uploads = [begun(incoming) for _ in range(6)]
+
+    async def all_at_once() -> list[Upload]:
+        return await asyncio.gather(*(incoming.receive(each, 0, stream(CONTENT)) for each in uploads))
+
+    assert all(each.sha256 for each in asyncio.run(all_at_once()))
+    assert most == 2
 
 
 @pytest.mark.parametrize("announced", [None, 11])
