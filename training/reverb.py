@@ -28,7 +28,7 @@ from audio_checks.nets import Nets
 from audio_checks.trees import Trees
 from training import dataset, layers, strikes
 from training.dataset import Known
-from training.reverb_limits import held, thresholds
+from training.reverb_limits import at_the_edge, held, scored, thresholds
 from training.sets import LAYOUTS, Floats, Set, layouts_of, together
 from training.tables import as_table, write_tables
 
@@ -282,7 +282,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
             **Learned.of(together([learning, beside])).numbers(),
             "rt60": numbers_of(learned_rt60(learning)),
         }
-        numbers["thresholds"] = held(thresholds(learning, *said_by_others(learning, beside)), numbers)
+        limits = thresholds(learning, *said_by_others(learning, beside))
+        numbers["thresholds"] = held(limits, scored(at_the_edge(), numbers))
         reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
     tried = {name: measured(made, options.cache) for name, made in TRIED.items()}
     table = as_table(

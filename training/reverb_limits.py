@@ -7,7 +7,7 @@ can tell from a burst in a room, lie between both.
 
 import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -139,12 +139,17 @@ def _measured(kind: str | None, samples: Floats, rate: int, *, cannot_be_told: b
         yield AtTheEdge(kind or "unknown", layout, features, cannot_be_told)
 
 
-def held(table: Table, numbers: dict[str, Any]) -> Table:
-    """Return the limits with each sound at the edge on the side where it belongs, as what was learned scores it."""
+def scored(some: Iterable[AtTheEdge], numbers: dict[str, Any]) -> Iterator[tuple[AtTheEdge, float, str]]:
+    """Yield each sound with its score and the length of its decay, as what was learned tells them."""
     trees, nets, rt60_trees = Trees(numbers["reverb"]), Nets(numbers["nets"]), Trees(numbers["rt60"])
-    for one in at_the_edge():
+    for one in some:
         score = reverb.score_by(trees, nets, numbers["nets_share"], one.features)
-        length = "long" if reverb.rt60_by(rt60_trees, one.features) >= reverb.LONG_FROM_S else "short"
+        yield one, score, "long" if reverb.rt60_by(rt60_trees, one.features) >= reverb.LONG_FROM_S else "short"
+
+
+def held(table: Table, by: Iterable[tuple[AtTheEdge, float, str]]) -> Table:
+    """Return the limits with each sound at the edge on the side where it belongs."""
+    for one, score, length in by:
         for kind in {one.kind, "unknown"}:
             dry_below, reverb_from = table[kind][one.layout][length]
             if one.cannot_be_told:

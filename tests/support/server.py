@@ -31,7 +31,7 @@ from app.projects.rules import EngagementKind
 from app.settings import Settings
 from app.worker import start_worker
 
-LONG_AGO_S = 30.0
+LONG_AGO_S = 90.0  # librosa compiles itself where it is new: half a minute for two at once
 JOBS_END_WITHIN_S = 30
 
 

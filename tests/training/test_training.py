@@ -9,8 +9,10 @@ from audio_checks.trees import Trees
 from tests.support.waves import noise, write_wav
 from training import layers, strikes
 from training.dataset import RATE, Known, decay_time_s, made, real_sounds
-from training.reverb import MOST_WRONG, Learned, Set, limits, numbers_of, thresholds
+from training.reverb import Learned, numbers_of
+from training.reverb_limits import MOST_WRONG, limits, thresholds
 from training.rooms import ROOMS
+from training.sets import Set
 from training.sources import FAMILIES
 
 DRY_SEED = 1  # of a sound that is sent nowhere
@@ -74,8 +76,8 @@ def test_nets_say_the_same_as_numbers_in_a_file():
     known = [Known("blip", "event", False, bool(one), "", 0.0, 0.0, 1) for one in wet]
     learned = Learned.of(Set(known, features))
     written = Nets(learned.numbers()["nets"])
-    held = np.clip(features, learned.scale["lowest"], learned.scale["highest"])
-    scaled = np.nan_to_num((held - learned.scale["middle"]) / learned.scale["spread"])
+    inside = np.clip(features, learned.scale["lowest"], learned.scale["highest"])
+    scaled = np.nan_to_num((inside - learned.scale["middle"]) / learned.scale["spread"])
     odds = np.mean(
         [np.log(net.predict_proba(scaled) / (1 - net.predict_proba(scaled)))[:, 1] for net in learned.nets], 0
     )
@@ -127,6 +129,15 @@ def test_a_kind_of_two_families_calls_reverb_no_sooner_than_one_unsaid():
     for layout in ("mono", "stereo"):
         for length, (_, reverb_from) in table["unknown"][layout].items():
             assert table["music"][layout][length][1] == reverb_from > table["event"][layout][length][1]
+
+
+def test_sounds_at_the_edge_hold_the_limits_of_their_kind_and_of_none():
+    table = {kind: {"mono": {"long": (0.6, 0.8), "short": (0.6, 0.8)}} for kind in ("event", "music", "unknown")}
+    dry, burst = (AtTheEdge("event", "mono", np.zeros(0), cannot_be_told=told) for told in (False, True))
+    found = held(table, [(dry, 0.91234, "short"), (dry, 0.3, "short"), (burst, 0.5, "long"), (burst, 0.7, "long")])
+    for kind in ("event", "unknown"):
+        assert found[kind]["mono"] == {"long": (0.5, 0.8), "short": (0.6, 0.9124)}
+    assert found["music"]["mono"] == {"long": (0.6, 0.8), "short": (0.6, 0.8)}
 
 
 def some_scores(seed):
