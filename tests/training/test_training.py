@@ -10,7 +10,7 @@ from tests.support.waves import noise, write_wav
 from training import layers, strikes
 from training.dataset import RATE, Known, decay_time_s, made, real_sounds
 from training.reverb import Learned, numbers_of
-from training.reverb_limits import MOST_WRONG, limits, thresholds
+from training.reverb_limits import MOST_WRONG, AtTheEdge, held, limits, thresholds
 from training.rooms import ROOMS
 from training.sets import Set
 from training.sources import FAMILIES
