@@ -17,6 +17,7 @@ from app.dashboards.rules import CODE_BASE, STATE_CODES
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.among import among
+from app.kit.there_is import there_is
 from app.renders.models import Picture
 from app.reviews.models import Round
 from app.sound_lists.models import Cue, Question
@@ -241,7 +242,7 @@ def _told(is_own: bool) -> Select[UUID, int | None, bool, bool]:
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED, CheckRun.spec_id != bindparam("spec_id"))
     )
-    told = (Cue.id, rounds, waived.correlate(Cue).exists(), elsewhere.correlate(Cue).exists())
+    told = (Cue.id, rounds, there_is(waived, Cue), there_is(elsewhere, Cue))
     return select(*told).where(among(Cue.id, "cue_ids"))
 
 

@@ -32,6 +32,7 @@ from app.contracts.rules import ContractState
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit.among import among
+from app.kit.there_is import there_is
 from app.projects.models import Project, Spec
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.queries import current_renders, shown_of_pictures, shown_pictures
@@ -178,7 +179,7 @@ def _takes() -> Select[Take, Picture, CheckRun, bool, bool, int]:
     comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
         select(
-            *(Take, Picture, CheckRun, drafts.correlate(Take).exists(), waivers.correlate(Take).exists()),
+            *(Take, Picture, CheckRun, there_is(drafts, Take), there_is(waivers, Take)),
             comments.correlate(Take).scalar_subquery(),
         )
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
@@ -298,7 +299,7 @@ def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
         select(
             *(Cue.id, Project.cue_prefix),
             *(each.correlate(Cue).scalar_subquery() for each in (rounds, approved)),
-            *(each.correlate(Cue).exists() for each in (changed, contracted)),
+            *(there_is(each, Cue) for each in (changed, contracted)),
         )
         .join(Project, Project.id == Cue.project_id)
         .where(among(Cue.id, "cue_ids"))
