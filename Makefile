@@ -3,12 +3,17 @@ PORT ?= 8000
 DATA ?= data
 PYTHON ?= python3
 WORKERS ?= 2
+BESIDE ?= 2
+# First what says soonest that something is wrong, then the longest; what is short fills the gap at the end.
+PARTS := check unit e2e unit-postgres frontend-test
 BIN := .venv/bin
 SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
+# Where images and shells set it, each of the thousand processes of a test run would compile all it imports anew: 3.5 s.
+unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit frontend-test e2e kill false-alarms fuzz bench weights docs openapi clean
+.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms fuzz bench weights docs openapi clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -18,8 +23,13 @@ setup: .make/python .make/kernel .make/node .make/page  ## Set up everything tha
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
 
-test: .make/s3 check unit frontend-test e2e  ## Set up and pass every test
-	@cat .make/closing-lines
+test: .make/s3  ## Set up and pass every test; two parts at a time, for much in them waits
+	@mkdir -p .make && rm -f .make/*.failed
+	@$(MAKE) --no-print-directory --keep-going --jobs=$(BESIDE) $(PARTS:%=beside-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
+	@tail -q -n 1 .make/unit.log .make/unit-postgres.log
+
+beside-%: setup .make/postgresql .make/browser .make/librosa
+	@.ci/part $* $(MAKE) --no-print-directory $*
 
 check: setup  ## Lint, types, import contracts, OpenAPI drift
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
@@ -29,11 +39,11 @@ check: setup  ## Lint, types, import contracts, OpenAPI drift
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
-unit: setup .make/postgresql .make/s3  ## Python tests; those of rooms and journeys on both databases and both stores
-	@rm -f .make/closing-lines
-	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS) | tee .make/unit.log
-	@set -o pipefail; $(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys $(ARGS) | tee .make/unit-postgres.log
-	@tail -q -n 1 .make/unit.log .make/unit-postgres.log > .make/closing-lines
+unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS)
+
+unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## Those of rooms and journeys once more, on PostgreSQL and S3
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys $(ARGS)
 
 frontend-test: setup  ## Tests of the frontend's parts
 	@cd frontend && npm run --silent test
@@ -85,6 +95,11 @@ clean:  ## Remove what set-up made; data stays
 	@chmod +x $(BIN)/soundlist
 	@touch $@
 
+.make/librosa: .make/kernel
+	@echo "Compiling librosa's loops"  # once: each process that found none would take half a minute for its own
+	@$(BIN)/python -c 'import librosa.core.spectrum, librosa.feature.spectral'
+	@touch $@
+
 .make/peers:
 	@$(BIN)/uv pip install --quiet --python $(BIN)/python --editable '.[bench]' || echo "some peers cannot be installed; the tables say which"
 	@for peer in sox loudgain; do command -v $$peer >/dev/null || sh .ci/install $$peer || true; done
@@ -118,7 +133,7 @@ clean:  ## Remove what set-up made; data stays
 	@mkdir -p .make
 	@PYTHON=$(PYTHON) .ci/caddy >$@
 
-.make/browser:
+.make/browser: | .make/postgresql  # not at once: the system installs for one at a time
 	@mkdir -p .make
 	@command -v chromium >/dev/null || { echo "Installing Chromium" && sh .ci/install chromium; }
 	@touch $@

@@ -52,12 +52,13 @@ TAKES = 10_000
 UPLOAD_S = 20.0
 PIECES = 20
 LOOK_EVERY_S = 2.0
+SAY_EVERY_S = 30.0
 APPROVES_EVERY = 5  # rounds of requests of each kind: who listens decides once a second, and some 450 takes wait
 CALM_S = 5.0  # before anything is timed
 WARM_UP, ALONE = 6, 15  # answers of each kind before the load; psycopg prepares a statement at its sixth time
 TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
 WEB_PROCESSES = os.cpu_count() or 1
-WORKER_NICENESS = 10  # as in deploy/systemd: whoever waits for an answer goes first
+WORKER_NICENESS = 19  # as in deploy/systemd: whoever waits for an answer goes first
 HEADER_BYTES, SAMPLE_BYTES = 44, 3
 Answered = Coroutine[Any, Any, Answer]
 
@@ -67,6 +68,8 @@ class Told:
     """What came of it: seconds by kind of request, what went wrong, and memory as it went."""
 
     times_s: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
+    by_minute_s: dict[int, list[float]] = field(default_factory=lambda: defaultdict(list))  # by when they were due
+    begun: float = 0.0
     wrong: list[str] = field(default_factory=list)
     memory_bytes: dict[str, list[int]] = field(default_factory=lambda: defaultdict(list))
     alone_s: dict[str, float] = field(default_factory=dict)  # CPU of web process and database, by kind
@@ -75,6 +78,7 @@ class Told:
     def add(self, kind: str, taken_s: float, answer: Answer | Exception) -> None:
         """Note one answer."""
         self.times_s[kind].append(taken_s)
+        self.by_minute_s[int((time.perf_counter() - taken_s - self.begun) // 60)].append(taken_s)
         if isinstance(answer, Exception):
             self.wrong.append(f"{kind}: {answer!r}")
         elif not answer.is_success:
@@ -93,7 +97,7 @@ class People:
         self._to_approve = iter(to_approve)
         self._dice = random.Random(1)
         self._names = itertools.count(1)
-        self._told = told
+        self.told = told
 
     async def ask(self, kind: str, due: float) -> None:
         """Ask once, timed from when it was due."""
@@ -101,7 +105,7 @@ class People:
             answer: Answer | Exception = await self.kinds[kind](self)
         except Broken as error:
             answer = error
-        self._told.add(kind, time.perf_counter() - due, answer)
+        self.told.add(kind, time.perf_counter() - due, answer)
 
     async def cost_alone_s(self, web_pid: int, database_pid: int) -> None:
         """Note the CPU time of one answer of each kind while nobody else asks: the median of a few."""
@@ -111,8 +115,8 @@ class People:
                 before = cpu_now_s(web_pid, database_pid)
                 (await ask(self)).ensured()
                 costs.append(cpu_since_s(before, web_pid, database_pid))
-            self._told.alone_s[kind] = statistics.median(costs[WARM_UP:])
-            print(f"{kind:20} {1000 * self._told.alone_s[kind]:6.1f} ms of CPU alone", flush=True)
+            self.told.alone_s[kind] = statistics.median(costs[WARM_UP:])
+            print(f"{kind:20} {1000 * self.told.alone_s[kind]:6.1f} ms of CPU alone", flush=True)
 
     async def deliver(self, content: bytes, until: float) -> None:
         """Send files, one after the other, each in many pieces over its time."""
@@ -125,7 +129,7 @@ class People:
                     delivery_id = str(opened.ensured().json()["id"])
                 await self._deliver_one(delivery_id, f"load_{next(self._names)}.wav", unlike(content, self._dice))
             except (Broken, Refused) as error:
-                self._told.wrong.append(f"upload: {error!r}")
+                self.told.wrong.append(f"upload: {error!r}")
 
     async def _deliver_one(self, delivery_id: str, name: str, content: bytes) -> None:
         named = metadata(delivery_id=delivery_id, file_name=name)
@@ -137,11 +141,11 @@ class People:
         body = {"upload_id": location.rpartition("/")[2], "file_name": name}
         due = time.perf_counter()
         made = await self.designer.ask_json("POST", f"/v1/deliveries/{delivery_id}/takes", body)
-        self._told.add("a finished upload becomes a take", time.perf_counter() - due, made)
+        self.told.add("a finished upload becomes a take", time.perf_counter() - due, made)
         if sent.is_success and made.is_success:
-            self._told.takes += 1
+            self.told.takes += 1
         else:
-            self._told.wrong.append(f"upload: {sent.status} {sent.body[:200].decode()}")
+            self.told.wrong.append(f"upload: {sent.status} {sent.body[:200].decode()}")
 
     def _get(self, path: str, **params: str) -> Answered:
         return self.decider.ask("GET", f"{path}?{urlencode(params)}" if params else path)
@@ -198,15 +202,23 @@ async def load(
     content = sound(1)
     pids = {**pids, "client": os.getpid()}
     before = {name: own_cpu_s(name, pid) for name, pid in pids.items()}
-    begun = time.perf_counter()
+    begun = people.told.begun = time.perf_counter()
     until = begun + seconds
     deliveries = [asyncio.create_task(people.deliver(content, until)) for _ in range(uploads)]
     asked: set[asyncio.Task[None]] = set()
 
     async def watching() -> None:
+        last_said, used_s = begun, before
         while time.perf_counter() < until:
             watch()
             await asyncio.sleep(LOOK_EVERY_S)
+            if (now := time.perf_counter()) - last_said >= SAY_EVERY_S:
+                now_s = {name: own_cpu_s(name, pid) for name, pid in pids.items()}
+                cores = {name: (now_s[name] - used_s[name]) / (now - last_said) for name in pids}
+                print(
+                    f"{now - begun:4.0f} s: cores", *(f"{name} {used:.2f}" for name, used in cores.items()), flush=True
+                )
+                last_said, used_s = now, now_s
 
     watched = asyncio.create_task(watching())
     kinds = list(people.kinds)
@@ -313,10 +325,12 @@ def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], che
     growth = ", ".join(f"{name} {_growth(sizes)}" for name, sizes in told.memory_bytes.items())
     spent = ", ".join(f"{name} {1000 * seconds / len(whole):.0f}" for name, seconds in cpu_s.items())
     met = "met" if _p_ms(whole, 95) <= P95_MS and not told.wrong else "not met"
+    minutes = ", ".join(f"{_p_ms(times, 95):.0f}" for _, times in sorted(told.by_minute_s.items()))
     lines = (
         f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s, {machine()};"
         f" {os.getloadavg()[0]:.1f} processes wanted to run.",
         f"{told.takes} files came in whole, {checked} takes were checked meanwhile; {len(told.wrong)} errors.",
+        f"Its p95 minute by minute, in ms: {minutes}.",
         f"Memory, first and last quarter of the time: {growth}.",
         f"CPU time in ms a request, uploads and jobs in it: {spent}.",
         f"The limit, a p95 of {P95_MS:.0f} ms without an error, was {met}.",

@@ -4,7 +4,7 @@ export default defineConfig({
   testDir: 'e2e',
   globalSetup: './e2e/setup.ts',
   workers: 2,
-  timeout: 90_000,
+  timeout: 180_000, // of a whole walk, while other parts of the tests run beside it; what it waits for has bounds of its own
   // A shared machine stalls now and then; what needed a second try is listed as flaky.
   retries: process.env.CI ? 2 : 0,
   expect: { timeout: 20_000 },

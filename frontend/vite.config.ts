@@ -24,5 +24,8 @@ export default defineConfig({
     setupFiles: ['src/test/setup.ts'],
     restoreMocks: true,
     maxWorkers: 2,
+    // Whole pages take long on a busy machine, and other parts of the tests run beside these.
+    testTimeout: 60_000,
+    hookTimeout: 60_000,
   },
 })

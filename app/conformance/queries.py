@@ -1,14 +1,28 @@
 """Check runs and waivers, read from the database; callers have checked who looks."""
 
-from collections import defaultdict
 from collections.abc import Collection, Sequence
 from datetime import datetime
 from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, select, text, tuple_, update
+from sqlalchemy import (
+    ColumnElement,
+    Row,
+    Select,
+    String,
+    and_,
+    bindparam,
+    cast,
+    exists,
+    func,
+    select,
+    text,
+    tuple_,
+    update,
+)
 from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.sql.functions import aggregate_strings
 
 import audio_checks
 from app.conformance.models import CheckRun, Mend, Waiver
@@ -174,38 +188,37 @@ def heard_takes(session: Session, take_ids: Collection[UUID]) -> list[HeardTake]
     return _heard_takes(session, among(Take.id, take_ids)) if take_ids else []
 
 
-class TakeInSet(NamedTuple):
-    """A take that stands in a set, by all that may change of it."""
+def sets_of_takes(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> dict[UUID, str]:
+    """Return the checked takes that stand in the sets of some cues by all that may change of them, in a text a cue.
 
-    id: UUID
-    variation: int
-    alternate: int | None
-    number: int | None
-    state: TakeState
-    run_id: UUID  # a report stays as it was written
-
-
-def sets_of_takes(
-    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
-) -> dict[UUID, tuple[TakeInSet, ...]]:
-    """Return the checked takes that stand in the sets of some cues, by cue, in the order in which they came."""
-    sets: dict[UUID, list[TakeInSet]] = defaultdict(list)
+    A take is another as soon as it has a newer check: a report stays as it was written. The database joins what
+    stands together, since a page of the list asks for a thousand takes, and nearly always for the same as before.
+    """
     given = {"cue_ids": cue_ids, "designer_id": designer_id}
-    for row in session.execute(_sets_of_takes(designer_id is not None), given):
-        if row.cue_id is not None:
-            sets[row.cue_id].append(TakeInSet._make(row[:-1]))
-    return {cue_id: tuple(takes) for cue_id, takes in sets.items()}
+    rows = session.execute(_sets_of_takes(designer_id is not None), given)
+    return {cue_id: takes for cue_id, takes in rows if cue_id is not None}
+
+
+def takes_in(takes: str) -> list[UUID]:
+    """Return the ids of the takes of a set, from its text."""
+    return [UUID(take.partition(" ")[0]) for take in takes.split(",")]
 
 
 @cache
-def _sets_of_takes(is_own: bool) -> Select[UUID, int, int | None, int | None, TakeState, UUID, UUID | None]:
-    query = (
-        select(Take.id, Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id, Take.cue_id)
+def _sets_of_takes(is_own: bool) -> Select[UUID | None, str]:
+    said: ColumnElement[str] = cast(Take.id, String)
+    for fact in (Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id):
+        said = said + " " + func.coalesce(cast(fact, String), "")
+    standing = (
+        select(Take.cue_id, said.label("said"))
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(among(Take.cue_id, "cue_ids"), Take.state.in_(STANDING))
-        .order_by(Take.received_at, Take.id)
+        .order_by(Take.cue_id, Take.id)
     )
-    return query.where(Take.designer_id == bindparam("designer_id")) if is_own else query
+    if is_own:
+        standing = standing.where(Take.designer_id == bindparam("designer_id"))
+    each = standing.subquery()
+    return select(each.c.cue_id, aggregate_strings(each.c.said, ",")).group_by(each.c.cue_id)
 
 
 def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[HeardTake]:

@@ -4,6 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from uuid import UUID
 
+from sqlalchemy import event
 from sqlalchemy.orm import Session
 
 import audio_checks
@@ -39,6 +40,7 @@ from app.sound_lists.service import cue_facts
 
 TOLD_EVERY_S = 5.0
 COMMITTED_WITHIN_S = 1.0  # what its transaction takes longer to commit is told with what comes next, or by the chore
+_asked_for: dict[UUID, int] = {}  # by project: the seconds whose telling this process has asked for, and committed
 
 
 @dataclass(frozen=True)
@@ -151,14 +153,16 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
     )
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
     change_state(session, take, state_after(report, waived))
-    _ask_to_tell(session, take)
+    ask_to_tell(session, take)
     return True
 
 
-def _ask_to_tell(session: Session, take: Take) -> None:
+def ask_to_tell(session: Session, take: Take) -> None:
     """Have what checks said told together: what is said in the same few seconds of a project is one event."""
     now_s = clock.now().timestamp()
     window = int(now_s // TOLD_EVERY_S)
+    if _asked_for.get(take.project_id) == window:
+        return
     publish(
         session,
         "takes.checked",
@@ -167,6 +171,8 @@ def _ask_to_tell(session: Session, take: Take) -> None:
         once=f"{take.project_id}@{window}",
         project_id=take.project_id,
     )
+    # Only now is it sure that the event stands: a transaction that is undone takes it along.
+    event.listen(session, "after_commit", lambda _: _asked_for.update({take.project_id: window}), once=True)
 
 
 def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:

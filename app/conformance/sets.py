@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.conformance import queries
-from app.conformance.queries import HeardTake, TakeInSet
+from app.conformance.queries import HeardTake
 from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -19,7 +19,7 @@ from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts
 
 Findings = tuple[dict[str, object], ...]
-Judged = tuple[str, audio_checks.CueFacts, tuple[TakeInSet, ...]]  # spec, cue, takes: nothing else is looked at
+Judged = tuple[str, audio_checks.CueFacts, str]  # spec, cue, takes: nothing else is looked at
 SETS_REMEMBERED = 4_000  # some 2 kB each
 OVER_A_CUE = ("variation-set", "duplicate")  # takes go by their cue's name here, so no two of them are twins
 
@@ -49,7 +49,9 @@ def words_on_sets(
     }
     words = {cue_id: _remembered.get(judged[cue_id]) for cue_id in judged}
     unknown: dict[UUID, list[HeardTake]] = {cue_id: [] for cue_id, known in words.items() if known is None}
-    for take in queries.heard_takes(session, [each.id for cue_id in unknown for each in judged[cue_id][-1]]):
+    for take in queries.heard_takes(
+        session, [id_ for cue_id in unknown for id_ in queries.takes_in(judged[cue_id][-1])]
+    ):
         if take.cue_id is not None:
             unknown[take.cue_id].append(take)
     for cue_id, takes in unknown.items():

@@ -268,14 +268,15 @@ def latest_approvals(
 
 def latest_sendings(session: Session, project_id: UUID) -> Sequence[Row[Sending, Person, int]]:
     """Return the latest sendings of changes with how many changes they held."""
+    holds_some = exists().where(ChangeRequest.sending_id == Sending.id)
+    newest = select(Sending.id).where(Sending.project_id == project_id, holds_some)
     return session.execute(
         select(Sending, Person, func.count(ChangeRequest.id))
         .join(Person, Person.id == Sending.sent_by)
         .join(ChangeRequest, ChangeRequest.sending_id == Sending.id)
-        .where(Sending.project_id == project_id)
+        .where(Sending.id.in_(newest.order_by(Sending.id.desc()).limit(LATELY)))
         .group_by(Sending.id, Person.id)
         .order_by(Sending.id.desc())
-        .limit(LATELY)
     ).all()
 
 

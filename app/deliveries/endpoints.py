@@ -31,6 +31,7 @@ from app.deliveries.schemas import (
     DryStemGive,
     DryStemRead,
     TakeAdd,
+    TakeAdded,
     TakeMatch,
     TakeRead,
 )
@@ -48,7 +49,7 @@ router = Router(prefix="/v1", tags=["deliveries"], route_class=Route)
 router.include_router(uploads_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
-    200: {"model": TakeRead, "description": "The same file was here before; this is its take."}
+    200: {"model": TakeAdded, "description": "The same file was here before; this is its take."}
 }
 KEPT_BESIDE: dict[int | str, dict[str, Any]] = {
     202: {"model": DryStemRead, "description": "It is named `…__dry`: no take, but the dry stem of the take so named."}
@@ -143,7 +144,7 @@ def change_delivery(
 @router.post(
     "/deliveries/{delivery_id}/takes",
     status_code=201,
-    response_model=TakeRead,
+    response_model=TakeAdded,
     responses=SAME_TAKE
     | KEPT_BESIDE
     | problems(
@@ -157,7 +158,7 @@ def add_take(
     response: Response,
     session: DbSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
-) -> TakeRead | Response:
+) -> TakeAdded | Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
     delivery, standing = service.own_delivery(session, actor, delivery_id)
     upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
@@ -170,8 +171,8 @@ def add_take(
         return Response(beside.model_dump_json(), 202, media_type="application/json")
     take, already_here = service.receive_take(
         session,
-        actor,
-        delivery_id,
+        standing,
+        delivery,
         upload=upload,
         file_name=body.file_name,
         cue_id=body.cue_id,
@@ -179,7 +180,7 @@ def add_take(
         note=body.note,
     )
     response.status_code = 200 if already_here else 201
-    return service.read_take(session, standing.project, take).model_copy(update={"already_here": already_here})
+    return service.added_take(standing.project, take, already_here=already_here)
 
 
 @router.post(

@@ -85,7 +85,7 @@ def stems_to_try(file_name: str) -> list[tuple[str, int | None]]:
     """Return the stems by which a file may find its cue, with the alternate each implies; the whole name first."""
     name = audio_checks.parse_file_name(file_name)
     whole = unicodedata.normalize("NFC", base_name(file_name)).removesuffix(name.extension)
-    return [(whole, None), (name.stem, name.alternate)]
+    return list(dict.fromkeys([(whole, None), (name.stem, name.alternate)]))
 
 
 def dry_stem_for(file_name: str) -> str | None:

@@ -111,8 +111,8 @@ class CueGuess(Schema):
     reason: str
 
 
-class TakeRead(Schema):
-    """One delivered file."""
+class TakeAdded(Schema):
+    """A delivered file as it came in."""
 
     id: UUID
     project_id: UUID
@@ -131,8 +131,13 @@ class TakeRead(Schema):
     master_bytes: int
     received_at: datetime
     state_since: datetime
-    guesses: list[CueGuess] = Field(description="The three likeliest cues of an unmatched file.")
     already_here: bool = Field(False, description="The same file was here before; this is its take.")
+
+
+class TakeRead(TakeAdded):
+    """One delivered file; to guess what an unmatched one is for takes a look at the whole list."""
+
+    guesses: list[CueGuess] = Field(description="The three likeliest cues of an unmatched file.")
 
 
 class DryStemGive(Schema):

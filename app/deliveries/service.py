@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -20,7 +21,7 @@ from app.deliveries.rules import (
     stems_to_try,
     variation_meant,
 )
-from app.deliveries.schemas import CueBrief, CueGuess, TakeRead
+from app.deliveries.schemas import CueBrief, CueGuess, TakeAdded, TakeRead
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import NORMAL
@@ -127,8 +128,8 @@ def change_note(session: Session, actor: Actor, delivery_id: UUID, note: str) ->
 
 def receive_take(
     session: Session,
-    actor: Actor,
-    delivery_id: UUID,
+    standing: Standing,
+    delivery: Delivery,
     *,
     upload: FinishedUpload,
     file_name: str,
@@ -138,9 +139,9 @@ def receive_take(
 ) -> tuple[Take, bool]:
     """Make a finished upload a take, for the cue given, else matched by name or left in the tray; ask for its check.
 
-    Also return whether the same bytes were there before: then it is that take, and nothing was added.
+    The delivery is the caller's own, with what they are in its project, as `own_delivery` gives both. Also return
+    whether the same bytes were there before: then it is that take, and nothing was added.
     """
-    delivery, standing = own_delivery(session, actor, delivery_id)
     if (made := queries.take_of_upload(session, upload.id)) is not None:
         return made, False
     slot = _slot_given(session, standing, cue_id, variation, file_name) if cue_id else None
@@ -300,7 +301,7 @@ def read_takes(session: Session, project: Project, takes: Sequence[Take]) -> lis
     """Return takes of one project as they are shown; unmatched ones with their guesses."""
     unmatched = [take for take in takes if take.cue_id is None]
     guesses = dict(zip([take.id for take in unmatched], _guesses(session, project, unmatched), strict=True))
-    return [_take_read(project, take, guesses.get(take.id, [])) for take in takes]
+    return [TakeRead(**_facts_of(project, take), guesses=guesses.get(take.id, [])) for take in takes]
 
 
 def read_take(session: Session, project: Project, take: Take) -> TakeRead:
@@ -316,12 +317,16 @@ def _guesses(session: Session, project: Project, unmatched: Sequence[Take]) -> l
     return [[CueGuess.model_validate(guess) for guess in guesses] for guesses in found]
 
 
-def _take_read(project: Project, take: Take, guesses: list[CueGuess]) -> TakeRead:
+def added_take(project: Project, take: Take, *, already_here: bool) -> TakeAdded:
+    """Return a take as whoever sent it is answered."""
+    return TakeAdded(**_facts_of(project, take), already_here=already_here)
+
+
+def _facts_of(project: Project, take: Take) -> dict[str, Any]:
     cue = take.cue
     label = cue and list_rules.label(project.cue_prefix, cue.number)
-    joined = {"cue": cue and CueBrief(id=cue.id, label=str(label), name=cue.name), "guesses": guesses}
-    own = {name: getattr(take, name) for name in TakeRead.model_fields.keys() - {"cue", "guesses", "already_here"}}
-    return TakeRead.model_validate(own | joined)
+    own = {name: getattr(take, name) for name in TakeAdded.model_fields.keys() - {"cue", "already_here"}}
+    return own | {"cue": cue and CueBrief(id=cue.id, label=str(label), name=cue.name)}
 
 
 def _designer_of(session: Session, standing: Standing) -> UUID:

@@ -240,6 +240,11 @@ def insert_unless_there(
     return session.scalar(insert.returning(sa.literal(1))) is not None
 
 
+def row_of(new: Base) -> dict[str, Any]:
+    """Return the columns that were set of an object that no session knows yet."""
+    return {name: value for name, value in vars(new).items() if not name.startswith("_")}
+
+
 @contextmanager
 def beyond_reach(session: Session) -> Iterator[None]:
     """Let a block of a request touch any row: each use says why the caller's own reach cannot do."""
@@ -287,6 +292,7 @@ def _begin(connection: sa.Connection) -> None:
 def _prepare_postgresql(connection: Any, _record: Any) -> None:
     connection.autocommit = True  # we say BEGIN ourselves, and what a transaction is to know with it
     connection.prepared_max = PREPARED
+    connection.prepare_threshold = 1  # sent once more: nearly all are sent again and again, and each time planned
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:

@@ -1,5 +1,6 @@
 """What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
 
+import contextlib
 import hashlib
 import re
 import time
@@ -40,9 +41,11 @@ REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
 # Requests with a session of their own that run at once, as many that read as that write; others wait their turn
-# before they take a thread or a connection. One keeps its connection while it waits for a thread, so that connections
-# (30, or 40 on SQLite) and threads (40) must be more: else all threads wait for connections whose owners wait for one.
-SEATS = 8
+# before they take a thread or a connection. More would be answered no sooner: one runs at a time, while the others ask
+# the database. One keeps its connection while it waits for a thread, so that connections (30, or 40 on SQLite) and
+# threads (40) must be more: else all threads wait for connections whose owners wait for one.
+SEATS = 4
+LONGEST_WAIT_S = 20.0  # for a seat; whoever asked is gone or asks again, and a line without end takes all memory
 _SEATS: RunVar[tuple[anyio.Semaphore, anyio.Semaphore]] = RunVar("seats")  # of one event loop: writers', readers'
 AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
 log = structlog.get_logger(__name__)
@@ -74,6 +77,12 @@ class IdempotencyKeyReused(Conflict):
 
 class AlreadyDone(Conflict):
     """The request with this Idempotency-Key was carried out; its answer was lost before it could be kept."""
+
+
+class Crowded(Refused):
+    """More was asked for than this process could answer in time."""
+
+    status = 503
 
 
 class SavedAnswer(Base):
@@ -129,8 +138,26 @@ async def _seat(request: Request) -> AsyncIterator[None]:
         seats = _SEATS.get()
     except LookupError:
         _SEATS.set(seats := (anyio.Semaphore(SEATS), anyio.Semaphore(SEATS)))
-    async with seats[request.method in SAFE_METHODS]:
+    seat = seats[request.method in SAFE_METHODS]
+    await _take(seat)
+    try:
         yield
+    finally:
+        seat.release()
+
+
+async def _take(seat: anyio.Semaphore) -> None:
+    with contextlib.suppress(anyio.WouldBlock):
+        seat.acquire_nowait()  # without a timer, where one is free
+        return
+    try:
+        with anyio.fail_after(LONGEST_WAIT_S):
+            await seat.acquire()
+    except TimeoutError:
+        raise Crowded(
+            f"this server did not come to it within {LONGEST_WAIT_S:g} s, and nothing was done",
+            fix="try again in a few seconds",
+        ) from None
 
 
 def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Iterator[Session]:

@@ -18,6 +18,7 @@ from app.kit.handshakes import stop_handshakes
 
 READY = "/readyz"
 STARTUP_FAILED = 3
+GARBAGE_AFTER = 20_000  # objects: a page of the review queue makes as many, and nearly all go without a collector
 IDLE_LINE_S = 150  # longer than proxies keep one (Caddy 120 s, nginx 60 s): whoever sends last must not lose a request
 ACCEPT_S = 0.1  # the event loop comes round many times
 LINGER_S = 2.0  # a proxy uses up the lines it has, or has seen that no new one opens
@@ -31,6 +32,7 @@ def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: i
     # What the imports made lives for ever; looking through it again would hold up every few answers.
     gc.collect()
     gc.freeze()
+    gc.set_threshold(GARBAGE_AFTER, *gc.get_threshold()[1:])
     stopping = threading.Event()
     config = uvicorn.Config(
         _Leaving(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,

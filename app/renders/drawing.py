@@ -3,7 +3,6 @@
 Answers are plain values, the only ones that may come out of a sandbox.
 """
 
-import json
 import tempfile
 import wave
 from collections.abc import Iterable
@@ -12,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic_core import to_json
 
 from app.renders.spectrum import spectrum_png
 from audio_checks import (
@@ -97,7 +97,7 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, A
         **large.in_steps(PEAKS_FULL_SCALE),
         "bands": _in_tenths(bands),
     }
-    (folder / PEAKS).write_text(json.dumps(shape, separators=(",", ":")))
+    (folder / PEAKS).write_bytes(to_json(shape))
     plays_itself = _plays_itself(path)
     preview_of = "" if plays_itself else known.preview_of
     if not plays_itself and not preview_of:

@@ -12,6 +12,7 @@ from app.conformance.queries import made_mend_of
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_by_id
 from app.deliveries.service import take_for
+from app.kit.db import insert_unless_there, row_of
 from app.kit.events import publish
 from app.kit.queue import BULK
 from app.projects.queries import current_spec
@@ -185,15 +186,11 @@ def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
 
 def keep_made(session: Session, renders: Made, picture: Picture | None = None) -> None:
     """Put game files with their pictures, and the picture of another sound, on record, each once."""
-    drawn = [one for _, one in renders] + [picture]
-    pictures = {one.sound_sha256: one for one in drawn if one is not None}
-    if pictures:
-        known = queries.pictures_of_sounds(session, {one.studio_id for one in pictures.values()}, pictures)
-        session.add_all(one for sha256, one in pictures.items() if sha256 not in known)
-    if renders:
-        there = queries.renders_by_key(session, {render.take_id for render, _ in renders})
-        session.add_all(one for one, _ in renders if (one.take_id, one.target, one.key) not in there)
-    session.flush()
+    for one in [drawn for _, drawn in renders] + [picture]:
+        if one is not None:
+            insert_unless_there(session, Picture, row_of(one), unique=("studio_id", "sound_sha256"))
+    for render, _ in renders:
+        insert_unless_there(session, Render, row_of(render), unique=("take_id", "target", "key"))
 
 
 def complete(session: Session, order: RenderOrder) -> None:
@@ -201,9 +198,9 @@ def complete(session: Session, order: RenderOrder) -> None:
     now = queries.take_now(session, order.take_id)
     if now is None or (now.edition, now.spec_id) != (order.edition, order.spec_id):
         return
-    session.merge(
-        RenderSet(take_id=order.take_id, studio_id=order.studio_id, spec_id=order.spec_id, edition=order.edition)
-    )
+    whole = {"studio_id": order.studio_id, "spec_id": order.spec_id, "edition": order.edition}
+    if not insert_unless_there(session, RenderSet, {"take_id": order.take_id, **whole}, unique=("take_id",)):
+        session.merge(RenderSet(take_id=order.take_id, **whole))
     if now.has_palette:
         publish(session, "take.rendered", studio_id=order.studio_id, priority=BULK, take_id=order.take_id)
 

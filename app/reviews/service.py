@@ -98,9 +98,8 @@ def _cue_to_judge(session: Session, take: Take) -> Cue:
     if take.cue is None:
         raise NotReviewable("this file is matched to no cue yet; match it first")
     cue = take.cue
-    queries.lock_cue(session, cue.id)
+    session.refresh(cue, ["state"], with_for_update={"key_share": True})
     session.refresh(take, ["state", "state_since"], with_for_update={"key_share": True})
-    session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
         raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
     return cue

@@ -2,16 +2,18 @@
 
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from functools import cached_property
+from functools import lru_cache
 from uuid import UUID
 
 import audio_checks
 
 GUESSES = 3
 COMPARED_LETTER_BY_LETTER = 60  # of the candidates that share most words
+NAMES_REMEMBERED = 50_000  # some 300 bytes each: the same lists are looked through for file after file
+HEAD_LETTERS = 4  # words that begin alike are taken for the same: step, steps, stepping
 NOISE = frozenset(
     {"alt", "and", "bounce", "copy", "draft", "edit", "export", "final", "finished", "fix", "fixed", "for", "game"}
     | {"last", "latest", "loud", "master", "mastered", "mix", "mixed", "mono", "new", "of", "old", "ok", "processed"}
@@ -33,13 +35,13 @@ class Candidate:
     variations: int
     waits: bool  # nothing was delivered for it yet
 
-    @cached_property
-    def stem_words(self) -> list[str]:
+    @property
+    def stem_words(self) -> tuple[str, ...]:
         """The words of its file name."""
         return words_of(self.stem)
 
-    @cached_property
-    def words(self) -> list[str]:
+    @property
+    def words(self) -> tuple[str, ...]:
         """The words of its file name and its name."""
         return words_of(f"{self.stem} {self.name}")
 
@@ -54,12 +56,13 @@ class Likeness:
     reason: str
 
 
-def words_of(name: str) -> list[str]:
+@lru_cache(NAMES_REMEMBERED)
+def words_of(name: str) -> tuple[str, ...]:
     """Return the words of a name in lower case, without digits and without what people add to names of files."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode() or name
     words = re.findall(r"[^\W\d_]+", MANY_CAPITALS.sub(" ", plain))
     kept = [word.lower() for word in words if len(word) > 1 or not word.isascii()]
-    return [word for word in dict.fromkeys(kept) if word not in NOISE]
+    return tuple(word for word in dict.fromkeys(kept) if word not in NOISE)
 
 
 def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Candidate]) -> list[Likeness]:
@@ -67,8 +70,9 @@ def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Can
     stem = audio_checks.parse_file_name(file_name).stem
     words = words_of(stem)
     typed = "".join(words)
+    heads = {word[:HEAD_LETTERS] for word in words if len(word) >= HEAD_LETTERS}
     ranked = sorted(
-        ((_shared(words, one.words), place) for place, one in enumerate(candidates)),
+        ((_shared(words, heads, one.words), place) for place, one in enumerate(candidates)),
         key=lambda item: (-_weight(item[0], words), not candidates[item[1]].waits, item[1]),
     )
     near = {place for _, place in ranked[:COMPARED_LETTER_BY_LETTER]}
@@ -88,13 +92,9 @@ def _filler(one: Candidate, stem: str) -> Likeness:
     return Likeness(one.key, _variation(stem, one.variations), 0.0, reason)
 
 
-def _shared(words: Iterable[str], others: Sequence[str]) -> list[str]:
-    """Return the words of the cue that the file's name has too, alike in their first four letters at least."""
-    return [
-        other
-        for other in others
-        if any(word == other or (len(word) >= 4 and len(other) >= 4 and word[:4] == other[:4]) for word in words)
-    ]
+def _shared(words: Collection[str], heads: Collection[str], others: Iterable[str]) -> list[str]:
+    """Return the words of the cue that the file's name has too, or that begin as one of its longer words."""
+    return [other for other in others if other in words or other[:HEAD_LETTERS] in heads]
 
 
 def _weight(shared: Sequence[str], words: Sequence[str]) -> float:

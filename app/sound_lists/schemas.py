@@ -56,8 +56,8 @@ class SoundListRead(Schema):
     next: str | None = Field(description="The cursor of the following page, null at the end.")
 
 
-class CueAdd(Schema):
-    """A typed row; only a name or a file name is needed."""
+class CueFields(Schema):
+    """What people type of a cue."""
 
     name: Text = ""
     file_name: Text = ""
@@ -76,6 +76,10 @@ class CueAdd(Schema):
     placeholder: bool = False
     palette: bool = False
     extra: dict[Text, Text] = Field(default_factory=dict)
+
+
+class CueAdd(CueFields):
+    """A typed row; only a name or a file name is needed."""
 
 
 class CuesAdd(Schema):
@@ -84,27 +88,10 @@ class CuesAdd(Schema):
     cues: list[CueAdd] = Field(min_length=1, max_length=1000)
 
 
-class CuePatch(Schema):
+class CuePatch(CueFields):
     """What to change in a cue; what is left out stays."""
 
     edition: int = Field(description="The edition that was read.")
-    name: Text = ""
-    file_name: Text = ""
-    category: Text = ""
-    description: Text = ""
-    use: Text = ""
-    trigger: Text = ""
-    duration_s: Figure | None = None
-    length_locked: bool = False
-    frame_rate_fps: Figure | None = None
-    loop: bool = False
-    reverb: Reverb | None = None
-    variations: int = 1
-    state: OpenState = "prototype"
-    playback_priority: int | None = None
-    placeholder: bool = False
-    palette: bool = False
-    extra: dict[Text, Text] = Field(default_factory=dict)
 
 
 class CueOrder(Schema):

@@ -1,21 +1,10 @@
-/* What detectors of short faults look at: cells, crests, and stretches that come twice. */
+/* What detectors of short faults look at: cells, runs that stand still, crests, and stretches that come twice. */
 #include "kernel.h"
+#include "short_faults.h"
 
 #include <stdlib.h>
 
 enum { LEAST_CELL = 4 };
-
-static inline double larger_of(double one, double other) { return one > other ? one : other; }
-
-static inline int lowest_bit(uint64_t bits) {
-#if defined(__GNUC__)
-    return __builtin_ctzll(bits);
-#else
-    int at = 0;
-    while (!(bits >> at & 1)) at++;
-    return at;
-#endif
-}
 
 static inline double sixth_difference(const double *at) {
     return (at[0] + at[-6] - 6 * (at[-1] + at[-5])) + (15 * (at[-2] + at[-4]) - 20 * at[-3]);
@@ -99,469 +88,6 @@ PyObject *still_runs(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     return PyLong_FromSsize_t(found);
 }
 
-/* Segments are steady where the sharpest cell says little more than the mean, the few sharpest left out of both. */
-enum { MOST_WITHOUT = 16 };
-
-/* The mean of the values that are left without the `without` highest. */
-static double mean_without(const double *values, Py_ssize_t size, Py_ssize_t without) {
-    double top[MOST_WITHOUT + 1] = {0};
-    Py_ssize_t known = 0, below = 0;
-    for (Py_ssize_t at = 0; at < size; at++) {
-        if (known > without && values[at] <= top[without]) continue;
-        Py_ssize_t place = known > without ? without : known++;
-        for (; place > 0 && top[place - 1] < values[at]; place--) top[place] = top[place - 1];
-        top[place] = values[at];
-    }
-    double sum = 0;
-    for (Py_ssize_t at = 0; at < size; at++) {
-        if (values[at] > top[without]) continue;
-        sum += values[at];
-        below++;
-    }
-    const double rest = (double)(size - without - below); /* as high as the next, and among those left out or not */
-    return (sum + rest * top[without]) / (double)(size - without);
-}
-
-CLONES static Py_ssize_t sharper_than(const double *sharpness, Py_ssize_t size, double square) {
-    Py_ssize_t sharper = 0;
-    for (Py_ssize_t at = 0; at < size; at++) sharper += sharpness[at] * sharpness[at] >= square;
-    return sharper;
-}
-
-static int is_steady(const double *sharpness, const double *powers, Py_ssize_t size, Py_ssize_t without, double least,
-                     double most) {
-    double lanes[4] = {0};
-    Py_ssize_t at = 0;
-    for (; at + 4 <= size; at += 4) {
-        for (int lane = 0; lane < 4; lane++) lanes[lane] += powers[at + lane];
-    }
-    for (; at < size; at++) lanes[0] += powers[at];
-    /* The mean of the rest is no higher than if the few left out were zero: most segments show so that they are not. */
-    const double bound = 1.000001 * most * ((lanes[0] + lanes[2]) + (lanes[1] + lanes[3])) / (double)(size - without);
-    if (sharper_than(sharpness, size, bound) > without || !(in_lanes()->highest(sharpness, size) > least)) return 0;
-    return sharper_than(sharpness, size, most * mean_without(powers, size, without)) <= without;
-}
-
-/* sharpness of cells, power of their sixth differences, cells of a segment, how many to leave out, least sharpness,
- * most that its square may be times the mean power, flags to fill */
-PyObject *steady_segments(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *sharpness, *powers;
-    uint8_t *flags;
-    if (arguments("steady_segments", count, 7) < 0) return NULL;
-    const Py_ssize_t size = PyLong_AsSsize_t(args[2]), without = PyLong_AsSsize_t(args[3]);
-    const double least = PyFloat_AsDouble(args[4]), most = PyFloat_AsDouble(args[5]);
-    if (PyErr_Occurred() || !(flags = take_row(&held, args[6], -1, 1, 1))) goto refused;
-    const Py_ssize_t segments = held.views[0].len;
-    if (without < 0 || without > MOST_WITHOUT || without >= size) {
-        PyErr_SetString(PyExc_ValueError, "at most 16 cells left out of a segment, and one that stays, are wanted");
-        goto refused;
-    }
-    if (!(sharpness = TAKE_DOUBLES(&held, args[0], size * segments, 0)) ||
-        !(powers = TAKE_DOUBLES(&held, args[1], size * segments, 0))) {
-        goto refused;
-    }
-    for (Py_ssize_t at = 0; at < segments; at++) {
-        flags[at] = (uint8_t)is_steady(sharpness + at * size, powers + at * size, size, without, least, most);
-    }
-    let_go(&held);
-    Py_RETURN_NONE;
-refused:
-    let_go(&held);
-    return NULL;
-}
-
-static double mean_of(const double *values, Py_ssize_t count) {
-    double sum = 0;
-    for (Py_ssize_t at = 0; at < count; at++) sum += values[at];
-    return count > 0 ? sum / (double)count : 0;
-}
-
-/* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
- * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
-enum { MOST_COEFFICIENTS = 64 };
-
-static void fit(const double *products, Py_ssize_t order, double *coefficients) {
-    double error = products[0], before[MOST_COEFFICIENTS];
-    for (Py_ssize_t at = 0; at < order; at++) {
-        double sum = products[at + 1];
-        for (Py_ssize_t place = 0; place < at; place++) sum -= coefficients[place] * products[at - place];
-        const double reflected = error > 0 ? sum / error : 0;
-        memcpy(before, coefficients, (size_t)at * sizeof *before);
-        for (Py_ssize_t place = 0; place < at; place++) coefficients[place] -= reflected * before[at - 1 - place];
-        coefficients[at] = reflected;
-        error *= 1 - reflected * reflected;
-    }
-}
-
-/* Which of the next cells may stand out, as bits; see `towering` in lanes.h. All may where too few stand beside them. */
-static uint64_t screened(const double *heights, Py_ssize_t count, Py_ssize_t at, Py_ssize_t reach, Py_ssize_t core,
-                         double times) {
-    const Py_ssize_t nearest = core + 1, farthest = core + TOWERED;
-    if (reach < farthest || at < farthest || at + SCREENED + farthest > count) return ~UINT64_C(0);
-    return in_lanes()->towering(heights + at, nearest, times);
-}
-
-/* Where, of the cells `from` until `until`, a height is `times` what lies around it, `reach` cells before and after, and
- * more than `least`. Of the `core` cells on either side the one may belong to it too: only the lower of two neighbours
- * counts. Beyond the heights given lies nothing. */
-static Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t from, Py_ssize_t until,
-                                   Py_ssize_t reach, Py_ssize_t core, double times, double least, int64_t *places) {
-    Py_ssize_t found = 0;
-    for (Py_ssize_t group = from; group < until; group += SCREENED) {
-        for (uint64_t may = screened(heights, count, group, reach, core, times); may; may &= may - 1) {
-            const Py_ssize_t at = group + lowest_bit(may);
-            if (at >= until) break;
-            const double here = heights[at];
-            int highest = here > least;
-            for (Py_ssize_t off = 1; off <= reach && highest; off++) {
-                const int beats_before = at < off || here > heights[at - off] * times;
-                const int beats_after = at + off >= count || here > heights[at + off] * times;
-                highest = off > core ? beats_before && beats_after : beats_before || beats_after;
-            }
-            if (highest) places[found++] = at;
-        }
-    }
-    return found;
-}
-
-/* A steady stretch of cells, and room to work on it. */
-typedef struct {
-    const double *window;
-    Py_ssize_t frames, order, size, cells, reach, core;
-    double times, least;
-    double *room;
-    int64_t *places;
-} steady;
-
-static void measure_rests(const steady *by, const double *samples, const double *coefficients, Py_ssize_t from,
-                          Py_ssize_t until, double *heights) {
-    const double *start = samples + from * by->size;
-    in_lanes()->foretell(start, coefficients, by->order, (until - from) * by->size, by->room);
-    for (Py_ssize_t cell = from; cell < until; cell++) {
-        heights[cell] = in_lanes()->highest(by->room + (cell - from) * by->size, by->size);
-    }
-}
-
-/* The coefficients that foretell samples best, as a window weighs them. */
-static void fit_to(const double *samples, const double *window, Py_ssize_t frames, Py_ssize_t order, double *room,
-                   double *coefficients) {
-    double products[MOST_COEFFICIENTS + 1];
-    for (Py_ssize_t at = 0; at < frames; at++) room[at] = samples[at] * window[at];
-    in_lanes()->lagged(room, frames, order, products);
-    products[0] *= 1 + 1e-10;
-    fit(products, order, coefficients);
-}
-
-/* Measure what cannot be foretold of each cell, first of those that may stand out (all but `reach` on either side):
- * what does not stand out among these does not among all, and the rest need not be measured. */
-static int look_closer(const steady *by, const double *samples, double *heights) {
-    double coefficients[MOST_COEFFICIENTS] = {0};
-    const Py_ssize_t inner = by->cells - 2 * by->reach;
-    fit_to(samples, by->window, by->frames, by->order, by->room, coefficients);
-    measure_rests(by, samples, coefficients, by->reach, by->reach + inner, heights);
-    if (!find_outstanding(heights + by->reach, inner, 0, inner, by->reach, by->core, by->times, by->least, by->places)) {
-        return 0;
-    }
-    measure_rests(by, samples, coefficients, 0, by->reach, heights);
-    measure_rests(by, samples, coefficients, by->reach + inner, by->cells, heights);
-    return 1;
-}
-
-/* samples, where stretches start, window, coefficients, frames of a cell, cells that are compared on either side, those
- * that may belong to what stands out, times, least height, heights (stretches, cells) -> those in which something may
- * stand out; of these the heights are whole, and they come first */
-PyObject *unforeseen(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *samples;
-    const int64_t *starts;
-    planar heights;
-    steady by;
-    if (arguments("unforeseen", count, 11) < 0) return NULL;
-    by.order = PyLong_AsSsize_t(args[3]), by.size = PyLong_AsSsize_t(args[4]);
-    by.reach = PyLong_AsSsize_t(args[5]), by.core = PyLong_AsSsize_t(args[6]);
-    by.times = PyFloat_AsDouble(args[7]), by.least = PyFloat_AsDouble(args[8]);
-    int64_t *kept;
-    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(starts = take_row(&held, args[1], -1, sizeof(int64_t), 0)) || !(by.window = TAKE_DOUBLES(&held, args[2], -1, 0)) ||
-        take_planar(&held, args[9], &heights, 1) < 0 ||
-        !(kept = take_row(&held, args[10], heights.channels, sizeof(int64_t), 1))) {
-        let_go(&held);
-        return NULL;
-    }
-    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t stretches = held.views[1].len / (Py_ssize_t)sizeof(int64_t);
-    by.frames = held.views[2].len / (Py_ssize_t)sizeof(double), by.cells = heights.frames;
-    int fits = by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.reach >= 0 && by.frames > by.order &&
-               by.cells > 2 * by.reach && by.cells * by.size <= by.frames && heights.channels == stretches;
-    for (Py_ssize_t at = 0; at < stretches && fits; at++) fits = starts[at] >= by.order && starts[at] + by.frames <= length;
-    if (!fits) {
-        let_go(&held);
-        PyErr_SetString(PyExc_ValueError, "1 to 64 coefficients, as many frames of history, and whole cells are wanted");
-        return NULL;
-    }
-    by.room = malloc((size_t)by.frames * sizeof *by.room);
-    by.places = malloc((size_t)by.cells * sizeof *by.places);
-    if (!by.room || !by.places) {
-        free(by.room);
-        free(by.places);
-        let_go(&held);
-        return PyErr_NoMemory();
-    }
-    Py_ssize_t found = 0;
-    Py_BEGIN_ALLOW_THREADS
-    for (Py_ssize_t at = 0; at < stretches; at++) {
-        if (look_closer(&by, samples + starts[at], heights.samples + found * heights.row)) kept[found++] = at;
-    }
-    Py_END_ALLOW_THREADS
-    free(by.room);
-    free(by.places);
-    let_go(&held);
-    return PyLong_FromSsize_t(found);
-}
-
-/* A place where a click may be, and the sound beside it: cells of `size` frames. */
-typedef struct {
-    const double *beside, *around; /* windows: of the sound on either side, and of all with the place in its middle */
-    Py_ssize_t order, size, place, span, reach;
-    double times_beside, times_around;
-    double *room;
-} doubt;
-
-enum { AT_A_TIME = 128 }; /* frames: few of those beside a place show in most cases that they are as bad */
-
-/* Whether a place cannot be foretold from the sound that leads up to it, by far less well than that sound itself. */
-static int surprises(const doubt *by, const double *leading) {
-    const Py_ssize_t span = by->span * by->size, place = by->place * by->size;
-    double coefficients[MOST_COEFFICIENTS] = {0};
-    fit_to(leading, by->beside, span, by->order, by->room, coefficients);
-    in_lanes()->foretell(leading + span, coefficients, by->order, place, by->room);
-    const double here = in_lanes()->highest(by->room, place);
-    for (Py_ssize_t until = span, from; until > by->order; until = from) {
-        from = until - AT_A_TIME > by->order ? until - AT_A_TIME : by->order;
-        in_lanes()->foretell(leading + from, coefficients, by->order, until - from, by->room);
-        if (!(here > by->times_beside * in_lanes()->highest(by->room, until - from))) return 0;
-    }
-    return 1;
-}
-
-static const double *turned_round(const double *samples, Py_ssize_t count, double *out) {
-    for (Py_ssize_t at = 0; at < count; at++) out[at] = samples[count - 1 - at];
-    return out;
-}
-
-/* How badly as many cells as a place has are told, by the sound before them or after them, whichever does better. */
-static double worst_both_ways(const doubt *by, const double *rests, const double *behind, Py_ssize_t cell) {
-    const Py_ssize_t first = cell * by->size, frames = by->place * by->size;
-    const Py_ssize_t last = (by->place + 2 * by->reach) * by->size - first - frames;
-    const double before = in_lanes()->highest(rests + first, frames), after = in_lanes()->highest(behind + last, frames);
-    return before < after ? before : after;
-}
-
-/* Whether a place is told less well both ways than any other around it; a click spills into the cells beside it. */
-static int is_hardest_to_tell(const doubt *by, const double *start) {
-    const Py_ssize_t cells = by->place + 2 * by->reach, frames = cells * by->size;
-    double coefficients[MOST_COEFFICIENTS] = {0}, *rests = by->room, *behind = rests + frames;
-    fit_to(start, by->around, frames, by->order, rests, coefficients);
-    const double *turned = turned_round(start, frames + by->order, behind + frames);
-    in_lanes()->foretell(start, coefficients, by->order, frames, rests);
-    in_lanes()->foretell(turned + by->order, coefficients, by->order, frames, behind);
-    const double most = worst_both_ways(by, rests, behind, by->reach) / by->times_around;
-    for (Py_ssize_t cell = 0; cell < by->reach - by->place; cell++) {
-        if (worst_both_ways(by, rests, behind, cell) >= most) return 0;
-        if (worst_both_ways(by, rests, behind, cells - by->place - cell) >= most) return 0;
-    }
-    return 1;
-}
-
-static int is_click(const doubt *by, const double *place) {
-    const Py_ssize_t span = by->span * by->size;
-    if (!surprises(by, place - span)) return 0;
-    const double *following = turned_round(place, by->place * by->size + span, by->room + span);
-    return surprises(by, following) && is_hardest_to_tell(by, place - by->reach * by->size);
-}
-
-/* samples, where places start, window of the sound on either side, window of all around, coefficients, frames of a cell,
- * cells of a place, times that it is harder to foretell than the sound beside it, and than any other around it, places to
- * fill -> how many of them are */
-PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *samples;
-    const int64_t *places;
-    int64_t *kept;
-    doubt by;
-    if (arguments("unforeseen_both_ways", count, 10) < 0) return NULL;
-    by.order = PyLong_AsSsize_t(args[4]), by.size = PyLong_AsSsize_t(args[5]), by.place = PyLong_AsSsize_t(args[6]);
-    by.times_beside = PyFloat_AsDouble(args[7]), by.times_around = PyFloat_AsDouble(args[8]);
-    if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(places = take_row(&held, args[1], -1, sizeof(int64_t), 0)) || !(by.beside = TAKE_DOUBLES(&held, args[2], -1, 0)) ||
-        !(by.around = TAKE_DOUBLES(&held, args[3], -1, 0))) {
-        goto refused;
-    }
-    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t asked = held.views[1].len / (Py_ssize_t)sizeof(int64_t);
-    const Py_ssize_t beside = held.views[2].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t around = held.views[3].len / (Py_ssize_t)sizeof(double);
-    int fits = by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.place >= 1;
-    if (fits) {
-        by.span = beside / by.size, by.reach = (around / by.size - by.place) / 2;
-        fits = by.span * by.size == beside && (by.place + 2 * by.reach) * by.size == around && beside > by.order &&
-               by.place <= by.span && by.span <= by.reach;
-    }
-    const Py_ssize_t before = by.reach * by.size + by.order, after = before + by.place * by.size;
-    for (Py_ssize_t at = 0; at < asked && fits; at++) fits = places[at] >= before && places[at] + after <= length;
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError,
-                        "1 to 64 coefficients, whole cells, more frames beside a place and more still around it are wanted");
-        goto refused;
-    }
-    if (!(kept = take_row(&held, args[9], asked, sizeof(int64_t), 1))) goto refused;
-    by.room = malloc((size_t)(3 * around + by.order) * sizeof *by.room);
-    if (!by.room) {
-        PyErr_NoMemory();
-        goto refused;
-    }
-    Py_ssize_t found = 0;
-    Py_BEGIN_ALLOW_THREADS
-    for (Py_ssize_t at = 0; at < asked; at++) {
-        if (is_click(&by, samples + places[at])) kept[found++] = at;
-    }
-    Py_END_ALLOW_THREADS
-    free(by.room);
-    let_go(&held);
-    return PyLong_FromSsize_t(found);
-refused:
-    let_go(&held);
-    return NULL;
-}
-
-/* How many times a height is as high as what lies around it; see `find_outstanding`. */
-static double times_higher(const double *heights, Py_ssize_t count, Py_ssize_t at, Py_ssize_t reach, Py_ssize_t core) {
-    double highest = 0;
-    for (Py_ssize_t off = 1; off <= reach; off++) {
-        const double before = at < off ? 0 : heights[at - off], after = at + off >= count ? 0 : heights[at + off];
-        const int far = off > core;
-        highest = larger_of((before > after) == far ? before : after, highest);
-    }
-    return highest > 0 ? heights[at] / highest : INFINITY;
-}
-
-/* sums of cells -> how far each but the first and the last lies off the middle between its neighbours */
-PyObject *bends(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *sums;
-    double *out;
-    if (arguments("bends", count, 2) < 0) return NULL;
-    if (!(out = TAKE_DOUBLES(&held, args[1], -1, 1))) {
-        let_go(&held);
-        return NULL;
-    }
-    const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
-    if (!(sums = TAKE_DOUBLES(&held, args[0], length + 2, 0))) {
-        let_go(&held);
-        return NULL;
-    }
-    for (Py_ssize_t at = 0; at < length; at++) out[at] = fabs(sums[at + 1] - 0.5 * (sums[at] + sums[at + 2]));
-    let_go(&held);
-    Py_RETURN_NONE;
-}
-
-/* What lies beside a height in the sound: its power, and that of its sixth differences, cell by cell. */
-typedef struct {
-    const double *squares, *edges;
-    Py_ssize_t level, core;
-    double quietest, goes_on;
-} surroundings;
-
-/* The lower and the higher mean of the cells before a place and of those after it. */
-static void means_beside(const surroundings *sound, const double *values, Py_ssize_t place, double *lower, double *higher) {
-    const double before = mean_of(values + place - sound->level, sound->level - sound->core);
-    const double after = mean_of(values + place + sound->core + 1, sound->level - sound->core);
-    *lower = before < after ? before : after;
-    *higher = before < after ? after : before;
-}
-
-/* Whether there is sound on both sides of a place, about as loud or about as sharp; its power on the quieter side. */
-static int goes_on(const surroundings *sound, Py_ssize_t place, double *quieter) {
-    double louder, lower, higher;
-    means_beside(sound, sound->squares, place, quieter, &louder);
-    if (*quieter < sound->quietest) return 0;
-    if (louder <= *quieter * sound->goes_on) return 1;
-    means_beside(sound, sound->edges, place, &lower, &higher);
-    return higher <= lower * sound->goes_on;
-}
-
-enum { CLICK_FIGURES = 5 }; /* row, cell of it, height, power of the quieter side, how many times as high it is */
-
-/* rows of heights, the cell that each row's first one is, times as high, cells that are compared on either side,
- * those that may belong to what stands out, least height, times the mean of its row, power of cells, power of their
- * sixth differences, cells that tell the level on either side, least power there, times that it may fall or rise,
- * clicks to fill -> how many */
-PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    planar heights;
-    const int64_t *firsts;
-    double *out;
-    int64_t *places = NULL;
-    surroundings sound;
-    if (arguments("outstanding_amid", count, 13) < 0) return NULL;
-    const Py_ssize_t reach = PyLong_AsSsize_t(args[3]);
-    const double times = PyFloat_AsDouble(args[2]), least = PyFloat_AsDouble(args[5]), above_mean = PyFloat_AsDouble(args[6]);
-    sound.core = PyLong_AsSsize_t(args[4]), sound.level = PyLong_AsSsize_t(args[9]);
-    sound.quietest = PyFloat_AsDouble(args[10]), sound.goes_on = PyFloat_AsDouble(args[11]);
-    if (PyErr_Occurred() || take_planar(&held, args[0], &heights, 0) < 0 ||
-        !(firsts = take_row(&held, args[1], heights.channels, sizeof(int64_t), 0)) ||
-        !(sound.squares = TAKE_DOUBLES(&held, args[7], -1, 0))) {
-        goto refused;
-    }
-    const Py_ssize_t cells_given = held.views[held.count - 1].len / (Py_ssize_t)sizeof(double);
-    if (!(sound.edges = TAKE_DOUBLES(&held, args[8], cells_given, 0)) || !(out = TAKE_DOUBLES(&held, args[12], -1, 1))) {
-        goto refused;
-    }
-    const Py_ssize_t most = held.views[held.count - 1].len / (Py_ssize_t)sizeof(double) / CLICK_FIGURES;
-    int fits = sound.core >= 0 && sound.level > sound.core && reach >= 0 && heights.frames >= 2 * reach;
-    for (Py_ssize_t at = 0; at < heights.channels && fits; at++) {
-        fits = firsts[at] + reach >= sound.level && firsts[at] + heights.frames - reach + sound.level <= cells_given;
-    }
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError, "cells on either side of every height that may stand out are wanted");
-        goto refused;
-    }
-    if (!(places = malloc((size_t)heights.frames * sizeof *places + 1))) {
-        let_go(&held);
-        return PyErr_NoMemory();
-    }
-    Py_ssize_t found = 0;
-    for (Py_ssize_t at = 0; at < heights.channels; at++) {
-        const double *row = heights.samples + at * heights.row;
-        const Py_ssize_t standing =
-            find_outstanding(row, heights.frames, reach, heights.frames - reach, reach, sound.core, times, least, places);
-        if (standing && above_mean > 0 &&
-            in_lanes()->highest(row + reach, heights.frames - 2 * reach) < above_mean * mean_of(row, heights.frames)) {
-            continue;
-        }
-        for (Py_ssize_t which = 0; which < standing && found < most; which++) {
-            double quieter;
-            if (!goes_on(&sound, firsts[at] + places[which], &quieter)) continue;
-            double *figures = out + found++ * CLICK_FIGURES;
-            figures[0] = (double)at, figures[1] = (double)places[which];
-            figures[2] = row[places[which]], figures[3] = quieter;
-            figures[4] = times_higher(row, heights.frames, places[which], reach, sound.core);
-        }
-    }
-    free(places);
-    let_go(&held);
-    return PyLong_FromSsize_t(found);
-refused:
-    let_go(&held);
-    return NULL;
-}
-
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
 enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8 };
 
@@ -607,6 +133,15 @@ static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t en
     figures[7] = (double)(fall - rise);
 }
 
+/* The next row, from one on, that lies above a level; `rows` where none does. */
+static Py_ssize_t next_above(const double *maxima, Py_ssize_t row, Py_ssize_t rows, double level) {
+    enum { AT_ONCE = 64 };
+    if (row < rows && maxima[row] > level) return row;
+    while (row + AT_ONCE <= rows && in_lanes()->highest(maxima + row, AT_ONCE) <= level) row += AT_ONCE;
+    while (row < rows && maxima[row] <= level) row++;
+    return row;
+}
+
 /* samples, maxima of their rows, first row, (highest, deepest) so far: these rise where a row that may exceed one does */
 PyObject *extremes(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -623,12 +158,13 @@ PyObject *extremes(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         return NULL;
     }
     const Py_ssize_t frames = held.views[0].len / (Py_ssize_t)sizeof(double);
-    for (; row < rows_of(frames); row++) {
-        if (maxima[row] <= known[0] && maxima[row] <= known[1]) continue;
+    const Py_ssize_t rows = rows_of(frames);
+    while ((row = next_above(maxima, row, rows, known[0] < known[1] ? known[0] : known[1])) < rows) {
         for (Py_ssize_t at = row * ROW; at < frames && at < (row + 1) * ROW; at++) {
             known[0] = larger_of(samples[at], known[0]);
             known[1] = larger_of(-samples[at], known[1]);
         }
+        row++;
     }
     let_go(&held);
     Py_RETURN_NONE;
@@ -656,13 +192,16 @@ PyObject *crests(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     }
     shape wanted;
     memcpy(&wanted, wanted_figures, sizeof wanted);
+    const Py_ssize_t rows = rows_of(frames);
+    const double below = nextafter(wanted.least, -INFINITY); /* what lies above it reaches the least */
     Py_ssize_t found = 0;
     Py_BEGIN_ALLOW_THREADS
     Py_ssize_t at = first, known = 0; /* what lies before `known` was looked at */
     while (at > 0 && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that the last block left open */
     while (at < frames && found < most) {
-        while (at < frames && maxima[at / ROW] < wanted.least) at = (at / ROW + 1) * ROW; /* no crest here is high */
-        if (at >= frames) break;
+        const Py_ssize_t row = next_above(maxima, at / ROW, rows, below); /* no crest before it is high */
+        if (row == rows) break;
+        if (row > at / ROW) at = row * ROW;
         while (at > known && wanted.sign * samples[at - 1] >= wanted.floor) at--; /* one that began in what was skipped */
         const Py_ssize_t end = (at / ROW + 1) * ROW, until = end < frames ? end : frames;
         while (at < until && wanted.sign * samples[at] < wanted.floor) at++;

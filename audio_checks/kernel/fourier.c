@@ -392,11 +392,14 @@ PyObject *powers(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     for (length done = 0; done < w.count * channels; done += VALUE) {
         const length left = w.count * channels - done, here = left < VALUE ? left : VALUE;
         const double *found = next_powers(&w, done, here, bins, x);
+        double *to[VALUE];
         for (length v = 0; v < here; v++) {
-            const length number = done + v, apart = by_bin ? out.row : 1;
-            double *to = out.samples + (by_bin ? number % channels * bins * out.row + number / channels : number * out.row);
-            for (length k = 0; k < bins; k++) to[k * apart] = found[VALUE * k + v];
+            const length number = done + v;
+            to[v] = out.samples + (by_bin ? number % channels * bins * out.row + number / channels : number * out.row);
         }
+        const length apart = by_bin ? out.row : 1;
+        for (length k = 0; k < bins; k++) /* windows of a bin may lie side by side */
+            for (length v = 0; v < here; v++) to[v][k * apart] = found[VALUE * k + v];
     }
     Py_END_ALLOW_THREADS
     PyMem_Free(x);

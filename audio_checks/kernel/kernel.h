@@ -169,6 +169,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
     EACH(extremes, "Raise the highest and the deepest sample known to those of a signal.") \
     EACH(fourier, "Transform rows of complex numbers in place.") \
+    EACH(gliding_segments, "Tell of each segment of cells whether its largest steps hardly change.") \
     EACH(group_sums, "Add up values in groups.") \
     EACH(hash_add, "Take bytes into one stream of SHA-256, or the same bytes into two.") \
     EACH(hash_begin, "Return a new stream of SHA-256.") \

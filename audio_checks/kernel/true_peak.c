@@ -136,12 +136,17 @@ static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count
 
 /* Search `count` intervals, of which the first touches samples[0 .. REACH]; `maxima` are those of samples' rows. */
 static void search(const double *samples, Py_ssize_t count, const double *maxima, const interpolator *by, found *result) {
-    enum { BEFORE = (LEAD + 1) / ROW }; /* the sample after the first interval starts a row */
-    for (Py_ssize_t first = 0, row = BEFORE; first < count; first += ROW, row++) {
-        const double beside = maxima[row - 1] > maxima[row + 1] ? maxima[row - 1] : maxima[row + 1];
-        const double around = maxima[row] > beside ? maxima[row] : beside;
-        if (around * by->gain > result->best) {
-            search_row(samples, first, count - first < ROW ? count - first : ROW, by, result);
+    enum { BEFORE = (LEAD + 1) / ROW, AT_ONCE = 64 }; /* the sample after the first interval starts a row */
+    for (Py_ssize_t from = 0; from < count; from += AT_ONCE * ROW) {
+        const Py_ssize_t until = count - from < AT_ONCE * ROW ? count : from + AT_ONCE * ROW;
+        const double *around_all = maxima + BEFORE + from / ROW - 1;
+        if (in_lanes()->highest(around_all, rows_of(until - from) + 2) * by->gain <= result->best) continue;
+        for (Py_ssize_t first = from, row = BEFORE + from / ROW; first < until; first += ROW, row++) {
+            const double beside = maxima[row - 1] > maxima[row + 1] ? maxima[row - 1] : maxima[row + 1];
+            const double around = maxima[row] > beside ? maxima[row] : beside;
+            if (around * by->gain > result->best) {
+                search_row(samples, first, count - first < ROW ? count - first : ROW, by, result);
+            }
         }
     }
 }

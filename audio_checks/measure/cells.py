@@ -51,23 +51,25 @@ class CellStream:
     channels : int
     frames : int
         Of each cell.
-    kept : int
-        How many cells stand before the new ones.
+    kept, kept_sums : int
+        How many cells stand before the new ones, and how many of which only the sums are asked for.
     most : int
         New ones at a time.
     """
 
-    def __init__(self, channels: int, frames: int, kept: int, most: int) -> None:
+    def __init__(self, channels: int, frames: int, kept: int, kept_sums: int, most: int) -> None:
         self._frames = frames
-        self._kept = kept
-        shape = len(Cells._fields) * channels, kept + most
+        self._kept, self._first = kept, max(kept, kept_sums)  # the latter is where new ones begin
+        shape = len(Cells._fields) * channels, self._first + most
         self._room = spare.taken("cells", math.prod(shape) * np.dtype(np.float64).itemsize)
         self._figures = self._room.view(np.float64).reshape(shape)
-        self._figures[:, :kept] = 0.0
+        self._sums = self._figures[:channels]
+        self._sums[:, : self._first - kept] = 0.0  # of the other figures nobody asks so far back
+        self._figures[:, self._first - kept : self._first] = 0.0
 
     def room(self, count: int) -> NDArray[np.float64]:
         """Return where the figures of so many new cells go, shape (5 * channels, count)."""
-        return self._figures[:, self._kept : self._kept + count]
+        return self._figures[:, self._first : self._first + count]
 
     def measure(self, samples: NDArray[np.float64], first: int) -> int:
         """Measure the whole cells of `samples` from one frame on, and return how many there are.
@@ -86,13 +88,19 @@ class CellStream:
     def end(self) -> None:
         """Leave the room to the next stream; nothing is asked of this one any more."""
         spare.give_back("cells", self._room)
-        self._figures = self._figures[:, :0]
+        self._figures = self._sums = self._figures[:, :0]
 
     def newest(self, count: int) -> Cells:
         """Return so many new cells, after those that are kept."""
-        figures = self._figures[:, : self._kept + count]
+        figures = self._figures[:, self._first - self._kept : self._first + count]
         return Cells(*figures.reshape(len(Cells._fields), -1, figures.shape[1]))
+
+    def newest_sums(self, count: int) -> NDArray[np.float64]:
+        """Return the sums of so many new cells, after all that are kept, shape (channels, n)."""
+        return self._sums[:, : self._first + count]
 
     def keep(self, count: int) -> None:
         """Make the last ones of what came with so many new cells those that stand before the next."""
-        self._figures[:, : self._kept] = self._figures[:, count : count + self._kept].copy()
+        whole = self._first - self._kept
+        self._sums[:, :whole] = self._sums[:, count : count + whole].copy()
+        self._figures[:, whole : self._first] = self._figures[:, count + whole : count + self._first].copy()

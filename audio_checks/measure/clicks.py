@@ -26,12 +26,16 @@ DOUBTED = 1 + 2 * CORE  # cells that are looked at together where a click may be
 BESIDE = 24  # cells of the sound before them, and of that after them, from which they are foretold: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
-BELOW_PEAK = 8e-3  # 42 dB under the file's peak: smaller clicks count for nothing
+BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
 STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide small clicks in them
 SEGMENT = 2 * ROW_FRAMES  # cells of steady sound that are looked at together
+GLIDES = 0.12  # of the largest steps of cells, how much they change from one to the next: a tone that glides; noise 0.2
+GLIDED = 16  # cells of such a tone, and as many on either side, in which it glides little
+GLIDE_DOUBTFUL = 1.3  # times as hard to foretell as those beside it is worth a closer look there,
+GLIDE_HARDER = 2.0  # and so much harder than the sound on either side is enough: a tone is foretold well
 CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: the click itself must not
 ORDER = 20  # samples that foretell the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
@@ -48,9 +52,14 @@ class Click(NamedTuple):
 
 
 class _Doubt(NamedTuple):
-    """A cell where a click may be, how many times as high it stands as others, and the power of the sound around."""
+    """A cell where a click may be.
+
+    `harder` is how many times as badly as the sound beside it a click is foretold there, `stands` how many times as
+    high it is as others, `power` that of the sound around.
+    """
 
     channel: int
+    harder: float
     cell: int
     stands: float
     power: float
@@ -128,13 +137,14 @@ class Clicks:
         heights: NDArray[np.float64],
         starts: NDArray[np.int64],
         times: float,
+        least: float,
         *,
-        scale: float = 1.0,
+        reach: int = REACH,
         above_mean: float = 0.0,
     ) -> list[list[float]]:
-        """Return what is `times` as high as what lies around it, in each row of heights, but for REACH at both ends.
+        """Return what is `times` as high as what lies around it, in each row of heights, but for `reach` at both ends.
 
-        Rows start at the places `starts` of `cells`. A height is `scale` times that of the click that it stands for.
+        Rows start at the places `starts` of `cells`. What is no higher than `least` counts for nothing.
         Of each are told the row, the cell of it, its height, the power of the sound around, and how many times as high
         it is.
         """
@@ -142,9 +152,9 @@ class Clicks:
             heights,
             starts,
             times,
-            REACH,
+            reach,
             CORE,
-            self._lowest * scale,
+            least,
             above_mean,
             cells.squares[channel],
             cells.edges[channel],
@@ -175,10 +185,11 @@ class Clicks:
             (bends, first - 1, 1.0, BENDS_OUT, BENDS_DOUBTFUL),
         ):
             rows, starts = heights[np.newaxis], np.array([begin])
-            for _, at, height, power, stands in self._outstanding(cells, channel, rows, starts, doubtful, scale=scale):
+            told = self._outstanding(cells, channel, rows, starts, doubtful, self._lowest * scale)
+            for _, at, height, power, stands in told:
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful.append(_Doubt(channel, before + place, stands, power))
+                    self._doubtful.append(_Doubt(channel, HARDER_THAN_BESIDE, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
@@ -194,8 +205,8 @@ class Clicks:
         known = total - CORE - REACH - -(-ORDER // self._cell)
         ready = _foremost([one for one in self._doubtful if one.cell < known])
         self._doubtful = [one for one in self._doubtful if one.cell >= known]
-        for channel in {one.channel for one in ready}:
-            doubts = [one for one in ready if one.channel == channel]
+        for channel, harder in {(one.channel, one.harder) for one in ready}:
+            doubts = [one for one in ready if (one.channel, one.harder) == (channel, harder)]
             starts = origin + (np.array([one.cell for one in doubts]) - CORE) * self._cell
             late = np.flatnonzero(starts >= REACH * self._cell + ORDER)  # of many channels less is kept
             kept = np.empty(len(late), np.int64)
@@ -207,7 +218,7 @@ class Clicks:
                 ORDER,
                 self._cell,
                 DOUBTED,
-                HARDER_THAN_BESIDE,
+                harder,
                 HARDER_THAN_AROUND,
                 kept,
             )
@@ -216,24 +227,28 @@ class Clicks:
                 self._keep(cell, channel, _sharpest(cells.sharpness[channel], cell - before), power)
 
     def _look_at_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
-        """Look at what cannot be foretold of the next segments, where they are steady.
+        """Look at what cannot be foretold of the next segments, where they are steady or of a tone that glides.
 
         The first starts at frame `at`; `before` is the cell that the first of `cells` is.
         """
         index = self._segment - before
         inner = slice(index, index + count * SEGMENT)
-        steady = np.empty((len(samples), count), np.bool_)
+        steady, gliding = np.empty((2, len(samples), count), np.bool_)
         most = STEADY**2 / self._cell
-        for channel, flags in enumerate(steady):
+        for channel in range(len(samples)):
             sharpness, edges = cells.sharpness[channel, inner], cells.edges[channel, inner]
-            kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, flags)
-        if not steady.any():
+            kernel.steady_segments(sharpness, edges, SEGMENT, CLICKED, self._least, most, steady[channel])
+            kernel.gliding_segments(cells.steps[channel, inner], SEGMENT, GLIDES, gliding[channel])
+        gliding &= ~steady
+        if not (steady.any() or gliding.any()):
             return
-        steady &= _loudest_nearby(cells.squares[:, inner]) >= self._quietest
-        for channel in np.flatnonzero(steady.any(axis=1)).tolist():
-            starts = self._segment + np.flatnonzero(steady[channel]) * SEGMENT - REACH
-            origin = at - self._segment * self._cell
+        loud = _loudest_nearby(cells.squares[:, inner]) >= self._quietest
+        origin = at - self._segment * self._cell
+        for channel in range(len(samples)):
+            starts = self._segment + np.flatnonzero(steady[channel] & loud[channel]) * SEGMENT
             self._foretell(cells, before, channel, starts, samples[channel], origin)
+            starts = self._segment + np.flatnonzero(gliding[channel] & loud[channel]) * SEGMENT
+            self._foretell_gliding(cells, before, channel, starts, samples[channel], origin)
 
     def _foretell(
         self,
@@ -244,31 +259,55 @@ class Clicks:
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
-        """Keep what stands out of what cannot be foretold of a channel.
+        """Keep what stands out of what cannot be foretold of a channel's segments from each of `starts` on.
 
-        Looked at are a segment and REACH on either side, from each of `starts` on; cell 0 starts at frame `origin`.
+        Cell 0 starts at frame `origin`.
         """
-        frames = origin + starts * self._cell
-        starts, frames = starts[frames >= ORDER], frames[frames >= ORDER]  # of many channels less is kept
-        heights = np.empty((len(starts), SEGMENT + 2 * REACH))
-        kept = np.empty(len(starts), np.int64)
-        found = kernel.unforeseen(
-            samples,
-            frames,
-            _window((SEGMENT + 2 * REACH) * self._cell),
-            ORDER,
-            self._cell,
-            REACH,
-            CORE,
-            STANDS_OUT,
-            self._lowest,
-            heights,
-            kept,
+        heights, starts = self._unforeseen(samples, starts, origin, SEGMENT, REACH, STANDS_OUT, self._lowest)
+        told = self._outstanding(
+            cells, channel, heights, starts - before, STANDS_OUT, self._lowest, above_mean=ABOVE_MEAN
         )
-        starts = starts[kept[:found]]
-        told = self._outstanding(cells, channel, heights[:found], starts - before, STANDS_OUT, above_mean=ABOVE_MEAN)
         for row, at, height, power, _ in told:
             self._keep(int(starts[int(row)]) + int(at), channel, height, power)
+
+    def _foretell_gliding(
+        self,
+        cells: Cells,
+        before: int,
+        channel: int,
+        starts: NDArray[np.int64],
+        samples: NDArray[np.float64],
+        origin: int,
+    ) -> None:
+        """Mark what may stand out of what cannot be foretold of a channel's segments, little by little."""
+        parts = (starts[:, np.newaxis] + np.arange(0, SEGMENT, GLIDED)).ravel()
+        heights, parts = self._unforeseen(samples, parts, origin, GLIDED, GLIDED, GLIDE_DOUBTFUL, self._least)
+        told = self._outstanding(cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED)
+        for row, at, _, power, stands in told:
+            self._doubtful.append(_Doubt(channel, GLIDE_HARDER, int(parts[int(row)]) + int(at), stands, power))
+
+    def _unforeseen(
+        self,
+        samples: NDArray[np.float64],
+        starts: NDArray[np.int64],
+        origin: int,
+        count: int,
+        reach: int,
+        times: float,
+        least: float,
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Return what cannot be foretold of `count` cells and `reach` on either side, and the first cell of each row.
+
+        The cells start at `starts`; only rows are told in which something may stand out.
+        """
+        starts = starts - reach
+        frames = origin + starts * self._cell
+        starts, frames = starts[frames >= ORDER], frames[frames >= ORDER]  # of many channels less is kept
+        heights = np.empty((len(starts), count + 2 * reach))
+        kept = np.empty(len(starts), np.int64)
+        window = _window((count + 2 * reach) * self._cell)
+        found = kernel.unforeseen(samples, frames, window, ORDER, self._cell, reach, CORE, times, least, heights, kept)
+        return heights[:found], starts[kept[:found]]
 
 
 def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
@@ -276,7 +315,7 @@ def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
     foremost: list[_Doubt] = []
     for one in sorted(doubts):
         last = foremost[-1] if foremost else None
-        if last is None or one.channel != last.channel or one.cell - last.cell >= DOUBTED:
+        if last is None or one[:2] != last[:2] or one.cell - last.cell >= DOUBTED:
             foremost.append(one)
         elif one.stands > last.stands:
             foremost[-1] = one

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import kernel
+from audio_checks.measure import spare
 from audio_checks.measure.decibels import ratio
 from audio_checks.measure.survey import Survey
 
@@ -49,7 +50,6 @@ class Edges:
         self._head_frames = np.empty(0, np.int64)
         self._tail_levels = np.empty(0)  # falling
         self._tail_frames = np.empty(0, np.int64)
-        self._levels, self._places = np.empty(0), np.empty(0, np.int64)  # where the kernel writes
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
@@ -93,7 +93,9 @@ class Edges:
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """Return what is louder than `loudest` and than all on its way, rising, with its frames."""
         frames = rows.shape[1]
-        if len(self._levels) != frames:
-            self._levels, self._places = np.empty(frames), np.empty(frames, np.int64)
-        count = kernel.records(rows, loudest, CEILING, 1 + GRAIN, backward, self._levels, self._places)
-        return self._levels[:count].copy(), self._places[:count] + self._seen
+        room = spare.taken("records", 2 * frames * np.dtype(np.float64).itemsize).reshape(2, -1)
+        levels, places = room[0].view(np.float64), room[1].view(np.int64)
+        count = kernel.records(rows, loudest, CEILING, 1 + GRAIN, backward, levels, places)
+        found = levels[:count].copy(), places[:count] + self._seen
+        spare.give_back("records", room)
+        return found

@@ -84,7 +84,9 @@ class Faults:
         self._maxima[:, : self._history // ROW_FRAMES] = 0.0
         self._survey = survey or Survey()
         self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
-        self._cells = CellStream(channels, self._cell, CELLS_KEPT, self._stretch // self._cell)
+        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
+        kept_sums = self._hum.back if self._hum else 0
+        self._cells = CellStream(channels, self._cell, CELLS_KEPT, kept_sums, self._stretch // self._cell)
         self._known: tuple[NDArray[np.float64], int] | None = None  # what was measured while it was decoded, its cells
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # where in the signal the first of them lies
@@ -93,7 +95,6 @@ class Faults:
         self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in wanted else None
         self._repeats = Repeats(sample_rate_hz, step) if "repeats" in wanted else None
         self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in wanted else None
-        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
         self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
 
     def room(self) -> int:
@@ -198,9 +199,11 @@ class Faults:
             cells = self._cells.newest(count)
             if self._clicks:
                 self._clicks.add(cells, count, samples, self._history, self._peak)
-            for by_cells in (self._dropouts, self._hum, self._noise):
+            for by_cells in (self._dropouts, self._noise):
                 if by_cells:
                     by_cells.add(cells, count)
+            if self._hum:
+                self._hum.add(self._cells.newest_sums(count), count)
             self._cells.keep(count)
         if self._repeats:
             self._repeats.add(samples, int(peaks.argmax()), self._history, self._frame)

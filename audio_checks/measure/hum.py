@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import power_decibels
 from audio_checks.measure.in_phase import LONGEST_S, lines_in_phase
 from audio_checks.measure.window_powers import hann_powers
@@ -29,8 +28,7 @@ LOW = 3
 LOOSER = 2.0  # or one more, so many times less in tune: noise moves faint lines
 FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
-AT_ONCE = 8_192  # cells that are looked at together
-KEPT = 512  # windows; of a long file, or of many channels, every second, fourth, ... window is kept
+KEPT = 512  # windows; of a long file, or of many channels, only every second, fourth, ... window is looked at
 
 _Line = tuple[int, float, float]  # which multiple, where in Hz, its power
 
@@ -43,7 +41,7 @@ class Hum:
     channels : int
     cells_per_s : float
     cells : int
-        Of the whole signal.
+        Of the whole signal; one more comes, which ends in silence.
     cell_frames : int
         Frames of each cell.
     """
@@ -52,24 +50,26 @@ class Hum:
 
     def __init__(self, channels: int, cells_per_s: float, cells: int, cell_frames: int) -> None:
         self._windows: list[_Windows] = []
-        self._channels = channels
-        self._sums = np.empty((channels, 0))  # what some window still needs, and what waits to be looked at
-        self._waiting = 0  # how many of them
         self._cells_per_s, self._cell = cells_per_s, cell_frames
+        self._seen = 0  # cells
         self._begin = np.empty((channels, 0))  # the first sums, for a closer look
+        self.back = 0  # cells before the new ones that are looked at again
         if cells >= SHORTEST_S * cells_per_s:
             # Whole sixteens: transforms of 2,005 would take five times as long as those of 2,000.
-            lengths = (min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S)
+            lengths = [min(round(seconds * cells_per_s), cells // 2) // 16 * 16 for seconds in WINDOWS_S]
             self._windows = [_Windows(channels, cells_per_s, length, cell_frames, cells) for length in lengths]
+            self._begin = np.empty((channels, min(round(LONGEST_S * cells_per_s), cells + 1)))
+            self.back = max(lengths)
 
-    def add(self, cells: Cells, new: int) -> None:
-        """Take the next cells, the last `new` of these."""
+    def add(self, sums: NDArray[np.float64], new: int) -> None:
+        """Take the sums of the next cells, shape (channels, n), the last `new` of these; `back` others come before."""
         if not self._windows:
             return
-        self._sums = np.concatenate((self._sums, cells.sums[:, cells.sums.shape[1] - new :]), axis=1)
-        self._waiting += new
-        if self._waiting >= AT_ONCE:
-            self._look()
+        begins = self._begin[:, self._seen : self._seen + new]
+        begins[:] = sums[:, sums.shape[1] - new :][:, : begins.shape[1]]
+        self._seen += new
+        for windows in self._windows:
+            windows.add(sums, self._seen - sums.shape[1])
 
     def result(self) -> dict[str, Any]:
         """Return `hum_dbfs`, the RMS of the lines in the channel with most of them, and `hum_hz`, 50 or 60.
@@ -78,7 +78,6 @@ class Hum:
         """
         if not self._windows:
             return {"hum_dbfs": None, "hum_hz": None}
-        self._look()
         for windows in self._windows:
             power, mains_hz = windows.loudest()
             if power:
@@ -96,77 +95,48 @@ class Hum:
                 loudest = max(loudest, (lines.power, mains_hz))
         return loudest
 
-    def _look(self) -> None:
-        if not self._begin.shape[1]:
-            self._begin = self._sums[:, : round(LONGEST_S * self._cells_per_s)].copy()
-        for windows in self._windows:
-            windows.add(self._sums)
-        done = min(windows.next for windows in self._windows)
-        for windows in self._windows:
-            windows.next -= done
-        self._sums, self._waiting = self._sums[:, done:], 0
-
 
 class _Windows:
     """The spectra of Hann windows of one length that overlap by half, and the lines in them."""
 
     def __init__(self, channels: int, cells_per_s: float, length: int, cell_frames: int, cells: int) -> None:
         self._length = length
-        self._hop = max(1, length // 2)
         self._window_powers = hann_powers(length)
         self._bin_hz = cells_per_s / length
-        self._bins = min(length // 2, math.ceil((MULTIPLES * MAINS_HZ[-1] + 2 * FAR_HZ) / self._bin_hz) + 2)
+        bins = min(length // 2, math.ceil((MULTIPLES * MAINS_HZ[-1] + 2 * FAR_HZ) / self._bin_hz) + 2)
+        self._near = round(max(NEAR_HZ / self._bin_hz, NEAR_BINS))
+        self._far = round(max(FAR_HZ / self._bin_hz, FAR_BINS))
         # A line of amplitude a has (a * length / 4)² in its bin, 1.5 times that in all three; its own power is a²/2.
         self._scale = 8 / (cell_frames * length) ** 2 / 1.5
-        self._most = max(8, KEPT // channels)
-        self.next = 0  # where among the sums the next window starts
-        self._spectra: list[NDArray[np.float64]] = []  # of some windows each, (channels, bins, windows)
-        self._kept = 0  # windows
-        self._every, self._number = 1, 0
+        most = max(8, KEPT // channels)
+        self._hop = length // 2
+        while (count := (cells + 1 - length) // self._hop + 1) > most:
+            self._hop *= 2
+        self._powers = np.empty((channels * bins, count))
+        self.spectra = self._powers.reshape(channels, bins, count)
+        self._known = 0  # windows
         self.doubtful: set[tuple[int, float]] = set()  # channels, and the mains of which lines are found there
-        while -(-((cells - length) // self._hop + 1) // self._every) > self._most:  # would be left out in the end
-            self._every *= 2
 
-    def add(self, sums: NDArray[np.float64]) -> None:
-        """Take all sums from the first on that a window may need; `next` then tells which are still needed."""
-        count = max(0, (sums.shape[1] - self.next - self._length) // self._hop + 1)
-        first = -self._number % self._every
-        if first < count:
-            start = self.next + first * self._hop
-            self._keep(self._powers(sums, start, len(range(first, count, self._every))))
-        while self._kept > self._most:
-            thinner = self.spectra()[:, :, ::2]
-            self._spectra, self._kept, self._every = [], 0, self._every * 2
-            self._keep(thinner)
-        self._number += count
-        self.next += count * self._hop
-
-    def spectra(self) -> NDArray[np.float64]:
-        """Return the power of the lowest bins of the windows that are kept, shape (channels, bins, windows)."""
-        return np.concatenate(self._spectra, axis=2)
-
-    def _keep(self, spectra: NDArray[np.float64]) -> None:
-        self._spectra.append(spectra)
-        self._kept += spectra.shape[2]
-
-    def _powers(self, sums: NDArray[np.float64], start: int, count: int) -> NDArray[np.float64]:
-        """Return the power of the lowest bins of windows from a start on, shape (channels, bins, count)."""
-        hop = self._hop * self._every
-        return self._window_powers.by_bin(sums, first=start, hop=hop, count=count, bins=self._bins)
+    def add(self, sums: NDArray[np.float64], first: int) -> None:
+        """Take sums of which the first is that of the cell `first`; all that a window still needs are among them."""
+        known = max(0, (first + sums.shape[1] - self._length) // self._hop + 1)
+        if known > self._known:
+            start = self._known * self._hop - first
+            self._window_powers.by_bin(sums, first=start, hop=self._hop, powers=self._powers[:, self._known : known])
+            self._known = known
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
-        spectra = self.spectra()
-        place = int(STEADY * (self._kept - 1))
-        spectra.partition(place, axis=2)
-        steady = spectra[:, :, place] * self._scale
+        place = int(STEADY * (self.spectra.shape[2] - 1))
+        self.spectra.partition(place, axis=2)
+        steady = (self.spectra[:, :, place] * self._scale).tolist()
         return max(
             (self._hum(channel, spectrum, mains), mains)
             for channel, spectrum in enumerate(steady)
             for mains in MAINS_HZ
         )
 
-    def _hum(self, channel: int, spectrum: NDArray[np.float64], mains: float) -> float:
+    def _hum(self, channel: int, spectrum: list[float], mains: float) -> float:
         """Return the power of a hum's lines; 0 where they make no hum."""
         found = [
             (multiple, *line)
@@ -192,25 +162,24 @@ class _Windows:
             line for line in lines if abs(line[1] - line[0] * base_hz) <= times * max(IN_TUNE * line[0] * base_hz, blur)
         ]
 
-    def _line(self, spectrum: NDArray[np.float64], wanted_hz: float) -> tuple[float, float] | None:
+    def _line(self, spectrum: list[float], wanted_hz: float) -> tuple[float, float] | None:
         """Return where a line near a frequency lies, and its power; None where nothing stands out."""
         wanted = wanted_hz / self._bin_hz
         reach = max(1.0, OFF * wanted)
-        last = math.ceil(wanted + reach)
+        first, last = math.floor(wanted - reach), math.ceil(wanted + reach)
         if last + 2 > len(spectrum):
             return None
-        first = math.floor(wanted - reach)
-        peak = first + int(spectrum[first : last + 1].argmax())
-        left, power, right = spectrum[peak - 1 : peak + 2].tolist()
+        power = max(spectrum[first : last + 1])
+        peak = spectrum.index(power, first)
+        left, right = spectrum[peak - 1], spectrum[peak + 1]
         if power < left or power < right:
+            return None
+        beside = spectrum[max(peak - self._far, 1) : peak - self._near]
+        beside += spectrum[peak + self._near + 1 : peak + self._far]
+        if power < PROMINENT * sorted(beside)[len(beside) // 2]:
             return None
         hz = (peak + _offset(left, power, right)) * self._bin_hz
         if abs(hz - wanted_hz) > OFF * wanted_hz + OF_A_BIN * self._bin_hz:
-            return None
-        near = round(max(NEAR_HZ / self._bin_hz, NEAR_BINS))
-        far = round(max(FAR_HZ / self._bin_hz, FAR_BINS))
-        beside = spectrum[max(peak - far, 1) : peak - near].tolist() + spectrum[peak + near + 1 : peak + far].tolist()
-        if power < PROMINENT * sorted(beside)[len(beside) // 2]:
             return None
         return hz, left + power + right
 

@@ -61,15 +61,23 @@ class WindowPowers:
         kernel.powers(signal, self._window, first, hop, self._turns, powers, False)
         return powers.reshape(count, len(signal), bins)
 
-    def by_bin(
-        self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, bins: int
-    ) -> NDArray[np.float64]:
-        """Return the same as `of`, shape (channels, bins, count): what becomes of each bin lies in a row."""
+    def by_bin(self, signal: NDArray[np.float64], *, first: int, hop: int, powers: NDArray[np.float64]) -> None:
+        """Find the same as `of`, with what becomes of each bin in a row.
+
+        Parameters
+        ----------
+        signal : ndarray, shape (channels, frames)
+            Each channel contiguous.
+        first, hop : int
+            Where the first window starts, and frames between two starts; the last one ends inside the signal.
+        powers : ndarray, shape (channels * bins, count)
+            What is filled, the bins of one channel after each other, each row contiguous; silence gives 0.
+        """
         if self._turns is None:
-            return self.of(signal, first=first, hop=hop, count=count, bins=bins).transpose(1, 2, 0)
-        powers = np.empty((len(signal) * bins, count))
-        kernel.powers(signal, self._window, first, hop, self._turns, powers, True)
-        return powers.reshape(len(signal), bins, count)
+            bins, count = len(powers) // len(signal), powers.shape[1]
+            powers[:] = self.of(signal, first=first, hop=hop, count=count, bins=bins).reshape(count, -1).T
+        else:
+            kernel.powers(signal, self._window, first, hop, self._turns, powers, True)
 
     def add_to(self, sums: NDArray[np.float64], signal: NDArray[np.float64], *, hop: int, count: int) -> None:
         """Add the squared magnitudes of each bin over all channels and windows.

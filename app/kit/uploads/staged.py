@@ -284,7 +284,7 @@ class Uploads:
         return upload
 
     def _found(self, upload_id: UUID) -> Upload | None:
-        with self._database.reading() as session:
+        with self._database.glancing() as session:
             if (upload := session.get(Upload, upload_id)) is not None:
                 session.expunge(upload)
             return upload

@@ -4929,11 +4929,6 @@ export interface components {
          */
         CuePatch: {
             /**
-             * Edition
-             * @description The edition that was read.
-             */
-            edition: number;
-            /**
              * Name
              * @default
              */
@@ -5005,6 +5000,11 @@ export interface components {
             extra?: {
                 [key: string]: string;
             };
+            /**
+             * Edition
+             * @description The edition that was read.
+             */
+            edition: number;
         };
         /**
          * CueRead
@@ -9278,6 +9278,74 @@ export interface components {
             note: string;
         };
         /**
+         * TakeAdded
+         * @description A delivered file as it came in.
+         */
+        TakeAdded: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Delivery Id
+             * Format: uuid
+             */
+            delivery_id: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** @description Null while it waits in the unmatched tray. */
+            cue: components["schemas"]["CueBrief"] | null;
+            /** Variation */
+            variation: number;
+            /**
+             * Number
+             * @description Shown as the version; null while unmatched.
+             */
+            number: number | null;
+            /** Alternate */
+            alternate: number | null;
+            state: components["schemas"]["TakeState"];
+            /**
+             * Late
+             * @description It came after its delivery was closed.
+             */
+            late: boolean;
+            /** File Name */
+            file_name: string;
+            /** Note */
+            note: string;
+            /**
+             * Mend Of Id
+             * @description The version that this one is a mend of.
+             */
+            mend_of_id: string | null;
+            /** Master Sha256 */
+            master_sha256: string;
+            /** Master Bytes */
+            master_bytes: number;
+            /**
+             * Received At
+             * Format: date-time
+             */
+            received_at: string;
+            /**
+             * State Since
+             * Format: date-time
+             */
+            state_since: string;
+            /**
+             * Already Here
+             * @description The same file was here before; this is its take.
+             * @default false
+             */
+            already_here: boolean;
+        };
+        /**
          * TakeBackAdd
          * @description Why a text is taken back.
          */
@@ -9332,7 +9400,7 @@ export interface components {
         };
         /**
          * TakeRead
-         * @description One delivered file.
+         * @description One delivered file; to guess what an unmatched one is for takes a look at the whole list.
          */
         TakeRead: {
             /**
@@ -9392,16 +9460,16 @@ export interface components {
              */
             state_since: string;
             /**
-             * Guesses
-             * @description The three likeliest cues of an unmatched file.
-             */
-            guesses: components["schemas"]["CueGuess"][];
-            /**
              * Already Here
              * @description The same file was here before; this is its take.
              * @default false
              */
             already_here: boolean;
+            /**
+             * Guesses
+             * @description The three likeliest cues of an unmatched file.
+             */
+            guesses: components["schemas"]["CueGuess"][];
         };
         /**
          * TakeSoundsRead
@@ -16382,7 +16450,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakeRead"];
+                    "application/json": components["schemas"]["TakeAdded"];
                 };
             };
             /** @description Successful Response */
@@ -16391,7 +16459,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakeRead"];
+                    "application/json": components["schemas"]["TakeAdded"];
                 };
             };
             /** @description It is named `…__dry`: no take, but the dry stem of the take so named. */

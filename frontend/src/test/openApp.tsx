@@ -1,16 +1,10 @@
-import { configure } from '@testing-library/react'
 import { QueryClientProvider } from '@tanstack/react-query'
 import { createMemoryHistory, createRouter, RouterProvider } from '@tanstack/react-router'
-import { vi } from 'vitest'
 
 import { queryClient } from '@/api/queryClient'
 import { router } from '@/app/router'
 
 import { draw } from './draw'
-
-// Whole pages on a busy machine take longer than one part.
-configure({ asyncUtilTimeout: 5_000 })
-vi.setConfig({ testTimeout: 20_000 })
 
 /** Open the product at an address, as a browser would, with nothing remembered. */
 export function openApp(path: string) {

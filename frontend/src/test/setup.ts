@@ -1,9 +1,12 @@
 import '@testing-library/jest-dom/vitest'
 
-import { cleanup } from '@testing-library/react'
+import { cleanup, configure } from '@testing-library/react'
 import { afterEach, beforeEach, vi } from 'vitest'
 
 import { dismissToast } from '@/app/toast'
+
+// How long an answer takes says how busy the machine is; one that never comes still fails, with what stands there.
+configure({ asyncUtilTimeout: 10_000 })
 
 // Each test begins as a page that was just opened, and leaves nothing to the next.
 beforeEach(() => {

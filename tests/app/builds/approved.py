@@ -17,9 +17,11 @@ def sound(seed: int, *, rate: int = RATE, seconds: float = 0.25) -> bytes:
     return wav_bytes(noise(dbfs=-24, seconds=seconds, rate=rate, seed=seed) * fade, rate=rate, bits=24)
 
 
-def approve(world: World, cues: list[dict[str, Any]], **more: Any) -> dict[str, bytes]:
+def approve(
+    world: World, cues: list[dict[str, Any]], *, delivery_id: str | None = None, **more: Any
+) -> dict[str, bytes]:
     """Deliver and approve a sound for every stem of cues; return the masters by stem."""
-    delivery_id = open_delivery(world)
+    delivery_id = delivery_id or open_delivery(world)
     masters = {stem: sound(seed, **more) for seed, stem in enumerate(stem for cue in cues for stem in cue["stems"])}
     takes = {stem: deliver(world, f"{stem}.wav", master, delivery_id=delivery_id) for stem, master in masters.items()}
     world.server.wait_for_jobs()

@@ -16,9 +16,9 @@ from fastapi.testclient import TestClient
 import audio_checks
 from app.accounts.endpoints import SESSION_COOKIE
 from app.renders.models import Render
-from tests.app.builds.approved import accepted_list, approve
+from tests.app.builds.approved import accepted_list, approve, sound
 from tests.support.blobs import blob_file
-from tests.support.deliver import add_cues
+from tests.support.deliver import add_cues, open_delivery, upload
 from tests.support.listening import listening
 from tests.support.server import World
 
@@ -53,6 +53,22 @@ def test_the_pack_holds_what_the_game_expects(world: World, tmp_path: Path) -> N
     assert download(world, masters=True) == whole  # the same again, byte by byte
     with zipfile.ZipFile(io.BytesIO(download(world))) as archive:
         assert archive.namelist() == SOUNDS + KEY
+
+
+def test_a_dry_stem_is_in_no_pack(world: World) -> None:
+    cues = add_cues(world, {"name": "UI confirm", "file_name": "ui_confirm"})
+    delivery_id = open_delivery(world)
+    upload_id = upload(world, delivery_id, "ui_confirm__dry.wav", sound(7))
+    body = {"upload_id": upload_id, "file_name": "ui_confirm__dry.wav"}
+    assert world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).status_code == 202
+    approve(world, cues, delivery_id=delivery_id)
+    kept = world.designer.get(f"/v1/deliveries/{delivery_id}").json()
+    assert [len(stem["take_ids"]) for stem in kept["dry_stems"]] == [1]
+    for masters in (False, True):
+        with zipfile.ZipFile(io.BytesIO(download(world, masters=masters))) as archive:
+            held = archive.namelist()
+            assert held == ["ui_confirm.wav"] + ["masters/ui_confirm.wav"] * masters + KEY
+            assert all(archive.read(name) != sound(7) for name in held)
 
 
 def test_the_documentation_key_says_what_each_file_is(world: World) -> None:

@@ -7,8 +7,10 @@ from uuid import UUID
 import numpy as np
 import pytest
 
-from app.conformance import sets
+from app.conformance import queries, sets
 from app.conformance.rules import MemberFact, members_of_set
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.sound_lists.models import Cue
@@ -134,9 +136,27 @@ def test_what_was_found_counts_for_the_facts_of_its_cue(world: World) -> None:
         assert found() == []
 
 
+def test_a_set_is_another_once_anything_of_a_take_in_it_changes(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
+    takes = deliver_set(world, {1: -20, 2: -14})
+    world.server.wait_for_jobs()
+    cue_id = UUID(cue["id"])
+    changes = {"state": TakeState.APPROVED, "alternate": 2, "number": 7, "variation": 3}
+    with world.server.runtime.database.writing() as session:
+        seen = [queries.sets_of_takes(session, [cue_id], None)[cue_id]]
+        assert set(queries.takes_in(seen[0])) == {UUID(take_id) for take_id in takes.values()}
+        take = session.get_one(Take, UUID(takes[1]))
+        for name, value in changes.items():
+            setattr(take, name, value)
+            session.flush()
+            seen.append(queries.sets_of_takes(session, [cue_id], None)[cue_id])
+        session.rollback()
+    assert len(set(seen)) == 1 + len(changes)
+
+
 def test_no_more_than_so_many_sets_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sets, "SETS_REMEMBERED", 2)
-    remembered, judged = sets.Remembered(), [(str(number), CueFacts("1"), ()) for number in range(3)]
+    remembered, judged = sets.Remembered(), [(str(number), CueFacts("1"), "") for number in range(3)]
     for each in judged[:2]:
         remembered.keep(each, {})
     assert remembered.get(judged[0]) == {}  # asked for last

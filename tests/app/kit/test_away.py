@@ -2,8 +2,9 @@
 
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 
+import httpx
 import psycopg
 import pytest
 import sqlalchemy as sa
@@ -11,6 +12,7 @@ from anyio.from_thread import start_blocking_portal
 from sqlalchemy.orm import Session
 
 from app import logs
+from app.kit import http
 from app.kit.db import Database, is_away
 from app.kit.runtime import Runtime
 from app.main import create_app
@@ -132,3 +134,22 @@ def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
         statuses = list(crowd.map(open_one, range(CROWD)))
     assert statuses == [201] * CROWD
     assert time.monotonic() - begun < WITHIN_S, "requests waited until the pool of connections gave up"
+
+
+def test_whoever_waits_too_long_for_a_seat_is_told_so(world: World, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(http, "LONGEST_WAIT_S", 0.3)
+    held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
+
+    def open_one(_number: int) -> httpx.Response:
+        return world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
+
+    with ThreadPoolExecutor(http.SEATS + 1) as crowd:
+        with world.server.runtime.database.writing() as session:
+            session.execute(held, {"id": world.project_id})  # whoever has a seat waits for this row
+            coming = [crowd.submit(open_one, number) for number in range(http.SEATS + 1)]
+            turned_away = next(as_completed(coming, timeout=WITHIN_S)).result()
+            assert world.designer.get("/v1/projects").status_code == 200, "who reads has other seats"
+        statuses = sorted(one.result(WITHIN_S).status_code for one in coming)
+    assert (turned_away.json()["code"], turned_away.headers["Retry-After"]) == ("crowded", "5")
+    assert statuses == [201] * http.SEATS + [503]
+    assert open_one(0).status_code == 201, "the seats are free again"

@@ -5,6 +5,7 @@ import socket
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import replace
 from datetime import timedelta
 from uuid import UUID, uuid4
@@ -16,6 +17,7 @@ from aiosmtpd.smtp import Session as SmtpSession
 from sqlalchemy.orm import Session
 
 from app.conformance import service as conformance
+from app.deliveries.queries import take_by_id
 from app.kit import clock
 from app.kit.runtime import Runtime
 from app.notifications import jobs, service
@@ -186,6 +188,26 @@ def test_a_delivery_asks_for_a_handful_of_tellings(world: World, monkeypatch: py
     mine = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
     told = [job.state for job in mine if job.name == "notifications.tell_checks"]
     assert told == ["delayed"]
+
+
+def test_a_process_asks_for_a_telling_until_that_is_committed(world: World, monkeypatch: pytest.MonkeyPatch):
+    delivered = deliver(world, "laser_fire.wav", wav_bytes(sine(hz=997, dbfs=-6.0, seconds=0.2)))
+    asked: list[str] = []
+    monkeypatch.setattr(conformance, "TOLD_EVERY_S", 1e10)  # the same for all of them
+    monkeypatch.setattr(conformance, "publish", lambda *_, once, **__: asked.append(once))
+
+    def ask(*, undo: bool) -> None:
+        with suppress(MailBusy), world.server.runtime.database.writing() as session:
+            take = take_by_id(session, UUID(str(delivered["id"])))
+            assert take is not None
+            conformance.ask_to_tell(session, take)
+            if undo:
+                raise MailBusy("anything that undoes the transaction")
+
+    ask(undo=True)
+    ask(undo=False)
+    ask(undo=False)
+    assert len(asked) == 2
 
 
 def test_what_was_committed_too_late_to_be_told_is_told_by_the_chore(world: World, monkeypatch: pytest.MonkeyPatch):

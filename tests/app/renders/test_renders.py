@@ -207,7 +207,7 @@ def test_a_game_file_that_two_workers_made_is_kept_once(world: World) -> None:
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
     with world.server.runtime.database.writing() as session:
         made = session.scalars(select(Render).where(Render.take_id == take_id)).all()
-        facts = ("studio_id", "project_id", "take_id", "target", "key", "state")
+        facts = ("studio_id", "project_id", "take_id", "target", "key", "state", "sha256")
         again = [Render(**{name: getattr(one, name) for name in facts}) for one in made]
         service.keep_made(session, [(one, None) for one in again])
     assert count(world.server, Render.take_id == take_id) == len(made) == 2

@@ -84,5 +84,5 @@ def test_strange_names_do_no_harm(name: str) -> None:
 
 
 def test_words() -> None:
-    assert words_of("SFX_LaserFire_FINAL-v2 (48k)") == ["laser", "fire"]
-    assert words_of("Tür zu") == ["tur", "zu"]
+    assert words_of("SFX_LaserFire_FINAL-v2 (48k)") == ("laser", "fire")
+    assert words_of("Tür zu") == ("tur", "zu")

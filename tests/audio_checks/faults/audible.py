@@ -11,13 +11,22 @@ UPWARD_DB, DOWNWARD_DB = 10.0, 27.0  # a Bark: how fast a masker's effect falls 
 
 
 def excess_db(faulty: Samples, clean: Samples, at: int, rate: int) -> float:
-    """By how much the fault at frame `at` exceeds the sound itself, in its most audible Bark band above 1 kHz.
+    """By how much the fault at frame `at` exceeds the sound itself, in its most audible Bark band above 1 kHz."""
+    return heard_over_db(faulty, masked_there(clean, at, rate), at, rate)
 
-    What the sound has is the spread excitation of the 20 ms there, before and after, whichever is larger.
-    """
+
+def masked_there(clean: Samples, at: int, rate: int) -> NDArray[np.float64]:
+    """What the sound has in each band: the spread excitation of the 20 ms there, before and after, the largest."""
     width = round(WINDOW_S * rate)
-    masked = np.max([_spread(_bands(clean, at + shift, width, rate)) for shift in (-width, 0, width)], axis=0)
-    heard = _bands(faulty, at, width, rate)
+    masked: NDArray[np.float64] = np.max(
+        [_spread(_bands(clean, at + shift, width, rate)) for shift in (-width, 0, width)], axis=0
+    )
+    return masked
+
+
+def heard_over_db(faulty: Samples, masked: NDArray[np.float64], at: int, rate: int) -> float:
+    """By how much the 20 ms at frame `at` exceed what is masked, in the band above 1 kHz where they do most."""
+    heard = _bands(faulty, at, round(WINDOW_S * rate), rate)
     return float(10 * np.log10((heard / masked)[LOWEST:].max()))
 
 

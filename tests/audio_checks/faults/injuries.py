@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import butter, sosfilt
 
-from tests.audio_checks.faults.audible import WINDOW_S, excess_db
+from tests.audio_checks.faults.audible import WINDOW_S, excess_db, heard_over_db, masked_there
 from tests.audio_checks.faults.sounds import Samples
 
 SILENCE = 1e-9
@@ -75,6 +75,11 @@ def place_in_sound(
     return int(rng.choice(places)) if len(places) else None
 
 
+def sharpness(shape: Samples) -> float:
+    """How sharp a shape is: as a single sample of this height."""
+    return float(np.abs(np.diff(shape, n=6, axis=0)).max() / 20)
+
+
 def scaled_to(samples: Samples, shape: Samples, at: int, rate: int, level_db: float) -> Samples | None:
     """The sound with `shape` added, so that it exceeds the sound by so much.
 
@@ -83,15 +88,15 @@ def scaled_to(samples: Samples, shape: Samples, at: int, rate: int, level_db: fl
     low, high = -90.0, 0.0
     first = max(0, at - round(2 * WINDOW_S * rate))
     heard = slice(first, at + round(2 * WINDOW_S * rate))  # no more of the sound tells the level
+    masked = masked_there(samples[heard], at - first, rate)
     for _ in range(14):
         middle = (low + high) / 2
         tried = samples[heard] + shape[heard] * 10 ** (middle / 20)
-        if excess_db(tried, samples[heard], at - first, rate) < level_db:
+        if heard_over_db(tried, masked, at - first, rate) < level_db:
             low = middle
         else:
             high = middle
-    sharpness = np.abs(np.diff(shape, n=6, axis=0)).max() / 20  # of a single sample: its height
-    peak_db = 20 * np.log10(np.abs(samples).max() / sharpness)
+    peak_db = 20 * np.log10(np.abs(samples).max() / sharpness(shape))
     faulty = samples + shape * 10 ** (max(high, peak_db - 40) / 20)
     if excess_db(faulty, samples, at, rate) < level_db - 0.5 or np.abs(faulty).max() > 1:
         return None
@@ -185,10 +190,22 @@ def _garbled(rng: np.random.Generator, samples: Samples, rate: int, level_db: fl
         faulty = samples.copy()
         faulty[at : at + length] = samples[at : at + length][::-1]
         exceeds = excess_db(faulty, samples, at, rate)
-        sharpness = np.abs(np.diff((faulty - samples)[at - 6 : at + 14], n=6, axis=0)).max() / 20
-        if level_db <= exceeds < level_db + 12 and sharpness > np.abs(samples).max() * 0.01:
+        sharp = sharpness((faulty - samples)[at - 6 : at + 14]) > np.abs(samples).max() * 0.01
+        if level_db <= exceeds < level_db + 12 and sharp:
             return Injured(faulty, at / rate, at / rate)
     return None
+
+
+def joint_exceeds(joined: Samples, samples: Samples, at: int, goes_on: int, rate: int, level_db: float) -> bool:
+    """Whether a joint at frame `at`, after which the sound goes on from another frame of it, is a click of this level.
+
+    It exceeds the sound on either side by so much, and by less than 12 dB more.
+    """
+    reach = round(1.6 * WINDOW_S * rate)  # no more of the sound tells the level
+    near = joined[at - reach : at + reach]
+    both = [excess_db(near, samples[one - reach : one + reach], reach, rate) for one in (at, goes_on)]
+    sharp = sharpness(joined[at - 6 : at + 6]) > np.abs(samples).max() * 0.01
+    return sharp and min(both) >= level_db and max(both) < level_db + 12
 
 
 def _splice(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
@@ -199,10 +216,7 @@ def _splice(rng: np.random.Generator, samples: Samples, rate: int, level_db: flo
         if at is None:
             return None
         spliced = np.delete(samples, slice(at, at + length), axis=0)
-        sharpness = np.abs(np.diff(spliced[at - 6 : at + 6], n=6, axis=0)).max() / 20
-        both = max(excess_db(spliced, one, at, rate) for one in (samples, np.roll(samples, -length, axis=0)))
-        least = min(excess_db(spliced, one, at, rate) for one in (samples, np.roll(samples, -length, axis=0)))
-        if least >= level_db and both < level_db + 12 and sharpness > np.abs(samples).max() * 0.01:
+        if joint_exceeds(spliced, samples, at, at + length, rate, level_db):
             return Injured(spliced, at / rate, at / rate)
     return None
 
@@ -306,11 +320,15 @@ def hum_over(
     level_db: float,
     multiples: NDArray[np.int64],
     weights: NDArray[np.float64],
+    off: float = 0.002,
 ) -> Samples | None:
-    """The sound with hum whose lines, three of them at least, lie so far over what the sound has beside them."""
+    """The sound with hum whose lines, three of them at least, lie so far over what the sound has beside them.
+
+    The mains are up to the share `off` beside 50 or 60 Hz.
+    """
     if len(samples) < 1.2 * rate:
         return None
-    lines = rng.choice([50.0, 60.0]) * (1 + rng.uniform(-0.002, 0.002)) * multiples
+    lines = rng.choice([50.0, 60.0]) * (1 + rng.uniform(-off, off)) * multiples
     wanted = np.sqrt(2 * (quiet_bands(samples, rate, lines) + 1e-12)) * 10 ** (level_db / 20)
     height = max(float(np.sort(wanted / weights)[2]), 10 ** (-50 / 20))  # of a line of weight 1
     times = np.arange(len(samples)) / rate

@@ -1,8 +1,10 @@
 """A small form of the trial that docs/false-alarms.md tells of whole. The unseen half is left alone here."""
 
+import pickle
+
 import pytest
 
-from tests.audio_checks.faults import injuries, sounds
+from tests.audio_checks.faults import injuries, known, sounds
 from tests.audio_checks.faults.masters import MOST
 from tests.audio_checks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
 
@@ -30,3 +32,7 @@ def test_whole_sounds_of_the_same_families_are_let_through() -> None:
     for check in CHECKS:
         wrong = sum(times for (one, _), times in flagged.items() if one == check)
         assert wrong <= looked_at * MOST / 72, (check, flagged)
+
+
+def test_what_is_known_can_be_handed_to_other_processes() -> None:
+    assert pickle.dumps(known.TRIED)  # raises where a family or a fault was made inside a function

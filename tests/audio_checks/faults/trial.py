@@ -20,7 +20,7 @@ SPEC = parse_spec("format = 1\nlimits.dc_offset_percent = 1.0\nlimits.noise_floo
 AUDIBLE = {"click": 20.0}  # from which level on a fault counts as audible; others at every level
 NEAR_S = 0.003  # a click or a hole must be found where it is
 NO_PLACE = {  # what a sound has by its nature cannot be told from the fault
-    "click": {"square"},
+    "click": {"square", "training chimes", "training debris"},  # partials of the last two begin in mid-wave
     "dropout": {"square", "stutter"},
     "clipping": {"square"},
     "noise-floor": {"stutter", "bell"},

@@ -91,6 +91,22 @@ def test_crests(samples: Samples, first: int, sign: float, grain: float):
         assert out[:count].tolist() == crests_of(row, first, shape)
 
 
+@pytest.mark.parametrize("row", [0, 1, 63, 64, 65, 127, 128, 191, 192, 199])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_crest_after_many_rows_without_one(row: int, sign: float):
+    signal = np.random.default_rng(row).uniform(-0.1, 0.1, 200 * 32)
+    signal[row * 32 + 9 : row * 32 + 12] = sign * np.array([0.7, 0.9, 0.8])
+    maxima, shape = maxima_of(signal[np.newaxis])[0], [sign, 0.5, 0.9, 0.95, 0.0, 1e-4, 0.98, 0.8]
+    for first in (0, 32, 5_000):
+        out = np.empty((4, 8))
+        count = kernel.crests(signal, maxima, first, np.array(shape), out)
+        assert out[:count].tolist() == crests_of(signal, first, shape)
+        assert count == (row * 32 >= first)
+    known = np.array([0.2, 0.2])
+    kernel.extremes(signal, maxima, 0, known)
+    assert known.tolist() == ([0.9, 0.2] if sign > 0 else [0.2, 0.9])
+
+
 @given(signals(most_channels=1), st.integers(0, 5), st.floats(0, 2), st.floats(0, 2))
 def test_extremes_of_rows_that_may_hold_them(samples: Samples, row: int, high: float, deep: float):
     signal, known = np.ascontiguousarray(samples[:, 0]), np.array([high, deep])
@@ -328,6 +344,30 @@ def test_steady_segments(seed: int, without: int, most: float, least: float):
 def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
     with pytest.raises(ValueError, match="wanted"):
         kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(2, 11), st.floats(0.01, 1.0))
+def test_gliding_segments(seed: int, size: int, most: float):
+    rng = np.random.default_rng(seed)
+    steps = 1 + rng.uniform(0, 1, (6, 1)) * rng.uniform(-1, 1, (6, size))
+    flags = np.empty(6, np.bool_)
+    kernel.gliding_segments(steps.ravel(), size, most, flags)
+    for flag, row in zip(flags.tolist(), steps, strict=True):
+        change = np.abs(np.diff(row)).sum() / row.sum()
+        if abs(change / most - 1) > 1e-9:
+            assert flag == (change < most)
+
+
+def test_a_segment_that_stands_still_glides_and_silence_does_not():
+    flags = np.empty(2, np.bool_)
+    kernel.gliding_segments(np.array([0.3, 0.3, 0.0, 0.0]), 2, 0.1, flags)
+    assert flags.tolist() == [True, False]
+
+
+@pytest.mark.parametrize("size", [1, 0, 9])
+def test_gliding_segments_refuse_what_does_not_fit(size: int):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.gliding_segments(np.zeros(24), size, 0.1, np.empty(3, np.bool_))
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from([2.0, 3.5]), st.sampled_from([0.0, 5.0]), st.sampled_from([0.0, 0.8]))

@@ -59,3 +59,14 @@ def test_blocks_of_any_length_give_the_same(samples: Samples, seed: int):
     whole = measured([samples], channels, frames)
     parts = measured(cut(samples, np.random.default_rng(seed)), channels, frames)
     assert parts["true_peak_dbtp"] == pytest.approx(whole["true_peak_dbtp"], abs=0.01)
+
+
+@pytest.mark.parametrize("place", [2_290, 2_300, 2_303, 2_304, 2_335, 2_336, 4_340, 4_352, 4_400, 6_390])
+def test_a_curve_that_rises_after_many_rows_of_silence(place: int):
+    samples = np.zeros((6_400, 1))
+    samples[100] = 1.0
+    samples[place : place + 4, 0] = 0.95, 0.95, -0.95, -0.95  # between these the curve is higher than the sample before
+    whole = measured([samples], 1, len(samples))
+    assert whole == measured(np.split(samples, range(500, 6_400, 500)), 1, len(samples))
+    assert whole["true_peak_dbtp"] > 1.0
+    assert whole["true_peak_s"] * 1_000 == pytest.approx(place + 1.5, abs=2)

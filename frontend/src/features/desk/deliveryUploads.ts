@@ -10,7 +10,7 @@ import {
   openDelivery,
   openDeliveryQuery,
   refresh,
-  type Take,
+  type TakeAdded,
 } from './api'
 
 /** Files on their way into one project. They go on while other pages are looked at. */
@@ -21,7 +21,7 @@ export class DeliveryUploads {
   /** Which delivery a file was put into. */
   readonly #deliveryOf = new WeakMap<File, string>()
   /** The takes that finished uploads became, by the upload's id. */
-  readonly #takes = new Map<string, Take>()
+  readonly #takes = new Map<string, TakeAdded>()
   #opening: Promise<string> | null = null
 
   constructor(client: QueryClient, projectId: string, accepts: UploadQueueAccepts) {
@@ -39,7 +39,7 @@ export class DeliveryUploads {
   }
 
   /** The take that an upload became, once its last byte was here. */
-  takeOf = (uploadId: string): Take | undefined => this.#takes.get(uploadId)
+  takeOf = (uploadId: string): TakeAdded | undefined => this.#takes.get(uploadId)
 
   /** Put files into the open delivery, which is opened by the first of them. */
   async add(picked: readonly Picked[], cueId: string | null = null): Promise<void> {

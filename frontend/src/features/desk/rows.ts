@@ -2,7 +2,7 @@ import { bytes, bytesOf, figure, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 import type { Upload } from '@/uploads'
 
-import type { Archive, DeliveryDetail, DryStem, Take } from './api'
+import type { Archive, DeliveryDetail, DryStem, Take, TakeAdded } from './api'
 
 /** One line of the delivery, whatever it stands for. */
 export interface DeliveryRow {
@@ -54,12 +54,12 @@ function wordsOf(upload: Upload): string {
 }
 
 /** "the same sound as version 2 of radar_ping; nothing to check again". */
-const sameAs = ({ cue, number }: Take): string =>
+const sameAs = ({ cue, number }: TakeAdded): string =>
   cue === null
     ? 'the same file is here already and has no cue yet'
     : `the same sound as version ${number} of ${cue.name}; nothing to check again`
 
-function ofUpload(upload: Upload, labelOf: LabelOf, take: Take | undefined): DeliveryRow | null {
+function ofUpload(upload: Upload, labelOf: LabelOf, take: TakeAdded | undefined): DeliveryRow | null {
   const base = {
     id: upload.id,
     uploadId: upload.id,
@@ -187,7 +187,7 @@ export interface DeliveryRows {
 export function rowsOf(
   uploads: readonly Upload[],
   detail: DeliveryDetail | undefined,
-  takeOf: (uploadId: string) => Take | undefined,
+  takeOf: (uploadId: string) => TakeAdded | undefined,
   labelOf: LabelOf,
 ): DeliveryRows {
   const sent = uploads.flatMap((upload) => ofUpload(upload, labelOf, takeOf(upload.id)) ?? [])

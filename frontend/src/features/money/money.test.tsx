@@ -1,15 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 
 import type { ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
 import { openApp } from '@/test/openApp'
 import { aMe, aServer, PROJECT } from '@/test/review'
 import { answer, refusal } from '@/test/server'
 
-// Whole pages are drawn here, which a busy machine takes its time for; their chunk is read once, before.
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
 beforeAll(() => import('./MoneyPage'))
 
 const AT = '2026-11-20T10:00:00Z'

@@ -1,15 +1,13 @@
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 
 import type { MilestoneSheet } from '@/money/api'
 import { openApp } from '@/test/openApp'
 import { aMe, aServer, PROJECT } from '@/test/review'
 import { refusal } from '@/test/server'
 
-// Whole pages are drawn here, which a busy machine takes its time for; their chunks are read once, before.
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
 beforeAll(() => Promise.all([import('./MilestonePage'), import('./PlanPage')]))
 
 const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }

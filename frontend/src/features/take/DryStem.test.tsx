@@ -1,4 +1,4 @@
-import { configure, screen, waitFor, within } from '@testing-library/react'
+import { createEvent, fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -23,8 +23,6 @@ vi.mock('@/uploads', async (original) => ({
   }),
 }))
 
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
-configure({ asyncUtilTimeout: 5_000 })
 beforeAll(() => import('./TakePage'))
 
 /** A file as browsers give it; the DOM of these tests reads no bytes. */
@@ -113,6 +111,18 @@ describe('reverb beside the dry stem', () => {
     line.finish()
     await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('The two are being compared …'))
     expect(server.of('PUT /v1/takes/t1/dry-stem').map((asked) => asked.body)).toEqual([{ upload_id: 'u7' }])
+    expect(line.bound).toEqual({ delivery_id: 'd1', take_id: 't1', file_name: 'dry.wav' })
+  })
+
+  test('is taken by a drop anywhere on the page, which says so while it hangs there', async () => {
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb } }))
+    const shown = await section()
+    const dataTransfer = { types: ['Files'], items: [], files: [aFile('RIFF....WAVEfmt ', 'dry.wav')] }
+    fireEvent(document.body, createEvent.dragEnter(document.body, { dataTransfer }))
+    expect(shown.querySelector('[data-over]')).not.toBeNull()
+    fireEvent(document.body, createEvent.drop(document.body, { dataTransfer }))
+    expect(await within(shown).findByRole('img', { name: 'dry.wav: 50 % here' })).toBeVisible()
+    expect(shown.querySelector('[data-over]')).toBeNull()
     expect(line.bound).toEqual({ delivery_id: 'd1', take_id: 't1', file_name: 'dry.wav' })
   })
 

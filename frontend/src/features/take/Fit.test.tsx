@@ -1,6 +1,6 @@
-import { configure, screen, within } from '@testing-library/react'
+import { screen, within } from '@testing-library/react'
 import axe from 'axe-core'
-import { beforeAll, describe, expect, test, vi } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { aMe, PROJECT } from '@/test/review'
@@ -9,8 +9,6 @@ import { aTakeServer } from '@/test/take'
 
 import { axisOf, type MeasureFit, moved } from './fit'
 
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
-configure({ asyncUtilTimeout: 5_000 })
 beforeAll(() => Promise.all([import('./TakePage'), import('./DeliveryFitPage')]))
 
 const cue = (name: string) => ({ id: name, label: 'SW-001', name })

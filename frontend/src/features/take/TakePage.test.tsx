@@ -1,4 +1,4 @@
-import { configure, screen, waitFor, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -10,8 +10,6 @@ import { aFinding, aMe, PROJECT } from '@/test/review'
 import { refusal } from '@/test/server'
 import { aCheck, aGameFile, aMend, aTakeServer, aVersion, DESIGNER, LATE, someSounds } from '@/test/take'
 
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
-configure({ asyncUtilTimeout: 5_000 })
 beforeAll(() => import('./TakePage'))
 
 let server: ReturnType<typeof aTakeServer>

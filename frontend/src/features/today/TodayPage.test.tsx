@@ -1,4 +1,4 @@
-import { configure, screen, waitFor, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -13,9 +13,6 @@ import { type Asked, refusal } from '@/test/server'
 import type { TodayAnswer } from './api'
 import { headline } from './headline'
 
-// Whole pages are drawn here, which a busy machine takes its time for; their chunks are read once, before.
-vi.setConfig({ testTimeout: 20_000, hookTimeout: 60_000 })
-configure({ asyncUtilTimeout: 5_000 })
 beforeAll(() => import('./TodayPage'))
 
 const TODAY = `/v1/projects/${PROJECT}/today`

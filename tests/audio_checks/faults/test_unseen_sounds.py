@@ -1,0 +1,41 @@
+"""The unseen sounds hold no fault by their making: no detector looks at them here."""
+
+import numpy as np
+import pytest
+
+from tests.audio_checks.faults import sounds
+from tests.audio_checks.faults.sounds import Family
+from tests.audio_checks.faults.unseen_sounds import FAMILIES
+
+each_family = pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
+
+
+@each_family
+def test_a_sound_is_whole_centred_and_rises_from_silence_and_falls_to_it(family: Family) -> None:
+    sound = family(np.random.default_rng(44_100), 44_100, 0.5)
+    assert sound.shape in ((22_050, 1), (22_050, 2))
+    assert np.isfinite(sound).all()
+    peak = np.abs(sound).max()
+    assert peak > 0
+    assert np.abs(sound.mean(axis=0)).max() < 0.001 * peak
+    assert np.abs(np.concatenate((sound[:20], sound[-20:]))).max() < 0.02 * peak
+
+
+@each_family
+def test_a_seed_gives_its_own_sound_each_time(family: Family) -> None:
+    first, again, other = (family(np.random.default_rng(seed), 44_100, 0.3) for seed in (1, 1, 2))
+    assert np.array_equal(first, again)
+    assert first.shape != other.shape or not np.allclose(first, other)
+
+
+@each_family
+def test_nothing_comes_or_goes_within_a_sample(family: Family) -> None:
+    # What does reaches up to half the sample rate; what takes half a millisecond does not.
+    sound = family(np.random.default_rng(11), 96_000, 0.5)
+    spectrum = np.fft.rfft(sound, axis=0)
+    spectrum[np.fft.rfftfreq(len(sound), 1 / 96_000) < 44_000] = 0
+    assert np.abs(np.fft.irfft(spectrum, len(sound), axis=0)).max() < 0.008 * np.abs(sound).max()
+
+
+def test_no_family_is_in_both_halves() -> None:
+    assert not FAMILIES.keys() & sounds.FAMILIES.keys()
