@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from audio_checks.check_names import Severity
+from audio_checks.decay_drawing import drawn
 from audio_checks.findings import FileReport, Finding, Report, printable
 from audio_checks.judge import score_in_words
 from audio_checks.loudness_presets import in_words
@@ -182,6 +183,8 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         return
     figures = {"effective_bits": entry.facts["effective_bits"], **entry.to_measured()["measurements"]}
     named = {name: _words(name) for name in figures}
+    often = Counter(words for words, _ in named.values())
+    named = {name: (f"{words} in {unit}" if often[words] > 1 else words, unit) for name, (words, unit) in named.items()}
     columns = max(len(words) for words, _ in named.values()) + 2
     for name, value in figures.items():
         words, unit = named[name]
@@ -189,6 +192,8 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
         yield f"  {ink(f'{words:<{columns}}', DIM)}{shown}{f' {unit}' if unit and value is not None else ''}"
     for name, judged in entry.judgements.items():
         yield f"  {ink(f'{name}?'.ljust(columns), DIM)}{_judged(judged)}"
+        if name == "reverb":
+            yield from (f"    {ink(line, DIM)}" for line in drawn(judged.get("evidence") or {}))
     for name, stands in entry.loudness_presets.items():
         yield f"  {in_words(name, stands)}"
 

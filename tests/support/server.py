@@ -23,7 +23,7 @@ from app.accounts.rules import Role
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
-from app.kit.workers import HEARTBEAT, Worker
+from app.kit.workers import Worker
 from app.main import create_app
 from app.migrate import migrate
 from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
@@ -33,6 +33,7 @@ from app.worker import start_worker
 
 LONG_AGO_S = 90.0  # librosa compiles itself where it is new: half a minute for two at once
 JOBS_END_WITHIN_S = 30
+REQUESTS = "AnyIO worker thread"  # name of the threads that answer requests
 
 
 @dataclass
@@ -65,11 +66,11 @@ class RunningServer:
 
     @contextmanager
     def counted_selects(self) -> Iterator[list[str]]:
-        """Gather what is read from the database, but for what the worker reads to say that it lives."""
+        """Gather what requests read from the database; the worker in this process reads when it likes."""
         selects: list[str] = []
 
         def note(_connection: Any, _cursor: Any, statement: str, *_more: Any) -> None:
-            if statement.lstrip().upper().startswith("SELECT") and threading.current_thread().name != HEARTBEAT:
+            if statement.lstrip().upper().startswith("SELECT") and threading.current_thread().name == REQUESTS:
                 selects.append(statement)
 
         engine = self.runtime.database.engine

@@ -15,6 +15,7 @@ from audio_checks import reporters
 from audio_checks.checks import all_checks
 from audio_checks.findings import FileReport, Finding, Report, SpecRef
 from audio_checks.reporters import Style, judged_as
+from tests.support.rooms import hits, in_a_room
 from tests.support.waves import silence, sine, write_wav
 
 SCHEMA = Path(__file__).resolve().parents[3] / "frontend/node_modules/@microsoft/jest-sarif/lib/schemas"
@@ -270,6 +271,28 @@ class TestText:
         assert re.search(r"^  sample peak +-$", out, re.MULTILINE)
         assert re.search(r"^  sample peak +-6\.00 dBFS$", out, re.MULTILINE)
         assert re.search(r"^  is silence +yes$", out, re.MULTILINE)
+
+    def test_reverb_is_drawn_octave_by_octave(self, folder, run):
+        dry = hits(channels=2)
+        write_wav(folder / "dry.wav", dry)
+        write_wav(folder / "wet.wav", in_a_room(dry, rt60_s=1.5))
+        out = run("measure", ".")[1]
+        dry_lines, wet_lines = (out[out.index(name) :].split("\n\n")[0] for name in ("dry.wav", "wet.wav"))
+        octave = re.compile(
+            r"^ +1 kHz  (█[▁▂▃▄▅▆▇█]+) +-\d+\.\d dB/s, 60 dB in +(\d\.\d\d) s  [01]\.\d\d, [01]\.\d\d$", re.M
+        )
+        curve, rt60_s = octave.search(wet_lines).groups()
+        assert 1.2 < float(rt60_s) < 1.8
+        assert sorted(curve, reverse=True) == list(curve)
+        assert len(curve) > 4
+        assert float(octave.search(dry_lines)[2]) < 0.3
+        assert "decay from" in wet_lines
+
+    def test_where_nothing_dies_away_nothing_is_drawn(self, folder, run):
+        write_wav(folder / "silence.wav", silence(seconds=0.1))
+        out = run("measure", ".")[1]
+        assert "reverb?" in out
+        assert "decay from" not in out
 
 
 @pytest.mark.parametrize("name", reporters.formats())
