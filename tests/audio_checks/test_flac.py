@@ -12,10 +12,9 @@ import numpy as np
 import pytest
 
 from audio_checks import check_file, check_files, flac, measure_file, render_master, wav, wave_shapes
-from audio_checks import sandbox as sandbox_module
 from audio_checks.audio import AudioFile
 from audio_checks.errors import Unreadable
-from audio_checks.sandbox import Sandbox
+from audio_checks.sandbox import Sandbox, child
 from audio_checks.sound_files import open_sound
 from audio_checks.spec import parse_spec
 from tests.support import chunks, flacs
@@ -29,7 +28,7 @@ WAV_ONLY = parse_spec('format = 1\naccept.containers = ["wav"]')
 @pytest.fixture
 def inside(monkeypatch):
     """Decode in this process, as a sandbox's child does: a test of the decoding needs no child."""
-    monkeypatch.setattr(sandbox_module, "_inside", True)
+    monkeypatch.setattr(child, "_inside", True)
 
 
 def write(path, content):

@@ -18,7 +18,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from audio_checks import sandbox as sandbox_module
 from audio_checks.audio import AudioFile
 from audio_checks.errors import (
     RenderRefused,
@@ -28,7 +27,7 @@ from audio_checks.errors import (
     SpecError,
     Unreadable,
 )
-from audio_checks.sandbox import Sandbox
+from audio_checks.sandbox import Sandbox, calls
 from audio_checks.wav import Chunk
 from tests.support.waves import sine, write_wav
 
@@ -348,7 +347,7 @@ def test_the_server_ends_with_its_caller():
 
 
 def test_without_fork_each_call_has_its_own_interpreter(monkeypatch, tmp_path):
-    monkeypatch.setattr(sandbox_module, "CAN_FORK", False)
+    monkeypatch.setattr(calls, "CAN_FORK", False)
     path = write_wav(tmp_path / "beep.wav", sine(hz=997, seconds=0.1))
     box = Sandbox(timeout_s=20)
     assert box.call(len, "fine") == 4

@@ -1,0 +1,106 @@
+"""What caller and child say to each other: a request, and an answer that is not trusted."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import io
+import os
+import pickle
+import socket
+import struct
+import time
+from typing import Any
+
+from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxOutOfMemory
+
+CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
+NAME_BYTES = 256  # of a module's name on its way to the server
+LENGTH = struct.Struct("<cQ")
+RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
+DETAIL_CHARACTERS = 8_000
+
+# What may be made from a child's answer, beside classes that carry data: a child whose decoder was
+# taken over must not run code here.
+PLAIN = {("builtins", name) for name in ("set", "frozenset", "complex", "bytearray", "slice", "range")} | {
+    ("datetime", "datetime"),
+    ("datetime", "timedelta"),
+    ("datetime", "timezone"),
+    ("datetime", "date"),
+    ("collections", "OrderedDict"),
+    ("pathlib", "PosixPath"),
+    ("pathlib", "PurePosixPath"),
+    ("pathlib", "WindowsPath"),
+    ("pathlib", "PureWindowsPath"),
+    ("pathlib._local", "PosixPath"),
+    ("pathlib._local", "PurePosixPath"),
+    ("uuid", "UUID"),
+    ("decimal", "Decimal"),
+    ("fractions", "Fraction"),
+    ("numpy", "ndarray"),
+    ("numpy", "dtype"),
+    ("numpy._core.multiarray", "_reconstruct"),
+    ("numpy._core.multiarray", "scalar"),
+    ("numpy._core.numeric", "_frombuffer"),
+    ("_codecs", "encode"),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """What a child may take for one call."""
+
+    memory_bytes: int
+    cpu_s: int
+    file_bytes: int
+    open_files: int
+    result_bytes: int
+
+
+def receive(work: socket.socket, count: int, deadline: float | None) -> bytes | None:
+    """Return exactly `count` bytes, or None when the other end closed before."""
+    content = bytearray()
+    while len(content) < count:
+        if deadline is not None:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise TimeoutError
+            work.settimeout(left)
+        piece = work.recv(min(count - len(content), 1 << 20))
+        if not piece:
+            return None
+        content += piece
+    return bytes(content)
+
+
+def resolved(answer: tuple[bytes, bytes]) -> Any:
+    """Return or raise what the child answered."""
+    kind, body = answer
+    if kind == NO_MEMORY:
+        raise SandboxOutOfMemory("the call wanted more memory than it may have")
+    if kind == FAILED:
+        detail = "".join(c if c.isprintable() or c == "\n" else "?" for c in body.decode("utf-8", "replace"))
+        detail = detail[-DETAIL_CHARACTERS:]
+        raise SandboxCrashed(f"the call failed: {detail.strip().splitlines()[-1] if detail.strip() else '?'}", detail)
+    try:
+        value = _Unpickler(io.BytesIO(body)).load()
+    except Exception as error:
+        raise SandboxCrashed(f"the child's answer cannot be read: {error}") from error
+    if kind == RAISED:
+        raise value if isinstance(value, AudioChecksError) else SandboxCrashed("the child raised no error of ours")
+    return value
+
+
+class _Unpickler(pickle.Unpickler):
+    """Makes plain values, numpy arrays, and data classes, enumerations and errors of audio_checks."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        if (module, name) in PLAIN:
+            return super().find_class(module, name)
+        if module.partition(".")[0] == "audio_checks" and "." not in name:
+            found = super().find_class(module, name)
+            if isinstance(found, type) and (
+                dataclasses.is_dataclass(found) or issubclass(found, (AudioChecksError, enum.Enum))
+            ):
+                return found
+        raise pickle.UnpicklingError(f"{module}.{name} may not come out of a sandbox")
