@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.memory_budget import Memory, MemoryUse, SoundSize, memory_use, sizes_asked_for
-    from audio_checks.mending.mend import MENDER_VERSION, Mended, mend_master
+    from audio_checks.mending.mend import mend_master
+    from audio_checks.mending.mended import MENDER_VERSION, Mended
     from audio_checks.mending.offers import Offer, mend_in_words, mendable
     from audio_checks.mending.spots import repair_spots
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
@@ -156,7 +157,8 @@ _HOMES = {
     "audio_checks.measure.average_spectrum": ("BandLevels",),
     "audio_checks.measure.waveform": ("WaveShape",),
     "audio_checks.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "sizes_asked_for"),
-    "audio_checks.mending.mend": ("MENDER_VERSION", "Mended", "mend_master"),
+    "audio_checks.mending.mend": ("mend_master",),
+    "audio_checks.mending.mended": ("MENDER_VERSION", "Mended"),
     "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
     "audio_checks.mending.spots": ("repair_spots",),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),

@@ -11,7 +11,8 @@ from audio_checks.check_names import Severity
 from audio_checks.discovery import Found
 from audio_checks.errors import MendRefused
 from audio_checks.findings import SCHEMA_VERSION, printable
-from audio_checks.mending.mend import Mended, mend_master
+from audio_checks.mending.mend import mend_master
+from audio_checks.mending.mended import Mended
 from audio_checks.runner import legible
 from audio_checks.sound_list import SoundList
 from audio_checks.spec import DeliverySpec

@@ -7,7 +7,7 @@ from typing import Any, BinaryIO
 
 from audio_checks import wav
 from audio_checks.measure.waveform import Waveform, WaveShape
-from audio_checks.mending.mend import Mended, Repair
+from audio_checks.mending.mended import Mended, Repair
 from audio_checks.mending.samples import stretch
 
 POINTS = 480  # across half a wide screen
