@@ -37,7 +37,7 @@ from app.deliveries.schemas import (
 )
 from app.deliveries.upload_endpoints import router as uploads_router
 from app.kit.blob_answer import blob_answer
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BackSession, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.projects.errors import DesignerNeeded, ProjectNotFound
@@ -156,7 +156,7 @@ def add_take(
     delivery_id: UUID,
     body: TakeAdd,
     response: Response,
-    session: DbSession,
+    session: BackSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> TakeAdded | Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
@@ -192,7 +192,7 @@ def add_take(
 def add_archive(
     delivery_id: UUID,
     body: ArchiveAdd,
-    session: DbSession,
+    session: BackSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> ArchiveRead:
     """Keep a finished upload as a ZIP and queue its unpacking; each file in it becomes a take."""

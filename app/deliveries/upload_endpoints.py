@@ -32,7 +32,7 @@ from app.deliveries.errors import (
 from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
 from app.deliveries.schemas import PartsAsk, PartsRead, UploadRead
 from app.kit.errors import Refused
-from app.kit.http import CurrentRuntime, problems
+from app.kit.http import BackSeat, CurrentRuntime, problems
 from app.kit.runtime import Runtime
 from app.kit.storage import StoreUnavailable
 from app.kit.uploads import (
@@ -120,6 +120,7 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE
 )  # fmt: skip
 async def begin_upload(
     request: Request,
+    seat: BackSeat,
     runtime: CurrentRuntime,
     actor: UploadsActor,
     tus_resumable: Tus = None,
@@ -147,6 +148,7 @@ async def begin_upload(
         _uuid("take_id", metadata["take_id"]) if "take_id" in metadata else None,
     )  # fmt: skip
     if has_body:
+        seat.leave()  # bytes come as slowly as they like
         upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
     return await asyncio.to_thread(_standing, uploads, upload, 201)
 
@@ -177,6 +179,7 @@ def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tu
 async def continue_upload(
     upload_id: UUID,
     request: Request,
+    seat: BackSeat,
     runtime: CurrentRuntime,
     actor: UploadsActor,
     tus_resumable: Tus = None,
@@ -193,6 +196,7 @@ async def continue_upload(
     checksum = _checksum(upload_checksum)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_own, runtime, actor, upload_id)
+    seat.leave()
     upload = await uploads.receive(upload, offset, _body(request), announced=_announced(request), checksum=checksum)
     return await asyncio.to_thread(_standing, uploads, upload, 204)
 
@@ -250,6 +254,7 @@ def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) 
 )  # fmt: skip
 async def put_upload(
     request: Request,
+    seat: BackSeat,
     runtime: CurrentRuntime,
     actor: UploadsActor,
     delivery_id: UUID,
@@ -265,6 +270,7 @@ async def put_upload(
     expected = _sha256(x_content_sha256) or _repr_digest(repr_digest)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected, take_id)
+    seat.leave()
     try:
         upload = await uploads.receive(upload, 0, _body(request), announced=length)
         if upload.sha256 is None:

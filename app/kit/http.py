@@ -1,6 +1,5 @@
 """What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
 
-import contextlib
 import hashlib
 import re
 import time
@@ -10,9 +9,7 @@ from functools import cached_property
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
-import anyio
 import structlog
-from anyio.lowlevel import RunVar
 from fastapi import APIRouter, Depends, FastAPI, HTTPException, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
@@ -33,6 +30,7 @@ from app.kit.db import Base, Database, is_away, is_crossed, new_id, reach_furthe
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
+from app.kit.seats import Seat, seats
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
@@ -40,13 +38,6 @@ GROUP_NAME = re.compile(r"\?P<\w+>")
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
-# Requests with a session of their own that run at once, as many that read as that write; others wait their turn
-# before they take a thread or a connection. More would be answered no sooner: one runs at a time, while the others ask
-# the database. One keeps its connection while it waits for a thread, so that connections (30, or 40 on SQLite) and
-# threads (40) must be more: else all threads wait for connections whose owners wait for one.
-SEATS = 4
-LONGEST_WAIT_S = 20.0  # for a seat; whoever asked is gone or asks again, and a line without end takes all memory
-_SEATS: RunVar[tuple[anyio.Semaphore, anyio.Semaphore]] = RunVar("seats")  # of one event loop: writers', readers'
 AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
@@ -77,12 +68,6 @@ class IdempotencyKeyReused(Conflict):
 
 class AlreadyDone(Conflict):
     """The request with this Idempotency-Key was carried out; its answer was lost before it could be kept."""
-
-
-class Crowded(Refused):
-    """More was asked for than this process could answer in time."""
-
-    status = 503
 
 
 class SavedAnswer(Base):
@@ -134,33 +119,28 @@ def come_in(request: Request, reach: Reach) -> None:
 
 
 async def _seat(request: Request) -> AsyncIterator[None]:
-    try:
-        seats = _SEATS.get()
-    except LookupError:
-        _SEATS.set(seats := (anyio.Semaphore(SEATS), anyio.Semaphore(SEATS)))
-    seat = seats[request.method in SAFE_METHODS]
-    await _take(seat)
-    try:
+    async with seats().for_person(reads=request.method in SAFE_METHODS):
         yield
-    finally:
-        seat.release()
 
 
-async def _take(seat: anyio.Semaphore) -> None:
-    with contextlib.suppress(anyio.WouldBlock):
-        seat.acquire_nowait()  # without a timer, where one is free
-        return
-    try:
-        with anyio.fail_after(LONGEST_WAIT_S):
-            await seat.acquire()
-    except TimeoutError:
-        raise Crowded(
-            f"this server did not come to it within {LONGEST_WAIT_S:g} s, and nothing was done",
-            fix="try again in a few seconds",
-        ) from None
+async def _back_seat() -> AsyncIterator[Seat]:
+    async with seats().for_upload() as seat:
+        yield seat
+
+
+# What uploads ask comes behind what people do; to be named before whatever else an endpoint depends on.
+BackSeat = Annotated[Seat, Depends(_back_seat, scope="function")]
 
 
 def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Iterator[Session]:
+    yield from _transaction(request)
+
+
+def _back_session(request: Request, _seat: BackSeat) -> Iterator[Session]:
+    yield from _transaction(request)
+
+
+def _transaction(request: Request) -> Iterator[Session]:
     database = database_of(request)
     reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
@@ -180,6 +160,7 @@ def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="func
 
 # scope="function": the commit happens before the answer leaves, so a failed commit cannot have answered 201.
 DbSession = Annotated[Session, Depends(_session, scope="function")]
+BackSession = Annotated[Session, Depends(_back_session, scope="function")]  # of what an upload becomes
 
 
 class Route(APIRoute):

@@ -16,13 +16,13 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from uuid import UUID
 
-from anyio import CapacityLimiter, to_thread
-from anyio.lowlevel import RunVar
+from anyio import to_thread
 from sqlalchemy import select
 
 from app.kit import clock, kill, metrics
 from app.kit.db import Database
 from app.kit.errors import Conflict
+from app.kit.seats import seats
 from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
 from app.kit.uploads.errors import (
     ChecksumMismatch,
@@ -45,9 +45,6 @@ LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
 SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
-# Files that are synced, hashed and stored at once in a process: many that end together stand before nobody's request.
-FINISHED_AT_ONCE = 2
-_FINISHING: RunVar[CapacityLimiter] = RunVar("finishing")  # of one event loop
 
 
 @dataclass(frozen=True)
@@ -161,7 +158,8 @@ class Uploads:
                 await _pour(stream, file, room)
             else:
                 await self._pour_proven(upload, stream, file, room, checksum)
-            return await to_thread.run_sync(self._received, upload, file, limiter=_finishing())
+            async with seats().for_end_of_upload():
+                return await to_thread.run_sync(self._received, upload, file)
         finally:
             os.close(file)  # which gives the lock back
 
@@ -332,14 +330,6 @@ class Uploads:
         folder.mkdir(parents=True, exist_ok=True)
         if shutil.disk_usage(folder).free < length + SPARE_BYTES:
             raise StoreFull("the server's disk has no room for this file", fix="tell whoever runs this server")
-
-
-def _finishing() -> CapacityLimiter:
-    try:
-        return _FINISHING.get()
-    except LookupError:
-        _FINISHING.set(limiter := CapacityLimiter(FINISHED_AT_ONCE))
-        return limiter
 
 
 async def _pour(

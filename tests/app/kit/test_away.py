@@ -12,18 +12,20 @@ from anyio.from_thread import start_blocking_portal
 from sqlalchemy.orm import Session
 
 from app import logs
-from app.kit import http
+from app.kit import seats
 from app.kit.db import Database, is_away
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.projects import queries
 from app.settings import Settings
+from tests.support.deliver import TUS, metadata
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.server import RunningServer, World
 
 CROWD = 90
 WITHIN_S = 30.0
+AT_IT_S = 0.3  # a request has reached the row that it waits for
 
 
 @pytest.fixture(scope="module")
@@ -137,19 +139,48 @@ def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
 
 
 def test_whoever_waits_too_long_for_a_seat_is_told_so(world: World, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(http, "LONGEST_WAIT_S", 0.3)
+    monkeypatch.setattr(seats, "LONGEST_WAIT_S", 0.3)
     held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
 
     def open_one(_number: int) -> httpx.Response:
         return world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
 
-    with ThreadPoolExecutor(http.SEATS + 1) as crowd:
+    with ThreadPoolExecutor(seats.SEATS + 1) as crowd:
         with world.server.runtime.database.writing() as session:
             session.execute(held, {"id": world.project_id})  # whoever has a seat waits for this row
-            coming = [crowd.submit(open_one, number) for number in range(http.SEATS + 1)]
+            coming = [crowd.submit(open_one, number) for number in range(seats.SEATS + 1)]
             turned_away = next(as_completed(coming, timeout=WITHIN_S)).result()
             assert world.designer.get("/v1/projects").status_code == 200, "who reads has other seats"
         statuses = sorted(one.result(WITHIN_S).status_code for one in coming)
     assert (turned_away.json()["code"], turned_away.headers["Retry-After"]) == ("crowded", "5")
-    assert statuses == [201] * http.SEATS + [503]
+    assert statuses == [201] * seats.SEATS + [503]
     assert open_one(0).status_code == 201, "the seats are free again"
+
+
+def test_an_upload_gives_way_to_whoever_is_being_served_but_not_for_long(world: World, monkeypatch: pytest.MonkeyPatch):
+    delivery_id = world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={}).json()["id"]
+    held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
+    headers = TUS | {"Upload-Length": "3", "Upload-Metadata": metadata(delivery_id=delivery_id, file_name="a.wav")}
+
+    def begin(_number: int = 0) -> int:
+        return world.designer.post("/v1/uploads", headers=headers).status_code
+
+    with ThreadPoolExecutor(CROWD + 1) as crowd:
+        with world.server.runtime.database.writing() as session:
+            session.execute(held, {"id": world.project_id})
+            person = crowd.submit(world.designer.post, f"/v1/projects/{world.project_id}/deliveries", json={})
+            time.sleep(AT_IT_S)
+            monkeypatch.setattr(seats, "GIVES_WAY_S", 60.0)
+            first = crowd.submit(begin)
+            time.sleep(AT_IT_S)
+            assert not first.done(), "it waits for the person"
+            assert world.designer.get("/v1/projects").status_code == 200, "people do not"
+        assert (person.result(WITHIN_S).status_code, first.result(WITHIN_S)) == (201, 201)
+        monkeypatch.setattr(seats, "GIVES_WAY_S", 0.01)
+        with world.server.runtime.database.writing() as session:
+            session.execute(held, {"id": world.project_id})
+            person = crowd.submit(world.designer.post, f"/v1/projects/{world.project_id}/deliveries", json={})
+            time.sleep(AT_IT_S)
+            assert list(crowd.map(begin, range(CROWD))) == [201] * CROWD, "none waits for a person without end"
+            assert not person.done()
+        assert person.result(WITHIN_S).status_code == 201
