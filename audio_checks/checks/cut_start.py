@@ -6,7 +6,8 @@ so they are left alone.
 How to fix: start the selection earlier, at a zero crossing, or fade in over a few samples.
 Source: practice in the field. The first sample reaches a fifth of the largest one in the 10 ms after
 it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
-zero there. Digital silence around the sound does not hide its edge.
+zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
+rates that rings before it.
 """
 
 from collections.abc import Iterator

@@ -6,7 +6,8 @@ mid-wave, so they are left alone.
 How to fix: export up to the end of the tail, or fade out over its last part.
 Source: practice in the field. The last sample reaches a fifth of the largest one in the 10 ms before
 it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
-zero there. Digital silence around the sound does not hide its edge.
+zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
+rates that rings after it.
 """
 
 from collections.abc import Iterator

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +17,11 @@ GRAIN = 2.0  # steps of the bit depth that still are silence
 NEAR_S = 0.01  # of the sound, which its outermost sample is compared with
 EDGE_SHARE = 0.2  # of the largest sample nearby, which an edge in mid-wave reaches and a fade does not
 BELOW_PEAK = 1e-2  # 40 dB: an edge that quiet, under the file's peak, does not matter
+RING_S = 0.005  # the longest that a converter of sample rates rings before an edge,
+RING_SHARE = 0.1  # as high as this share of the edge at most, and
+RING_HZ = 0.25  # at this share of the rate or more: what fades in is slower
+STEP, GAP = 2, 4  # samples in which such an edge rises, and those before its top that are no ring any more
+SHARP_HZ = 48_000  # at higher rates edges are no sharper than at this one
 
 
 class Edge(NamedTuple):
@@ -103,11 +109,33 @@ class Cuts:
         sizes = np.abs(samples)
         channel = int(sizes[:, 0].argmax())
         edge, nearby = float(sizes[channel, 0]), float(sizes[channel].max())
-        cut = _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= BELOW_PEAK * self._peak
-        return Edge(at / self._rate, decibels(edge), channel + 1, cut)
+        if _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= BELOW_PEAK * self._peak:
+            return Edge(at / self._rate, decibels(edge), channel + 1, True)
+        rung = [(_after_ringing(row, self._rate), number) for number, row in enumerate(samples, 1)]
+        height, number = max(rung)
+        if height > 0 and height >= BELOW_PEAK * self._peak:
+            return Edge(at / self._rate, decibels(height), number, True)
+        return Edge(at / self._rate, decibels(edge), channel + 1, False)
 
 
 def _jumps(samples: NDArray[np.float64], least: float) -> bool:
     """Tell whether a wave, followed back beyond its edge by a line or by a parabola, is far from zero."""
     first, second, third = (*samples[:3].tolist(), 0.0, 0.0)[:3]
     return bool(abs(first) >= least and max(abs(2 * first - second), abs(3 * first - 3 * second + third)) >= least)
+
+
+def _after_ringing(samples: NDArray[np.float64], rate_hz: int) -> float:
+    """Return how high the edge is that a wave jumps to after it rang, as a steep filter rings before a step; else 0."""
+    sizes = np.abs(samples)
+    spread = max(1.0, rate_hz / SHARP_HZ)
+    begins = int((sizes >= EDGE_SHARE * sizes.max()).argmax())
+    top = begins + int(sizes[begins : begins + round(STEP * spread) + 1].argmax())
+    ring = samples[: max(0, top - round(GAP * spread))]
+    if begins > RING_S * rate_hz or not 0 < np.abs(ring).max(initial=0.0) <= RING_SHARE * sizes[top]:
+        return 0.0
+    rise = top - int(np.flatnonzero(sizes[:top] <= RING_SHARE * sizes[top])[-1])
+    if not _jumps(samples[top::rise], EDGE_SHARE * float(sizes.max())):
+        return 0.0
+    turning = float(np.square(np.diff(ring)).sum() / np.square(ring).sum())  # 4 sin²(pi hz / rate) of a tone
+    fast = 2 * math.sin(math.pi * RING_HZ / spread)
+    return float(sizes[top]) if turning >= fast**2 else 0.0

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from audio_checks.render.resample import resample
 from audio_checks.spec import CueFacts
 from tests.support.waves import join, noise, silence, sine, smpl
 
@@ -57,3 +58,28 @@ def test_loops_start_in_mid_wave(codes_of):
 @pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])
 def test_silence_and_one_frame(codes_of, samples, codes):
     assert codes_of("cut-start", samples) == codes
+
+
+# What a converter of sample rates makes of an edge rings before it, and is sharp no more.
+@pytest.mark.parametrize(("rate", "to_hz"), [(48_000, 44_100), (96_000, 48_000), (192_000, 96_000)])
+@pytest.mark.parametrize("channels", [1, 2])
+def test_a_converter_of_sample_rates_does_not_hide_it(found_by, rate, to_hz, channels):
+    cut = join(
+        silence(seconds=0.1, rate=rate, channels=channels), sine(hz=300, phase=1.0, rate=rate, channels=channels)
+    )
+    (finding,) = found_by("cut-start", resample(cut, rate, to_hz), rate=to_hz)
+    assert finding.start_s == pytest.approx(0.1, abs=0.005)
+    assert finding.measured == pytest.approx(-7.0, abs=1.5)
+
+
+def test_what_fades_in_before_it_was_converted_is_no_cut(codes_of):
+    for fade, sound in ((48, noise(seed=3)), (24, noise(seed=5)), (24, sine(hz=9_000))):
+        sound[:fade] *= np.linspace(0, 1, fade)[:, np.newaxis]
+        assert codes_of("cut-start", resample(join(silence(seconds=0.1), sound), 48_000, 44_100), rate=44_100) == []
+
+
+@pytest.mark.parametrize("hz", [100, 500, 997])
+@pytest.mark.parametrize(("rate", "to_hz"), [(48_000, 44_100), (96_000, 44_100), (192_000, 96_000)])
+def test_a_zero_crossing_is_a_start_after_a_converter_too(codes_of, hz, rate, to_hz):
+    whole = join(silence(seconds=0.1, rate=rate), sine(hz=hz, rate=rate))
+    assert codes_of("cut-start", resample(whole, rate, to_hz), rate=to_hz) == []

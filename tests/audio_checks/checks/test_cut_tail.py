@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from audio_checks.render.resample import resample
 from audio_checks.spec import CueFacts
 from tests.support.waves import join, noise, silence, sine, smpl
 
@@ -53,3 +54,20 @@ def test_loops_end_in_mid_wave(codes_of):
 @pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])
 def test_silence_and_one_frame(codes_of, samples, codes):
     assert codes_of("cut-tail", samples) == codes
+
+
+# What a converter of sample rates makes of an edge rings after it, and is sharp no more.
+@pytest.mark.parametrize("rung", ["left", "right"])
+def test_a_converter_of_sample_rates_does_not_hide_it(found_by, rung):
+    cut = resample(join(ending(0.8, hz=300), silence(seconds=0.1)), 48_000, 44_100)
+    other = np.zeros_like(cut)
+    pair = np.hstack((cut, other) if rung == "left" else (other, cut))
+    (finding,) = found_by("cut-tail", pair, rate=44_100)
+    assert finding.end_s == pytest.approx(1.0, abs=0.005)
+
+
+def test_a_cut_that_is_converted_and_quiet_does_not_matter(codes_of):
+    quiet = join(sine(hz=300), 0.008 * ending(0.8, hz=300), silence(seconds=0.1))
+    assert codes_of("cut-tail", resample(quiet, 48_000, 44_100), rate=44_100) == []
+    loud = join(sine(hz=300), 0.02 * ending(0.8, hz=300), silence(seconds=0.1))
+    assert codes_of("cut-tail", resample(loud, 48_000, 44_100), rate=44_100) == MID_WAVE

@@ -2,15 +2,25 @@
 
 from collections.abc import Mapping
 
-from tests.audio_checks.faults import injuries, once_unseen_injuries, once_unseen_sounds, sounds, training_sounds
+from tests.audio_checks.faults import (
+    injuries,
+    once_unseen_injuries,
+    once_unseen_sounds,
+    second_unseen_injuries,
+    second_unseen_sounds,
+    sounds,
+    training_sounds,
+)
 from tests.audio_checks.faults.injuries import Fault
 from tests.audio_checks.faults.sounds import Family
 
-FAMILIES: dict[str, Family] = sounds.FAMILIES | once_unseen_sounds.FAMILIES
-CLICK_FAMILIES = FAMILIES | training_sounds.FAMILIES
+FIRST_FAMILIES: dict[str, Family] = sounds.FAMILIES | once_unseen_sounds.FAMILIES
+FAMILIES = FIRST_FAMILIES | second_unseen_sounds.FAMILIES
+CLICK_FAMILIES = FIRST_FAMILIES | training_sounds.FAMILIES
 CLICKS = tuple(fault for fault in injuries.FAULTS + once_unseen_injuries.FAULTS if fault.check == "click")
 TRIED: tuple[tuple[tuple[Fault, ...], Mapping[str, Family]], ...] = (
     (tuple(fault for fault in injuries.FAULTS if fault not in CLICKS), sounds.FAMILIES),
     (tuple(fault for fault in once_unseen_injuries.FAULTS if fault not in CLICKS), once_unseen_sounds.FAMILIES),
     (CLICKS, CLICK_FAMILIES),
+    (second_unseen_injuries.FAULTS, second_unseen_sounds.FAMILIES),
 )

@@ -1,14 +1,15 @@
-"""The unseen faults are what and where they say, and touch nothing else: no detector looks at them here."""
+"""The faults that are or were unseen are what and where they say, and touch nothing else. No detector looks here."""
 
 import numpy as np
 import pytest
 
+from tests.audio_checks.faults import second_unseen_injuries, unseen_injuries
 from tests.audio_checks.faults.audible import excess_db
 from tests.audio_checks.faults.injuries import Fault, Injured
 from tests.audio_checks.faults.sounds import Samples
-from tests.audio_checks.faults.unseen_injuries import FAULTS
 
 RATE = 44_100
+FAULTS = second_unseen_injuries.FAULTS + unseen_injuries.FAULTS
 
 
 def _of(*checks: str) -> pytest.MarkDecorator:
