@@ -5,7 +5,8 @@ sample, or plays the buffer before again. It is heard as a stutter.
 How to fix: export again with a larger buffer, or offline; a recording needs another take, or the
 place painted over. A rhythm of holes that are alike is taken for a gate that is meant.
 Source: practice in the field. A hole is a millisecond or more without movement, with sound up to
-both its edges; a repeat is a buffer of 64 to 2048 frames that comes again bit by bit.
+both its edges; a repeat is a buffer of 64 to 2048 frames that comes again bit by bit, at once or after
+up to three others, as a ring of buffers gives it that is not filled in time.
 """
 
 from collections.abc import Iterator

@@ -314,18 +314,32 @@ typedef struct {
     Py_ssize_t place;
 } slot;
 
+/* Whether a stretch of `run` samples that came `lag` before is an older buffer of a ring: one of two to `most` as long. */
+static int is_older_buffer(Py_ssize_t run, Py_ssize_t lag, Py_ssize_t shortest, Py_ssize_t longest, Py_ssize_t most) {
+    enum { BY_CHANCE = 2 }; /* samples beside it that are the same */
+    if (run < shortest || run > longest) return 0;
+    for (Py_ssize_t buffers = 2; buffers <= most; buffers++) {
+        const Py_ssize_t more = buffers * run - lag;
+        if (more >= 0 && more <= BY_CHANCE * buffers) return 1;
+    }
+    return 0;
+}
+
+/* samples, first new one, least spread of a word, shortest and longest buffer, times that it may come again, buffers of
+ * a ring at most, stretches to fill (start, end, lag) -> how many */
 PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
     double *samples;
     int64_t *out;
     slot *slots;
-    if (arguments("recurrences", count, 7) < 0) return NULL;
+    if (arguments("recurrences", count, 8) < 0) return NULL;
     const Py_ssize_t first = PyLong_AsSsize_t(args[1]);
     const double spread = PyFloat_AsDouble(args[2]), times = PyFloat_AsDouble(args[5]);
     const Py_ssize_t shortest = PyLong_AsSsize_t(args[3]), longest = PyLong_AsSsize_t(args[4]);
+    const Py_ssize_t ring = PyLong_AsSsize_t(args[6]);
     if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(out = take_row(&held, args[6], -1, sizeof(int64_t), 1))) {
+        !(out = take_row(&held, args[7], -1, sizeof(int64_t), 1))) {
         let_go(&held);
         return NULL;
     }
@@ -357,13 +371,15 @@ PyObject *recurrences(PyObject *module, PyObject *const *args, Py_ssize_t count)
         const int again = here->key == key;
         here->key = key;
         here->place = at;
-        if (!again || lag < shortest || lag > longest || at < known_until) continue;
+        if (!again || lag < shortest || lag > ring * longest || at < known_until) continue;
         const Py_ssize_t reach = (Py_ssize_t)(times * (double)lag) + 1;
         Py_ssize_t start = at, end = at;
         while (end < frames && samples[end] == samples[end - lag] && end - start <= reach) end++;
         while (start > lag && samples[start - 1] == samples[start - 1 - lag] && end - start <= reach) start--;
         known_until = end;
-        if (end > first && end < frames && end - start >= lag && end - start <= reach - 1) {
+        if (end <= first || end >= frames || end - start > reach - 1) continue;
+        const int again_at_once = end - start >= lag && lag <= longest;
+        if (again_at_once || is_older_buffer(end - start, lag, shortest, longest, ring)) {
             out[found * 3] = start;
             out[found * 3 + 1] = end;
             out[found * 3 + 2] = lag;

@@ -1,4 +1,4 @@
-"""Repeated buffers: a stretch of samples that comes twice in a row, bit by bit, in the middle of a sound."""
+"""Repeated buffers: a stretch of samples that comes again, bit by bit, at once or some buffers later."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from audio_checks import kernel
 
 SHORTEST_S, LONGEST_S = 0.0013, 0.047  # buffers of 64 frames at 48 kHz to 2048 at 44.1 kHz
 MOST_TIMES = 4.5  # repeated more often it is a period, or a stutter that is meant
+RING = 4  # buffers at most, the oldest of which plays again where the next one is late
 HISTORY_S = (MOST_TIMES + 1.5) * LONGEST_S  # of samples that came before: what the longest repeat needs
 SPREAD = 16.0  # steps of the bit depth between the samples of a word: quieter ones come again by chance
 LEAST_SPREAD = 1e-4
@@ -50,7 +51,7 @@ class Repeats:
         A stretch is looked for in one `channel`, best the loudest: a buffer holds all, so it comes again in each.
         `frame` is where in the whole signal the first of all samples lies.
         """
-        count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, self._out)
+        count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, RING, self._out)
         for start, end, lag in self._out[:count].tolist():
             if self._begins(samples, start - lag, frame):  # a tone that has just begun is no buffer
                 continue

@@ -74,6 +74,23 @@ def test_a_buffer_that_plays_again(found_by, frames, channels):
     assert finding.end_s == pytest.approx(0.5 + frames / 48_000)
 
 
+@pytest.mark.parametrize("frames", [192, 1_920])
+@pytest.mark.parametrize("channels", [1, 2])
+def test_an_older_buffer_of_a_ring_that_plays_again(found_by, frames, channels):
+    samples = noise(channels=channels)
+    samples[AT : AT + frames] = samples[AT - 3 * frames : AT - 2 * frames]
+    (finding,) = found_by("dropout", samples)
+    assert (finding.code, finding.measured) == ("dropout:repeat", 1.0)
+    assert finding.start_s == pytest.approx(0.5, abs=1e-4)
+    assert finding.end_s == pytest.approx(0.5 + frames / 48_000, abs=1e-4)
+
+
+def test_strokes_and_loops_that_are_meant_to_come_again_are_no_older_buffers(codes_of):
+    stroke, rest, other = (noise(seconds=0.02, seed=seed) for seed in (2, 3, 4))
+    assert codes_of("dropout", join(noise(seconds=0.2), *[stroke, rest] * 6, noise(seconds=0.2))) == []
+    assert codes_of("dropout", join(silence(seconds=0.2), stroke, rest, other, stroke, noise(seconds=0.2))) == []
+
+
 @pytest.mark.parametrize("periods", [2, 3, 4])
 def test_a_tone_that_starts_late_is_no_repeat(codes_of, periods):
     tone = sine(hz=100, dbfs=-6, seconds=periods / 100)

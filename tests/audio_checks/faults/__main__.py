@@ -208,7 +208,8 @@ def _thresholds() -> str:
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
         f" {dropouts.STILL * 2**15:.1f} units of 16 bit, with sound up to both its edges; a repeat is a buffer of"
         f" {1000 * repeats.SHORTEST_S:g} to {1000 * repeats.LONGEST_S:g} ms that comes again, bit by bit, up to"
-        f" {repeats.MOST_TIMES:g} times.",
+        f" {repeats.MOST_TIMES:g} times, or"
+        f" once after no more than {repeats.RING - 1} others.",
         "cut-start, cut-tail": f"the outermost sample reaches {cuts.EDGE_SHARE:g} of the largest within"
         f" {1000 * cuts.NEAR_S:g} ms, lies less than {-decibels(cuts.BELOW_PEAK):.0f} dB under the file's peak, and the"
         f" wave, followed on, does not pass through zero; or so where the sample to which it rises within"

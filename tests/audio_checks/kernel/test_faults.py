@@ -123,10 +123,31 @@ def test_a_stretch_that_comes_again_is_found_to_the_frame(times: int):
         before, stretch, after = (rng.standard_normal(count) for count in (500, lag, 700))
         row = np.concatenate((before, np.tile(stretch, times + 1), after))
         out = np.empty((8, 3), np.int64)
-        count = kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, out)
+        count = kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, 1, out)
         assert out[:count].tolist() in ([[500 + lag, 500 + lag * (times + 1), lag]], [])
         found += count
     assert found >= 395  # one word in 16 is looked up: of the shortest stretches, one in 40 has none
+
+
+@pytest.mark.parametrize("buffers", [2, 3, 4])
+def test_an_older_buffer_of_a_ring_is_found_to_the_frame(buffers: int):
+    found = 0
+    for length in range(120, 500, 4):
+        row = np.random.default_rng(length).standard_normal(3_000)
+        row[2_200 : 2_200 + length] = row[2_200 - buffers * length : 2_200 - (buffers - 1) * length]
+        out = np.empty((8, 3), np.int64)
+        count = kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, buffers, out)
+        assert out[:count].tolist() in ([[2_200, 2_200 + length, buffers * length]], [])
+        assert kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, buffers - 1, out) == 0
+        found += count
+    assert found >= 92  # of 95: of the shortest stretches some have no word that is looked up
+
+
+@pytest.mark.parametrize("beside", [-3, -1, 5])
+def test_a_stretch_that_comes_again_elsewhere_is_no_older_buffer(beside: int):
+    row = np.random.default_rng(1).standard_normal(3_000)
+    row[2_000:2_300] = row[1_400 + beside : 1_700 + beside]
+    assert kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, 4, np.empty((8, 3), np.int64)) == 0
 
 
 @given(signals(most_channels=1), st.integers(0, 2**32 - 1))
@@ -136,7 +157,7 @@ def test_what_is_reported_did_come_twice(samples: Samples, seed: int):
     if len(row):
         row[rng.integers(0, len(row), 3)] += 1.0
     out = np.empty((50, 3), np.int64)
-    for start, end, lag in out[: kernel.recurrences(row, 0, 1e-3, 40, 800, 4.5, out)].tolist():
+    for start, end, lag in out[: kernel.recurrences(row, 0, 1e-3, 40, 800, 4.5, 1, out)].tolist():
         assert 40 <= lag <= 800
         assert lag <= end - start <= 4.5 * lag + 1
         np.testing.assert_array_equal(row[start:end], row[start - lag : end - lag])

@@ -85,7 +85,7 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), energies, rate, 0, 0
     )
     again, standing, bent = np.zeros((64, 3), np.int64), np.zeros((frames, 5)), np.empty(frames - 2)
-    kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, again)
+    kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, 4, again)
     kernel.bends(samples[-1], bent)
     squares = np.square(samples[-1])
     beside = 0.0, squares, squares, 4, 0.0, 30.0
