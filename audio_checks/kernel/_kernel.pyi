@@ -93,6 +93,7 @@ def recurrences(
     shortest: int,
     longest: int,
     times: float,
+    ring: int,
     out: NDArray[np.int64],
     /,
 ) -> int: ...
