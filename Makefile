@@ -13,7 +13,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms fuzz bench weights docs openapi clean
+.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz bench weights docs openapi clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -56,6 +56,9 @@ kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named 
 
 false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m tests.audio_checks.faults
+
+audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
+	$(BIN)/python -m tests.audio_checks.audit
 
 fuzz: setup  ## Feed the reader a million mutants
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000

@@ -14,6 +14,10 @@ from audio_checks.version import TOOL_VERSION
 
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
+    from audio_checks.audit.build import audit_build, listen_to
+    from audio_checks.audit.heard import Heard
+    from audio_checks.audit.manifest import read_manifest, write_manifest
+    from audio_checks.audit.report import Audit
     from audio_checks.beside import DryStem, reverb_beside
     from audio_checks.errors import (
         AudioChecksError,
@@ -67,6 +71,7 @@ __all__ = [
     "TOOL_VERSION",
     "AudioChecksError",
     "AudioFile",
+    "Audit",
     "BandLevels",
     "CueFacts",
     "DeliverySpec",
@@ -74,6 +79,7 @@ __all__ = [
     "Exported",
     "FileReport",
     "Finding",
+    "Heard",
     "Judged",
     "Loss",
     "Memory",
@@ -100,12 +106,14 @@ __all__ = [
     "TargetPreset",
     "Unreadable",
     "WaveShape",
+    "audit_build",
     "average_spectrum",
     "check_file",
     "check_files",
     "dry_stem_for",
     "export_master",
     "is_placeholder",
+    "listen_to",
     "load_spec",
     "make_placeholder",
     "make_placeholders",
@@ -120,6 +128,7 @@ __all__ = [
     "parse_spec",
     "plays_as_preview",
     "preview",
+    "read_manifest",
     "read_sound_list",
     "rehearse_check",
     "render_key",
@@ -135,12 +144,17 @@ __all__ = [
     "stem_of_file",
     "stems_of",
     "wave_shapes",
+    "write_manifest",
     "write_rehearsal_sound",
     "write_sound_list",
 ]
 
 _HOMES = {
     "audio_checks.audio": ("AudioFile",),
+    "audio_checks.audit.build": ("audit_build", "listen_to"),
+    "audio_checks.audit.heard": ("Heard",),
+    "audio_checks.audit.manifest": ("read_manifest", "write_manifest"),
+    "audio_checks.audit.report": ("Audit",),
     "audio_checks.beside": ("DryStem", "reverb_beside"),
     "audio_checks.errors": (
         "AudioChecksError",

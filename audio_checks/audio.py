@@ -290,6 +290,10 @@ class AudioFile:
         """SHA-256 of the samples as the `data` chunk of a WAV holds them, in hexadecimal. Streams the file once."""
         return self._hashed()[1]
 
+    def blocks(self) -> Iterator[NDArray[np.float64]]:
+        """Yield the samples once more from the beginning, shape (n, channels), full scale ±1.0."""
+        return wav.blocks(self._file, self.layout)
+
     def prepare(self, figures: Iterable[str]) -> None:
         """Say which figures will be asked for, before the first one is; without this, all are measured."""
         wanted = self._wanted or set()

@@ -25,10 +25,12 @@ COMMANDS = {
     "export-master": ("audio_checks.commands.export_master", "copy masters with what is known of them written in"),
     "placeholders": ("audio_checks.commands.placeholders", "make stand-ins for cues that have no take"),
     "memory": ("audio_checks.commands.memory", "what a sound list will take in memory, by target"),
+    "manifest": ("audio_checks.commands.manifest", "write down what approved sounds are known by"),
+    "audit": ("audio_checks.commands.audit", "compare a game build with the approved sounds"),
     "explain": ("audio_checks.commands.explain", "why a check is there, and how to mend what it finds"),
     "list": ("audio_checks.commands.list", "all checks"),
     "new-spec": ("audio_checks.commands.new_spec", "print a commented spec to start from"),
-    "schema": ("audio_checks.commands.schema", "print the JSON Schema of the spec or of the report"),
+    "schema": ("audio_checks.commands.schema", "print the JSON Schema of a document"),
     "completion": ("audio_checks.commands.completion", "print a script that completes commands in a shell"),
 }
 """Every command: the module that has it, and what it does."""

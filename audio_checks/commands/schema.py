@@ -1,12 +1,19 @@
-"""`audio-checks schema`: the JSON Schema of the spec or of the report."""
+"""`audio-checks schema`: the JSON Schema of a document: spec, report, manifest, audit."""
 
 import argparse
 import json
 
 from audio_checks import findings, spec
 from audio_checks.arguments import OK
+from audio_checks.audit import manifest
+from audio_checks.audit import report as audit
 
-SCHEMAS = {"spec": spec.schema, "report": findings.schema}
+SCHEMAS = {
+    "spec": spec.schema,
+    "report": findings.schema,
+    "manifest": manifest.schema,
+    "audit": audit.schema,
+}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -40,7 +40,7 @@ def installed(shell):
         ("audio-checks measure --format ", set(reporters.measured_formats())),
         ("audio-checks explain true", {"true-peak"}),
         ("audio-checks explain ", set(all_checks())),
-        ("audio-checks schema ", {"spec", "report"}),
+        ("audio-checks schema ", {"spec", "report", "manifest", "audit"}),
         ("audio-checks completion z", {"zsh"}),
         ("audio-checks check --spec ", set()),  # nothing of ours: bash goes on with paths
     ],

@@ -1,0 +1,194 @@
+"""Listens to one file: its facts, its levels, and what its sound is known by."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cache
+
+from audio_checks import wav
+from audio_checks.audio import AudioFile
+from audio_checks.audit.fingerprint import LISTENED_S, fingerprint
+from audio_checks.errors import SandboxFailed, Unreadable
+from audio_checks.metadata.mark import cue_marked
+from audio_checks.sandbox import Sandbox, is_inside
+
+CODED = ("container:", "encoding:codec")  # what our own reader does not read, and another may
+DECODE_S = 60.0
+MOST_DECODED_BYTES = 2 << 30
+MOST_CHANNELS = 64
+BLOCK_FRAMES = 65_536
+
+
+@dataclass(frozen=True)
+class Heard:
+    """What is known of one file's sound.
+
+    Attributes
+    ----------
+    path : str
+        Below the folder that was listened to, with slashes.
+    pcm_sha256 : str or None
+        Of the samples; None where a codec kept them, since decoders differ in the last bit.
+    bit_depth : int or None
+        None where a codec kept the samples.
+    codec : str or None
+        What kept them, such as "VORBIS"; None for PCM and float.
+    sample_peak_dbfs, rms_dbfs : float or None
+        None for silence. Of a codec's sound, those of its first minute.
+    fingerprint : bytes or None
+        See `fingerprint`.
+    is_placeholder : bool
+        The file carries the mark of a stand-in.
+    trouble : str
+        Why it could not be listened to; empty where it could.
+    cue, take : str or None
+        Of an approved sound, where its manifest says so.
+    """
+
+    path: str
+    pcm_sha256: str | None = None
+    sample_rate_hz: int = 0
+    bit_depth: int | None = None
+    channels: int = 0
+    frames: int = 0
+    codec: str | None = None
+    sample_peak_dbfs: float | None = None
+    rms_dbfs: float | None = None
+    fingerprint: bytes | None = None
+    is_placeholder: bool = False
+    trouble: str = ""
+    cue: str | None = None
+    take: str | None = None
+
+    @property
+    def duration_s(self) -> float:
+        """How long it is."""
+        return self.frames / self.sample_rate_hz if self.sample_rate_hz else 0.0
+
+
+def listen(path: str, shown: str) -> Heard:
+    """Return what is known of a file's sound; never raises for what is in it.
+
+    Parameters
+    ----------
+    path : str
+        WAV and FLAC are read as everywhere; what else soundfile knows (Ogg Vorbis, Opus, MP3, AIFF, ADPCM in WAV)
+        is decoded in a throw-away child.
+    shown : str
+        What the file is called.
+    """
+    try:
+        try:
+            return _listened(path, shown)
+        except Unreadable as refusal:
+            if not refusal.code.startswith(CODED):
+                raise
+            with _decoded(path, refusal) as (unpacked, codec, frames):
+                heard = _listened(unpacked, shown)
+        return _by_codec(heard, codec, frames)
+    except Unreadable as error:
+        return Heard(shown, trouble=f"{error} ({error.rule})")
+    except SandboxFailed as error:
+        return Heard(shown, trouble=f"it could not be decoded: {error}")
+
+
+def _by_codec(heard: Heard, codec: str, frames: int) -> Heard:
+    return Heard(
+        heard.path,
+        None,
+        heard.sample_rate_hz,
+        None,
+        heard.channels,
+        frames,
+        codec,
+        heard.sample_peak_dbfs,
+        heard.rms_dbfs,
+        heard.fingerprint,
+    )
+
+
+def _listened(path: str, shown: str) -> Heard:
+    with AudioFile(path) as file:
+        file.prepare(("sample_peak_dbfs", "rms_dbfs"))
+        layout, levels = file.layout, file.measured()
+        return Heard(
+            shown,
+            file.pcm_sha256,
+            layout.sample_rate_hz,
+            layout.bit_depth,
+            layout.channels,
+            layout.frames,
+            None,
+            _finite(levels["sample_peak_dbfs"]),
+            _finite(levels["rms_dbfs"]),
+            fingerprint(file.blocks(), layout.sample_rate_hz),
+            cue_marked(file.metadata.fields) is not None,
+        )
+
+
+def _finite(level: float) -> float | None:
+    return round(level, 2) if abs(level) < 1_000 else None
+
+
+@contextmanager
+def _decoded(path: str, refusal: Unreadable) -> Iterator[tuple[str, str, int]]:
+    """Give a WAV file of the first minute of a sound that a codec keeps, the codec's name and the sound's frames."""
+    descriptor, unpacked = tempfile.mkstemp(prefix="audio-checks-", suffix=".wav")
+    os.close(descriptor)
+    try:
+        where = os.path.abspath(path)
+        told = decode(where, unpacked) if is_inside() else _sandbox().call(decode, where, unpacked)
+        if told is None:
+            raise refusal
+        yield unpacked, *told
+    finally:
+        with suppress(FileNotFoundError):
+            os.unlink(unpacked)
+
+
+@cache
+def _sandbox() -> Sandbox:
+    return Sandbox(
+        timeout_s=DECODE_S,
+        file_bytes=MOST_DECODED_BYTES,
+        preload=("numpy", "soundfile", "audio_checks.audit.heard"),
+    )
+
+
+def decode(path: str, out: str) -> tuple[str, int] | None:
+    """Write the first minute of a sound as WAV; return its codec and its frames. Runs in a sandbox's child.
+
+    Returns
+    -------
+    (str, int) or None
+        None for what soundfile does not read either.
+    """
+    import soundfile  # slow to import, and no WAV needs it
+
+    wav.open_regular(path).close()
+    try:
+        with soundfile.SoundFile(path) as sound:
+            rate, channels, frames = sound.samplerate, sound.channels, sound.frames
+            listened = min(frames, LISTENED_S * rate)
+            if not (1_000 <= rate <= 768_000 and 1 <= channels <= MOST_CHANNELS and listened > 0):
+                return None
+            wav.write_wav(
+                out,
+                (
+                    sound.read(min(BLOCK_FRAMES, listened - at), dtype="float32", always_2d=True)
+                    for at in range(0, listened, BLOCK_FRAMES)
+                ),
+                sample_rate_hz=rate,
+                bit_depth=32,
+                encoding="float",
+                channels=channels,
+                frames=listened,
+                durable=False,
+            )
+            return str(sound.subtype), int(frames)
+    except (soundfile.SoundFileError, ValueError):
+        return None

@@ -1,0 +1,190 @@
+"""The manifest of approved sounds: what an audit compares a game build with, as one JSON file.
+
+    {"schema_version": 1, "tool": {"name": "audio-checks", "version": "…"}, "fingerprint_version": 1,
+     "files": [{"path": "ui/click.wav", "pcm_sha256": "…", "sample_rate_hz": 48000, "bit_depth": 16,
+                "channels": 1, "frames": 4800, "sample_peak_dbfs": -3.0, "rms_dbfs": -18.2,
+                "fingerprint": "…", "cue": "12", "take": null}]}
+
+It comes from a server or out of a repository, and is read as a stranger's: what is not just so is refused.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+from audio_checks.audit.fingerprint import FINGERPRINT_VERSION, PIECE_BYTES, as_text, from_text, pieces_of
+from audio_checks.audit.heard import Heard
+from audio_checks.errors import SpecError
+from audio_checks.version import TOOL_VERSION
+from audio_checks.written import write_whole
+
+SCHEMA_VERSION = 1
+MOST_BYTES = 2 << 30
+MOST_FILES = 200_000
+LONGEST_TEXT = 1_024
+MOST_FRAMES = 1 << 40
+
+
+def write_manifest(path: str | Path, heard: Iterable[Heard]) -> None:
+    """Write a manifest in one step; OSError when it cannot be written."""
+    document = {
+        "schema_version": SCHEMA_VERSION,
+        "tool": {"name": "audio-checks", "version": TOOL_VERSION},
+        "fingerprint_version": FINGERPRINT_VERSION,
+        "files": [_written(one) for one in heard],
+    }
+    write_whole(path, json.dumps(document, indent=1) + "\n")
+
+
+def read_manifest(path: str | Path) -> list[Heard]:
+    """Return the approved sounds that a manifest lists, in its order.
+
+    Raises
+    ------
+    SpecError
+        The file cannot be read, is no manifest, or of another version; `where` names the place.
+    """
+    where = str(path)
+    try:
+        if Path(path).stat().st_size > MOST_BYTES:
+            raise SpecError(f"is larger than {MOST_BYTES >> 30} GiB", where=where)
+        document = json.loads(Path(path).read_text(encoding="utf-8-sig"))
+    except OSError as error:
+        raise SpecError(f"cannot be read: {error.strerror or error}", where=where) from None
+    except (ValueError, RecursionError) as error:
+        raise SpecError(f"is not JSON: {error}", where=where) from None
+    if not isinstance(document, dict) or not isinstance(document.get("files"), list):
+        raise SpecError('is no manifest: wanted {"schema_version": 1, "files": [...]}', where=where)
+    for key, wanted in (("schema_version", SCHEMA_VERSION), ("fingerprint_version", FINGERPRINT_VERSION)):
+        if document.get(key) != wanted or isinstance(document.get(key), bool):
+            raise SpecError(f"{key} must be {wanted}; make the manifest anew with this version", where=where)
+    if len(document["files"]) > MOST_FILES:
+        raise SpecError(f"lists more than {MOST_FILES:,} files", where=where)
+    heard = [_read(entry, f"{where}: files[{place}]") for place, entry in enumerate(document["files"])]
+    seen: set[str] = set()
+    for place, one in enumerate(heard):
+        if one.path in seen:
+            raise SpecError(f'"{one.path}" is listed twice', where=f"{where}: files[{place}]")
+        seen.add(one.path)
+    return heard
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON Schema of the manifest."""
+    text = {"type": ["string", "null"], "maxLength": LONGEST_TEXT}
+    level = {"type": ["number", "null"]}
+    whole = {"type": "integer", "minimum": 0}
+    entry = {
+        "path": {"type": "string", "minLength": 1, "maxLength": LONGEST_TEXT},
+        "pcm_sha256": {"type": ["string", "null"], "pattern": "^[0-9a-f]{64}$"},
+        "sample_rate_hz": {"type": "integer", "minimum": 1_000, "maximum": 768_000},
+        "bit_depth": {"type": ["integer", "null"], "minimum": 1, "maximum": 64},
+        "channels": {"type": "integer", "minimum": 1},
+        "frames": whole,
+        "sample_peak_dbfs": level,
+        "rms_dbfs": level,
+        "fingerprint": {"type": ["string", "null"], "contentEncoding": "base64"},
+    }
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Manifest of approved sounds of audio-checks, schema version 1",
+        "type": "object",
+        "required": ["schema_version", "tool", "fingerprint_version", "files"],
+        "properties": {
+            "schema_version": {"const": SCHEMA_VERSION},
+            "fingerprint_version": {"const": FINGERPRINT_VERSION},
+            "tool": {"type": "object", "properties": {"name": {"type": "string"}, "version": {"type": "string"}}},
+            "files": {
+                "type": "array",
+                "items": {
+                    "type": "object",
+                    "required": list(entry),
+                    "properties": {**entry, "cue": text, "take": text},
+                    "additionalProperties": False,
+                },
+            },
+        },
+    }
+
+
+def _written(one: Heard) -> dict[str, Any]:
+    return {
+        "path": one.path,
+        "pcm_sha256": one.pcm_sha256,
+        "sample_rate_hz": one.sample_rate_hz,
+        "bit_depth": one.bit_depth,
+        "channels": one.channels,
+        "frames": one.frames,
+        "sample_peak_dbfs": one.sample_peak_dbfs,
+        "rms_dbfs": one.rms_dbfs,
+        "fingerprint": None if one.fingerprint is None else as_text(one.fingerprint),
+        "cue": one.cue,
+        "take": one.take,
+    }
+
+
+def _read(entry: object, where: str) -> Heard:
+    if not isinstance(entry, dict):
+        raise SpecError("wanted an object", where=where)
+    if unknown := sorted(set(entry) - set(_KINDS)):
+        raise SpecError(f'no such key: "{unknown[0]}"', where=where)
+    for key, (is_so, wanted) in _KINDS.items():
+        if key not in entry and key not in ("cue", "take"):
+            raise SpecError(f"{key} is missing", where=where)
+        if not is_so(entry.get(key)):
+            raise SpecError(f"{key} must be {wanted}", where=where)
+    packed = None
+    if entry["fingerprint"] is not None:
+        try:
+            packed = from_text(entry["fingerprint"])
+        except ValueError:
+            raise SpecError("fingerprint is none of ours", where=where) from None
+        if len(packed) != pieces_of(entry["frames"], entry["sample_rate_hz"]) * PIECE_BYTES:
+            raise SpecError("fingerprint is not as long as the sound", where=where)
+    levels = {key: None if entry[key] is None else float(entry[key]) for key in ("sample_peak_dbfs", "rms_dbfs")}
+    return Heard(**{**entry, **levels, "fingerprint": packed})
+
+
+def _is_whole(least: int, most: int) -> Callable[[object], bool]:
+    return lambda value: type(value) is int and least <= value <= most
+
+
+def _is_hash(value: object) -> bool:
+    return value is None or (isinstance(value, str) and re.fullmatch(r"[0-9a-f]{64}", value) is not None)
+
+
+def _is_path(value: object) -> bool:
+    return (
+        isinstance(value, str)
+        and 0 < len(value) <= LONGEST_TEXT
+        and value.isprintable()
+        and not value.startswith("/")
+        and ".." not in value.split("/")
+    )
+
+
+def _is_level(value: object) -> bool:
+    return value is None or (type(value) in (int, float) and -1_000 < value < 1_000)  # type: ignore[operator]
+
+
+def _is_text(value: object) -> bool:
+    return value is None or (isinstance(value, str) and len(value) <= LONGEST_TEXT)
+
+
+_KINDS: dict[str, tuple[Callable[[object], bool], str]] = {
+    "path": (_is_path, "a path below a folder, with slashes"),
+    "pcm_sha256": (_is_hash, "64 lower-case hexadecimal digits, or null"),
+    "sample_rate_hz": (_is_whole(1_000, 768_000), "a whole number from 1,000 to 768,000"),
+    "bit_depth": (lambda value: value is None or _is_whole(1, 64)(value), "a whole number of bits, or null"),
+    "channels": (_is_whole(1, 65_535), "a whole number from 1 on"),
+    "frames": (_is_whole(0, MOST_FRAMES), "a whole number"),
+    "sample_peak_dbfs": (_is_level, "a level in dB, or null"),
+    "rms_dbfs": (_is_level, "a level in dB, or null"),
+    "fingerprint": (lambda value: value is None or isinstance(value, str), "base64, or null"),
+    "cue": (_is_text, "a text, or null"),
+    "take": (_is_text, "a text, or null"),
+}

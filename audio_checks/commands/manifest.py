@@ -1,0 +1,51 @@
+"""`audio-checks manifest`: write down what approved sounds are known by, for audits of game builds."""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+from audio_checks.arguments import FOUND, OK, add_paths, found_files, number_of_jobs
+from audio_checks.audit.build import listen_to
+from audio_checks.audit.heard import Heard
+from audio_checks.audit.manifest import write_manifest
+from audio_checks.findings import printable
+from audio_checks.progress import Progress
+from audio_checks.sound_list import SoundList, read_sound_list
+from audio_checks.terminal import say
+from audio_checks.workload import worth
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Take folders of approved sounds, and where the manifest goes."""
+    add_paths(parser)
+    parser.add_argument("--out", metavar="FILE", required=True, help="where the manifest goes")
+    parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list, to name the cue of each file")
+    parser.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
+    parser.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Listen to the sounds and write the manifest; 1 when one could not be read, and is left out."""
+    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    heard = heard_below(options)
+    for one in heard:
+        if one.trouble:
+            say(f"{one.path}: left out: {one.trouble}")
+    kept = [_with_cue(one, sound_list) for one in heard if not one.trouble]
+    write_manifest(options.out, kept)
+    print(printable(f"{options.out}: {len(kept)} sounds"))
+    return FOUND if len(kept) < len(heard) else OK
+
+
+def heard_below(options: argparse.Namespace) -> list[Heard]:
+    """Return what is known of every sound below the paths that were given, by its place below them."""
+    found = found_files(options)
+    jobs = worth([one.path for one in found]) if options.jobs is None else options.jobs
+    files = [(one.path, one.relative.replace("\\", "/")) for one in found]
+    with Progress(len(files), shown=not options.no_progress) as progress:
+        return listen_to(files, jobs=jobs, done=lambda one: progress.step(one.path))
+
+
+def _with_cue(one: Heard, sound_list: SoundList | None) -> Heard:
+    slot = sound_list.slot_of_file(Path(one.path).name) if sound_list else None
+    return one if slot is None else replace(one, cue=slot[0].number)
