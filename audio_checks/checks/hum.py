@@ -4,9 +4,10 @@ Why: a ground loop, a transformer or a dimmer near the microphone adds steady to
 50 or 60 Hz. One sound hides them; a game that plays thirty at once adds them up.
 How to fix: remove the lines with a hum remover or narrow notches, and look for the cause before the
 next recording. A tone that is meant, and happens to be tuned to the mains, may stay.
-Source: mains stay within 0.4 % of 50 Hz (Commission Regulation (EU) 2017/1485, Annex III). Three or
+Source: mains stay within 1 % of 50 Hz nearly all year (EN 50160); the nearest notes are 2 % off. Three or
 more multiples, in tune with each other, stand 12 dB over what lies beside them in a quarter of all
 windows or more, or keep one phase between loud strokes from start to end, and together reach -70 dBFS.
+The 9th and 15th, which dimmers on three phases leave, count beside the mains and the 3rd.
 Sounds under a second cannot tell hum from a note.
 """
 

@@ -14,7 +14,7 @@ from audio_checks.measure.window_powers import hann_powers
 
 MAINS_HZ = (50.0, 60.0)
 MULTIPLES = 8  # that are looked for
-OFF = 0.004  # share by which mains may be off
+OFF = 0.01  # share by which mains may be off, those of a generator too; the nearest notes are 2 % off
 IN_TUNE = 0.0012  # share by which the lines of one hum may be out of tune with each other,
 OF_A_BIN = 0.06  # and what a window cannot tell more exactly
 WINDOWS_S = (1.0, 0.2)  # long ones find what is faint, short ones what is heard between strokes
@@ -25,6 +25,7 @@ NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it,
 NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
 LINES = 3  # of these multiples must be there, one of the first LOW among them,
 LOW = 3
+NEUTRAL = (1, 3, 9, 15)  # or as many of these, the first among them: what three phases leave in their neutral
 LOOSER = 2.0  # or one more, so many times less in tune: noise moves faint lines
 FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may be the window's own
 LEAST = 1e-7  # in power, -70 dBFS: quieter hum counts for nothing
@@ -91,7 +92,11 @@ class Hum:
         for channel, mains_hz in sorted(set().union(*(windows.doubtful for windows in self._windows))):
             means = self._begin[channel] / self._cell
             lines = lines_in_phase(means, self._cells_per_s, mains_hz, MULTIPLES, OFF)
-            if len(lines.multiples) >= LINES and lines.multiples[0] <= LOW and lines.power >= LEAST:
+            there = len(lines.multiples) >= LINES and lines.multiples[0] <= LOW
+            if not there and not set(lines.multiples).isdisjoint(NEUTRAL[:2]):
+                lines = lines_in_phase(means, self._cells_per_s, mains_hz, NEUTRAL[-1], OFF)
+                there = 1 in lines.multiples and len(set(lines.multiples).intersection(NEUTRAL)) >= LINES
+            if there and lines.power >= LEAST:
                 loudest = max(loudest, (lines.power, mains_hz))
         return loudest
 

@@ -22,7 +22,7 @@ def sound(seconds=3.0, channels=1):
     return noise(dbfs=-30, seconds=seconds, channels=channels) * np.clip(np.sin(2 * np.pi * times), 0, 1)[:, np.newaxis]
 
 
-@pytest.mark.parametrize("hz", [49.9, 50.0, 60.0, 60.1])
+@pytest.mark.parametrize("hz", [49.55, 49.9, 50.0, 60.0, 60.1, 60.55])
 @pytest.mark.parametrize("channels", [1, 2])
 def test_hum_is_found_and_measured(found_by, hz, channels):
     (finding,) = found_by("hum", sound(channels=channels) + hum(hz, channels=channels))
@@ -47,6 +47,15 @@ def test_notes_near_the_mains_are_no_hum(codes_of, hz, codes):
 )
 def test_three_lines_make_a_hum(codes_of, multiples, codes):
     assert codes_of("hum", sound() + hum(multiples=multiples)) == codes
+
+
+# What three phases leave in their neutral: a tone on 150 Hz alone, without the mains themselves, may be meant.
+@pytest.mark.parametrize(
+    ("multiples", "codes"), [((1, 3, 9, 15), MAINS), ((1, 3, 15), MAINS), ((3, 9, 15), []), ((1, 9, 11), [])]
+)
+@pytest.mark.parametrize("hz", [49.7, 60.0])
+def test_the_third_multiple_and_its_odd_ones_beside_the_mains(codes_of, hz, multiples, codes):
+    assert codes_of("hum", sound() + hum(hz, multiples=multiples)) == codes
 
 
 def strokes(seconds=3.0):

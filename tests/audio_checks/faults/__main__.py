@@ -229,7 +229,8 @@ def _thresholds() -> str:
         f" {in_phase.LONGEST_S:g} s, as many that add up in phase over windows of {in_phase.WINDOW_S:g} s, weighted by"
         f" the noise beside them, to {power_decibels(in_phase.PROMINENT):.0f} dB over what that noise adds up to; they"
         f" are there in {100 * in_phase.CONSTANT:.0f} % of the windows that could show them, and in each half of the"
-        f" sound. {power_decibels(hum.LEAST):.0f} dBFS or more together.",
+        f" sound; of multiples {', '.join(map(str, hum.NEUTRAL))}, too, the first among them."
+        f" {power_decibels(hum.LEAST):.0f} dBFS or more together.",
         "noise-floor": "the limit of the spec, here -60 dBFS, on the quietest"
         f" {noise_floor.PAUSE / 100:g} s, where it is steady, does not die away and lies"
         f" {power_decibels(noise_floor.DEEP):.0f} dB or more under the loudest; what stays within"
