@@ -37,14 +37,15 @@ class Found:
         return sum(self.found[name] for name in changes) / sum(self.tried[name] for name in changes)
 
 
-def generated(seed: int, of_each: int) -> Iterator[Sound]:
-    """Sounds of every family, some variations of each, from a tenth of a second to two."""
-    for number, (name, family) in enumerate(FAMILIES.items()):
-        for variation in range(of_each):
-            rng = np.random.default_rng([seed, number, variation])
-            rate = (44_100, 48_000)[variation % 2]
-            samples = family(rng, rate, float(rng.uniform(0.1, 2.0)))
-            yield f"{name}_{variation + 1:02}", samples / np.abs(samples).max() * 0.6, rate
+def generated(seed: int, count: int) -> Iterator[Sound]:
+    """Sounds of every family in turn, so that there are variations of each, from a tenth of a second to two."""
+    for place in range(count):
+        variation, number = divmod(place, len(FAMILIES))
+        name, family = list(FAMILIES.items())[number]
+        rng = np.random.default_rng([seed, number, variation])
+        rate = (44_100, 48_000)[variation % 2]
+        samples = family(rng, rate, float(rng.uniform(0.1, 2.0)))
+        yield f"{name}_{variation + 1:02}", samples / np.abs(samples).max() * 0.6, rate
 
 
 def real(folder: Path) -> Iterator[Sound]:
