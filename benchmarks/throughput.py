@@ -25,6 +25,7 @@ from uuid import UUID
 
 import httpx
 import numpy as np
+from sqlalchemy.orm import joinedload
 
 from app import rooms
 from app.deliveries import service
@@ -194,7 +195,8 @@ def _project(runtime: Runtime) -> Made:
 def deliver(runtime: Runtime, project_id: UUID, sounds: list[bytes], name: str) -> None:
     """Put sounds into the store, add a cue for each, and make them takes in one transaction."""
     with runtime.database.writing() as session:
-        delivery = session.query(Delivery).filter_by(project_id=project_id).one()
+        of_project = session.query(Delivery).filter_by(project_id=project_id)
+        delivery = of_project.options(joinedload(Delivery.designer)).one()
         tenant: dict[str, Any] = {"studio_id": delivery.studio_id, "project_id": project_id}
         first = session.query(Cue).filter_by(project_id=project_id).count() + 1
         project = session.get_one(Project, project_id)

@@ -15,10 +15,15 @@ from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue, Stem
 
+# Asked for by each step of an upload: to build the statement takes as long as to run it.
+_DELIVERY = select(Delivery).where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
+_WITH_CUE_AND_DESIGNER = (joinedload(Take.cue), joinedload(Take.designer))
+_OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).options(*_WITH_CUE_AND_DESIGNER)
+
 
 def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:
     """Return a delivery with its designer, without asking who looks."""
-    return session.scalar(select(Delivery).where(Delivery.id == delivery_id).options(joinedload(Delivery.designer)))
+    return session.scalar(_DELIVERY, {"delivery_id": delivery_id})
 
 
 def deliveries_of(
@@ -97,7 +102,7 @@ def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take
 @cache  # every job asks for its take: to build the statement takes as long as to run it
 def _by_id(*, locked: bool) -> Select[Take]:
     query = select(Take).where(Take.id == bindparam("take_id"))
-    query = query.options(joinedload(Take.cue), joinedload(Take.designer))
+    query = query.options(*_WITH_CUE_AND_DESIGNER)
     if locked:
         query = query.with_for_update(of=Take, key_share=True).execution_options(populate_existing=True)
     return query
@@ -105,7 +110,7 @@ def _by_id(*, locked: bool) -> Select[Take]:
 
 def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
     """Return the take that an upload became, with its cue and designer."""
-    return _one(session, Take.upload_id == upload_id)
+    return session.scalar(_OF_UPLOAD, {"upload_id": upload_id})
 
 
 def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None:
@@ -168,11 +173,7 @@ def same_take(session: Session, delivery: Delivery, sha256: str, cue_id: UUID | 
 
 def _one(session: Session, *conditions: ColumnElement[bool]) -> Take | None:
     return session.scalar(
-        select(Take)
-        .where(*conditions)
-        .options(joinedload(Take.cue), joinedload(Take.designer))
-        .order_by(Take.id.desc())
-        .limit(1)
+        select(Take).where(*conditions).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id.desc()).limit(1)
     )
 
 
@@ -199,17 +200,14 @@ def takes_of(
         query = query.where(Take.cue_id == cue_id)
     if before is not None:
         query = query.where(Take.id < before)
-    query = query.options(joinedload(Take.cue), joinedload(Take.designer))
+    query = query.options(*_WITH_CUE_AND_DESIGNER)
     return session.scalars(query.order_by(Take.id.desc()).limit(limit)).all()
 
 
 def takes_in(session: Session, delivery_id: UUID) -> Sequence[Take]:
     """Return the takes of a delivery with their cues and designers, in the order they came."""
     return session.scalars(
-        select(Take)
-        .where(Take.delivery_id == delivery_id)
-        .options(joinedload(Take.cue), joinedload(Take.designer))
-        .order_by(Take.id)
+        select(Take).where(Take.delivery_id == delivery_id).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id)
     ).all()
 
 

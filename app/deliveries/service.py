@@ -161,7 +161,7 @@ def add_take(
     note: str = "",
     late: bool | None = None,
 ) -> tuple[Take, bool]:
-    """Add stored bytes to a delivery and ask for their check; see `receive_take`."""
+    """Add stored bytes to a delivery (its designer loaded) and ask for their check; see `receive_take`."""
     name = kept_name(file_name)
     slot = slot or slot_named(session, delivery.project_id, name)
     cue_id, variation = (slot.cue.id, slot.variation) if slot else (None, 1)
@@ -174,10 +174,12 @@ def add_take(
         project_id=delivery.project_id,
         delivery_id=delivery.id,
         designer_id=delivery.designer_id,
+        designer=delivery.designer,
         upload_id=origin.upload_id,
         archive_id=origin.archive_id,
         archive_entry=origin.archive_entry,
         cue_id=cue_id,
+        cue=slot.cue if slot else None,
         variation=variation,
         number=number,
         alternate=slot.alternate if slot else alternate_of(name),
@@ -190,7 +192,6 @@ def add_take(
     )
     session.add(take)
     session.flush()
-    session.refresh(take, ["cue", "designer"])
     _note_delivered(session, take)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False

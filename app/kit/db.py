@@ -2,10 +2,11 @@
 
 import select
 import sqlite3
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from enum import StrEnum
+from functools import cache
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -18,6 +19,7 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.engine import make_url
 from sqlalchemy.orm import DeclarativeBase, Session
+from sqlalchemy.sql.dml import ReturningInsert
 from uuid_utils import uuid7
 
 from app.kit.reach import Reach
@@ -149,7 +151,7 @@ class Database:
                 hide_parameters=True,
             )
             event.listen(self.engine, "connect", _prepare_postgresql)
-            event.listen(self.engine, "checkout", self._ensure_open)
+            event.listen(self.engine, "checkout", ensure_open)
         event.listen(self.engine, "begin", _begin)
         self._read, self._write = ("BEGIN", "BEGIN IMMEDIATE") if self.is_sqlite else (READ_ONLY, "BEGIN")
         self._reader = self.engine.execution_options(**{BEGIN: self._read})
@@ -189,24 +191,26 @@ class Database:
         session.info |= {REACH: reach, BEGINS: begins}
         return session
 
-    def _ensure_open(self, connection: Any, _record: Any, _proxy: Any) -> None:
-        """Have the pool make new connections where the server has ended this one.
-
-        Nobody has asked it anything, so what can be read is a farewell, or a notice; only then is it asked whether it
-        is there, for a question before each transaction costs as much as a statement.
-        """
-        line = select.poll()
-        line.register(connection.fileno(), select.POLLIN)
-        if not line.poll(0):
-            return
-        try:
-            self.engine.dialect.do_ping(connection)
-        except psycopg.OperationalError as error:
-            raise sa.exc.InvalidatePoolError from error
-
     def dispose(self) -> None:
         """Close every connection."""
         self.engine.dispose()
+
+
+def ensure_open(connection: Any, _record: Any, _proxy: Any) -> None:
+    """Have a pool make new connections where PostgreSQL has ended this one.
+
+    Nobody has asked it anything, so what can be read is a farewell, or a notice; only then is it asked whether it is
+    there, for a question before each transaction costs as much as a statement.
+    """
+    line = select.poll()
+    line.register(connection.fileno(), select.POLLIN)
+    if not line.poll(0):
+        return
+    try:
+        connection.execute("")
+        connection.rollback()
+    except psycopg.OperationalError as error:
+        raise sa.exc.InvalidatePoolError from error
 
 
 def reach_further(session: Session, reach: Reach) -> None:
@@ -226,7 +230,7 @@ def insert_unless_there(
     table: type[Base],
     values: Mapping[str, Any],
     *,
-    unique: Sequence[str],
+    unique: tuple[str, ...],
     where: sa.ColumnElement[bool] | None = None,
 ) -> bool:
     """Insert a row unless another has its unique columns, written by whoever else; return whether it is new.
@@ -234,10 +238,20 @@ def insert_unless_there(
     An INSERT that trips over the other row would undo all that its transaction did before; `where` is the unique
     index's own condition. On PostgreSQL it waits for a transaction that has just written the other row.
     """
-    is_postgresql = session.get_bind().dialect.name == "postgresql"
-    insert = postgresql.insert(table) if is_postgresql else sqlite.insert(table)
-    insert = insert.values(**values).on_conflict_do_nothing(index_elements=unique, index_where=where)
-    return session.scalar(insert.returning(sa.literal(1))) is not None
+    session.flush()  # rows that it refers to
+    insert = _insert_unless_there(session.get_bind().dialect.name, table, unique, where)
+    return session.scalar(insert, dict(values)) is not None
+
+
+@cache  # to build the statement takes longer than to run it
+def _insert_unless_there(
+    dialect: str, table: type[Base], unique: tuple[str, ...], where: sa.ColumnElement[bool] | None
+) -> ReturningInsert[int]:
+    insert = (postgresql if dialect == "postgresql" else sqlite).insert(table.__table__)
+    unless_there: ReturningInsert[int] = insert.on_conflict_do_nothing(
+        index_elements=unique, index_where=where
+    ).returning(sa.literal(1))
+    return unless_there
 
 
 def row_of(new: Base) -> dict[str, Any]:

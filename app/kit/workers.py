@@ -17,7 +17,7 @@ from dbos._core import WorkflowHandleFuture, execute_dequeued_workflow
 
 from app import logs
 from app.kit import clock, metrics, queue
-from app.kit.db import Database, is_away
+from app.kit.db import Database, ensure_open, is_away
 from app.kit.queue import Heartbeat, Payload, Work
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ BEATS_WHILE_SILENT = 3
 HEARTBEAT, LOOKING = "heartbeat", "looking for work"  # names of threads
 LOOK_EVERY_S, IDLE_LOOK_EVERY_S = 0.05, 0.2  # for work: after there was some, and once there has been none for long
 LOOKS_RARER = 1.25  # from one to the other, by so much each time
-GATHER_S = 0.05  # after a job has ended, for one look to fill the seats of those that end with it
+GATHER_S = 0.2  # after a job has ended, for one look to fill half of the seats: a look costs more than what it begins
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
@@ -102,7 +102,16 @@ class Worker:
             pause_s = LOOK_EVERY_S if claimed or free <= 0 else min(pause_s * LOOKS_RARER, IDLE_LOOK_EVERY_S)
             # Where it filled its seats more may wait: what ends is told; the pause is for what would not tell.
             if self._seat_free.wait(AWAY_PAUSE_S if claimed >= free else pause_s):
-                _stopping.wait(GATHER_S)
+                self._gather()
+
+    def _gather(self) -> None:
+        """Return once half of the seats are free, or after a while; the others are at work meanwhile."""
+        until = time.monotonic() + GATHER_S
+        while 2 * len(self._begun) > self._jobs_at_once and (left_s := until - time.monotonic()) > 0:
+            self._seat_free.clear()
+            if _stopping.is_set():
+                return
+            self._seat_free.wait(left_s)
 
     def _claim(self) -> int:
         """Begin the jobs at the head of the line that there are seats for; return how many."""
@@ -194,7 +203,10 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
         "sys_db_pool_size": 5 + jobs_at_once,
-        "db_engine_kwargs": {"pool_events": [(_sync_later, "connect")]} if database.is_sqlite else {},
+        "db_engine_kwargs": {
+            "pool_pre_ping": False,
+            "pool_events": [(_sync_later, "connect") if database.is_sqlite else (ensure_open, "checkout")],
+        },
         "max_executor_threads": max(8, jobs_at_once * 4),
         "log_level": "WARNING",
         "notification_listener_polling_interval_sec": 1.0,

@@ -17,6 +17,7 @@ from app.notifications.models import Mail
 
 # Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.
 CLAIMED_FOR = timedelta(seconds=60)
+UNSEALED = Mail.sealed_at.is_(None)  # the condition of their unique index
 
 
 def write_mail(
@@ -44,7 +45,7 @@ def write_mail(
     }
     # What another job has just begun is joined; a mail that is sealed between the two is followed by another.
     while (mail := queries.open_mail(session, topic, recipient)) is None:
-        if insert_unless_there(session, Mail, facts, unique=("topic", "recipient"), where=Mail.sealed_at.is_(None)):
+        if insert_unless_there(session, Mail, facts, unique=("topic", "recipient"), where=UNSEALED):
             publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=facts["id"])
             return
     if event_id not in mail.event_ids:

@@ -265,7 +265,7 @@ class Uploads:
         self._store.keep(upload.studio_id, staging, sha256)
         kill.point("uploads.after_store")
         with self._database.writing() as session:
-            row = session.get_one(Upload, upload.id)
+            row = session.merge(upload, load=False)
             row.sha256, row.finished_at = sha256, clock.now()
         metrics.UPLOADED.inc(row.length)
         kill.point("uploads.finished")

@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 
 from app import logs
 from app.kit import seats
-from app.kit.db import Database, is_away
+from app.kit.db import Database, ensure_open, is_away
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -85,6 +85,21 @@ def test_a_line_that_was_ended_while_nobody_used_it_is_not_used(world: World, ow
     with own_postgres.superuser() as connection:
         connection.execute("select pg_terminate_backend(pid, 10000) from pg_stat_activity where datname = 'away'")
     assert world.producer.get("/v1/projects").status_code == 200
+
+
+def test_what_the_queue_keeps_of_its_own_lines_is_asked_only_where_something_came(own_postgres: Postgres):
+    events = [(ensure_open, "checkout")]
+    engine = sa.create_engine(Database(own_postgres.url("postgres")).engine.url, pool_size=1, pool_events=events)
+    own_pid = sa.text("select pg_backend_pid()")
+    with engine.begin() as connection:
+        first = connection.scalar(own_pid)
+    with engine.begin() as connection:
+        assert connection.scalar(own_pid) == first, "a line that is there is used again"
+    with own_postgres.superuser() as superuser:
+        superuser.execute("select pg_terminate_backend(%s, 10000)", [first])
+    with engine.begin() as connection:
+        assert connection.scalar(own_pid) != first
+    engine.dispose()
 
 
 def test_what_is_our_own_fault_is_not_the_databases(world: World, monkeypatch: pytest.MonkeyPatch):
