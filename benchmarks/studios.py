@@ -4,7 +4,7 @@ import hashlib
 import json
 import random
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import datetime, timedelta
 from functools import cache
 from typing import Any
@@ -15,8 +15,10 @@ from app.accounts.endpoints import sha256_of
 from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.conformance.models import CheckRun
-from app.deliveries.models import Delivery, Take
+from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.rules import TakeState
+from app.deliveries.sum_rules import SummedTake
+from app.deliveries.sums import views_of
 from app.kit import clock
 from app.kit.db import new_id
 from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
@@ -169,11 +171,14 @@ class ProjectMaker:
             add(Question, **self._tenant, cue_id=cue_id, text=f"does the {words[0]} stand in water or on stone?",
                 asked_by=self._team.designer_ids[0], asked_at=self._begun,
                 answered_at=None if dice.random() < 0.3 else clock.now())  # fmt: skip
-        waits = False
+        waits, summed = False, []
         for variation in range(1, variations + 1):
             for place, state in enumerate(states := self._states(), start=1):
-                self._make_take(cue_id, words, category, variation, place, state, loop=loop)
+                summed.append(self._make_take(cue_id, words, category, variation, place, state, loop=loop))
                 waits |= place == len(states) and state is TakeState.CONFORMING and not is_cut
+        for viewer_id, sums in views_of(self._team.studio_id, summed):
+            add(CueSums, cue_id=cue_id, viewer_id=viewer_id, **self._tenant, variations=variations, placeholder=False,
+                state=CueState.CUT if is_cut else CueState.LOCKED, **asdict(sums))  # fmt: skip
         self._waiting_cues += waits
         if dice.random() < 0.3:
             add(Round, **self._tenant, cue_id=cue_id, sending_id=dice.choice(self._sendings), number=1)
@@ -189,21 +194,22 @@ class ProjectMaker:
     def _make_take(
         self, cue_id: UUID, words: tuple[str, ...], category: str, variation: int, number: int, state: TakeState,
         *, loop: bool,
-    ) -> None:  # fmt: skip
+    ) -> SummedTake:  # fmt: skip
         self._takes += 1
         dice, add, take_id = self._dice, self._bulk.add, new_id()
         sha256 = hashlib.sha256(take_id.bytes).hexdigest()
         at = self._begun + timedelta(seconds=dice.randrange(25_000_000))
         place = self._takes % len(self._deliveries)
         name = f"{'_'.join(words)}_{variation:02}.wav"
+        designer_id = self._team.designer_ids[(place + 1) % len(self._team.designer_ids)]
+        summed = SummedTake(take_id, designer_id, variation, number, state, state_since=at, received_at=at)
         add(
-            Take, id=take_id, **self._tenant, delivery_id=self._deliveries[place], cue_id=cue_id, variation=variation,
-            designer_id=self._team.designer_ids[(place + 1) % len(self._team.designer_ids)], number=number, state=state,
-            file_name=name, master_sha256=sha256, master_bytes=864_044, received_at=at, state_since=at,
+            Take, **self._tenant, **summed._asdict(), delivery_id=self._deliveries[place], cue_id=cue_id,
+            file_name=name, master_sha256=sha256, master_bytes=864_044,
         )  # fmt: skip
         self._make_picture(sha256)
         if state is TakeState.RECEIVED:
-            return
+            return summed
         is_rejected = state is TakeState.RETURNED
         add(CheckRun, **self._tenant, take_id=take_id, spec_id=self._spec_id, key=sha256, pcm_sha256=sha256,
             verdict="rejected" if is_rejected else "conforming", report=_report(name, sha256, rejected=is_rejected),
@@ -219,6 +225,7 @@ class ProjectMaker:
         if dice.random() < 0.2:
             add(Comment, **self._tenant, take_id=take_id, text=dice.choice(SAID), written_by=self._team.decider_id,
                 decides=True, created_at=at)  # fmt: skip
+        return summed
 
     def _say(self, model: Any, cue_id: UUID, take_id: UUID, at: datetime, **what: Any) -> None:
         self._bulk.add(model, **self._tenant, cue_id=cue_id, take_id=take_id, created_at=at, **what)

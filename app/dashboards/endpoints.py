@@ -9,7 +9,8 @@ from app.accounts.endpoints import allows
 from app.accounts.rules import Actor, Sight
 from app.contracts.errors import MilestoneNotFound
 from app.dashboards import money, schemas, service, standing
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Route, Router, problems
+from app.dashboards.desk import Desk
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
@@ -58,8 +59,37 @@ def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Sight
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))
 def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> schemas.Desk:
-    """Return a designer's work in one project."""
-    return service.desk(session, actor, project_id)
+    """Return a designer's work in one project: how much of everything, and the first page of each list."""
+    return Desk(session, actor, project_id).read()
+
+
+DESK_PROBLEMS = problems(ProjectNotFound, DesignerNeeded, BadCursor)
+
+
+@router.get("/projects/{project_id}/desk/came-back", response_model=Page[schemas.CameBack], responses=DESK_PROBLEMS)
+def list_came_back(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+) -> Page[schemas.CameBack]:
+    """Return the takes that are with the designer again, by cue, those that wait longest first."""
+    return Desk(session, actor, project_id).came_back(cursor)
+
+
+@router.get("/projects/{project_id}/desk/to-make", response_model=Page[schemas.ToMake], responses=DESK_PROBLEMS)
+def list_to_make(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+) -> Page[schemas.ToMake]:
+    """Return the cues that wait for a file from the designer, in list order."""
+    return Desk(session, actor, project_id).to_make(cursor)
+
+
+@router.get(
+    "/projects/{project_id}/desk/with-approver", response_model=Page[schemas.WithApprover], responses=DESK_PROBLEMS
+)
+def list_with_approver(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+) -> Page[schemas.WithApprover]:
+    """Return the designer's cues that wait for their verdict, in list order."""
+    return Desk(session, actor, project_id).with_approver(cursor)
 
 
 @router.get("/projects/{project_id}/overview", responses=problems(ProjectNotFound))

@@ -10,8 +10,7 @@ from sqlalchemy.orm import Session, aliased, joinedload
 from app.accounts.models import Membership, Person, Studio
 from app.builds.models import Build
 from app.conformance.models import CheckRun
-from app.dashboards.rules import WITH_DESIGNER
-from app.deliveries.models import Delivery, Take
+from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit.among import among
 from app.notifications.models import Mail
@@ -50,17 +49,6 @@ def my_liaisons(session: Session, person_id: UUID) -> set[UUID]:
     return set(session.scalars(select(Liaison.project_id).where(Liaison.person_id == person_id)))
 
 
-def take_counts(session: Session, project_id: UUID, designer_id: UUID) -> dict[tuple[TakeState, bool], int]:
-    """Return how many takes of a designer stand where, by state and whether they are for a cue."""
-    is_matched = Take.cue_id.is_not(None)
-    rows = session.execute(
-        select(Take.state, is_matched, func.count())
-        .where(Take.project_id == project_id, Take.designer_id == designer_id)
-        .group_by(Take.state, is_matched)
-    )
-    return {(state, bool(matched)): count for state, matched, count in rows}
-
-
 def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, str]]:
     """Return the takes without a cue that wait longest, with their designers' names."""
     return session.execute(
@@ -72,74 +60,31 @@ def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, st
     ).all()
 
 
-def takes_with_designers(session: Session, project_id: UUID) -> Sequence[Row[Take, Cue, str]]:
+def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Take, Cue, str]]:
     """Return the takes that came back, are the newest of a cue, and still needed, with cue and designer's name."""
-    later, picked = aliased(Take), aliased(Take)
-    newest_id = (
-        select(later.id)
-        .where(later.cue_id == Cue.id)
-        .order_by(later.received_at.desc(), later.id.desc())
-        .limit(1)
-        .correlate(Cue)
-        .scalar_subquery()
-    )
-    # Found once for each cue; without the word PostgreSQL would look for it anew for each take.
-    wanted = (
-        select(Cue.id, newest_id.label("newest_id"))
-        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
-        .cte("wanted")
-        .prefix_with("MATERIALIZED")
-    )
+    picked = aliased(Take)
     approved = (
         select(func.count())
         .where(picked.cue_id == Cue.id, picked.state == TakeState.APPROVED, picked.variation <= Cue.variations)
         .correlate(Cue)
         .scalar_subquery()
     )
+    back = (CueSums.viewer_id == project.studio_id, CueSums.newest_back_since.is_not(None))
     return session.execute(
         select(Take, Cue, Person.name)
-        .select_from(wanted)
-        .join(Take, Take.id == wanted.c.newest_id)
-        .join(Cue, Cue.id == wanted.c.id)
+        .select_from(CueSums)
+        .join(Take, Take.id == CueSums.newest_id)
+        .join(Cue, Cue.id == CueSums.cue_id)
         .join(Person, Person.id == Take.designer_id)
-        .where(Take.state.in_(WITH_DESIGNER), approved < Cue.variations)
-        .order_by(Take.state_since, Take.id)
+        .where(CueSums.project_id == project.id, *back, Cue.state != CueState.CUT, approved < Cue.variations)
+        .order_by(CueSums.newest_back_since, CueSums.newest_id)
         .limit(WITH_OTHERS)
     ).all()
-
-
-def takes_back(session: Session, project_id: UUID, designer_id: UUID) -> Sequence[Row[Take, Cue]]:
-    """Return a designer's takes that came back and were not followed by another of theirs, with their cues."""
-    later = aliased(Take)
-    is_followed = exists().where(
-        later.cue_id == Take.cue_id,
-        later.variation == Take.variation,
-        later.designer_id == designer_id,
-        later.number > Take.number,
-    )
-    return session.execute(
-        select(Take, Cue)
-        .join(Cue, Cue.id == Take.cue_id)
-        .where(Take.project_id == project_id, Take.designer_id == designer_id)
-        .where(Take.state.in_(WITH_DESIGNER), Cue.state != CueState.CUT, ~is_followed)
-        .order_by(Take.state_since, Take.id)
-    ).all()
-
-
-def cues_by_id(session: Session, project_id: UUID) -> dict[UUID, Cue]:
-    """Return the whole list, without the stems that its cues own."""
-    return {cue.id: cue for cue in session.scalars(select(Cue).where(Cue.project_id == project_id))}
 
 
 def loops(session: Session, cue_ids: Collection[UUID]) -> set[UUID]:
     """Return those of the cues that are played as loops."""
     return set(session.scalars(select(Cue.id).where(among(Cue.id, cue_ids), Cue.loop)))
-
-
-def placeholders(session: Session, project_id: UUID) -> int:
-    """Return how many cues still have the game play a stand-in."""
-    standing_in = select(func.count()).where(Cue.project_id == project_id, Cue.placeholder, Cue.cut_at.is_(None))
-    return session.scalar(standing_in) or 0
 
 
 def current_runs(session: Session, take_ids: Collection[UUID]) -> dict[UUID, CheckRun]:

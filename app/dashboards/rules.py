@@ -1,11 +1,11 @@
 """Where a cue stands, stated without a database."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import lru_cache
 
 from app.deliveries.rules import TakeState
+from app.deliveries.sum_rules import VariationFact
 from app.sound_lists.rules import CueState
 
 
@@ -42,28 +42,6 @@ MOST_URGENT_FIRST = (
     CueStatus.TO_REVIEW,
     CueStatus.CHECKING,
 )
-WITH_DESIGNER = (TakeState.RETURNED, TakeState.CHANGE_REQUESTED, TakeState.UNJUDGED)
-
-
-# The newest take that is not set aside speaks for its variation; 0 is none. Codes fit in three bits.
-STATE_CODES = {state: code for code, state in enumerate(STATUS_OF_TAKE, start=1)}
-STATES_BY_CODE = {code: state for state, code in STATE_CODES.items()}
-CODE_BASE = 8
-
-
-@dataclass(frozen=True)
-class VariationFact:
-    """What the standing of one variation depends on; the database sums it up from the takes."""
-
-    has_approved: bool
-    has_waiting: bool
-    newest: TakeState | None  # of those not set aside
-
-    @classmethod
-    def unpacked(cls, packed: int) -> "VariationFact":
-        """Read a fact back from the whole number that the database makes of it."""
-        flags, code = divmod(packed, CODE_BASE)
-        return cls(flags >= 2, flags % 2 == 1, STATES_BY_CODE.get(code))
 
 
 def variation_status(fact: VariationFact) -> CueStatus:
@@ -78,9 +56,10 @@ def variation_status(fact: VariationFact) -> CueStatus:
 
 
 @lru_cache(maxsize=4096)
-def statuses_of(packed: str, variations: int) -> tuple[CueStatus, ...]:
-    """Return where the variations of a cue stand, from their packed facts in no order; the rest is still to make."""
-    told = [variation_status(VariationFact.unpacked(int(part))) for part in packed.split(",") if part]
+def statuses_of(facts: str | None, variations: int) -> tuple[CueStatus, ...]:
+    """Return where the variations of a cue stand, from their packed facts in order; the rest is still to make."""
+    packed = facts.split(",")[:variations] if facts else []
+    told = [variation_status(VariationFact.unpacked(int(part))) for part in packed]
     return (*told, *[CueStatus.TO_MAKE] * (variations - len(told)))
 
 

@@ -212,11 +212,17 @@ class WithApprover(CueBrief):
 
 
 class Desk(Schema):
-    """A designer's work in one project."""
+    """A designer's work in one project; of its lists the first page each, and the cursor of the following one."""
 
     came_back: list[CameBack]
+    came_back_next: str | None
+    came_back_cues: int
     to_make: list[ToMake]
+    to_make_next: str | None
+    to_make_cues: int
     with_approver: list[WithApprover]
+    with_approver_next: str | None
+    with_approver_cues: int
     with_approver_files: int
     accepted: int
     cues: int
@@ -255,7 +261,8 @@ class Happening(Schema):
 class Overview(Schema):
     """A project at one glance."""
 
-    steps: list[Step]
+    steps: list[Step] = Field(description="Of the first 500 cues of the list.")
+    cues: int
     counts: dict[CueStatus, int]
     builds: list[BuildBrief]
     palette: list[PaletteSound]

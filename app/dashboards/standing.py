@@ -12,9 +12,11 @@ from app.accounts.rules import Actor
 from app.conformance.models import CheckRun
 from app.conformance.sets import words_on_sets
 from app.dashboards import schemas, standing_queries
-from app.dashboards.rules import CueStatus, VariationFact, cue_status, statuses_of, variation_status
+from app.dashboards.rules import CueStatus, cue_status, statuses_of, variation_status
+from app.dashboards.standing_queries import LikeCues, ListRow
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
+from app.deliveries.sum_rules import VariationFact
 from app.kit import clock
 from app.projects.queries import current_spec
 from app.projects.service import Standing, standing_in
@@ -29,34 +31,22 @@ JUDGED = 6
 Finding = dict[str, Any]
 
 
-class WholeList:
-    """Every cue of a project in list order and the one word for each, from takes that the database sums up."""
-
-    def __init__(self, session: Session, standing: Standing) -> None:
-        self.project = standing.project
-        self.rows = standing_queries.list_rows(session, self.project.id, standing.only_designer_id)
-        asked = standing_queries.asked_cues(session, self.project.id)
-        self.variations = {row.id: statuses_of(row.facts or "", row.variations) for row in self.rows}
-        self.status = {
-            row.id: cue_status(
-                row.state, self.variations[row.id], is_asked=row.id in asked, placeholder=row.placeholder
-            )
-            for row in self.rows
-        }
-
-    @property
-    def counts(self) -> dict[CueStatus, int]:
-        """How many cues each word stands for."""
-        return dict(Counter(self.status.values()))
+def viewer_of(standing: Standing) -> UUID:
+    """Return under whose id the sums are kept that the caller sees: a designer's own, else the studio's."""
+    return standing.only_designer_id or standing.project.studio_id
 
 
-def counted(session: Session, standing: Standing) -> dict[CueStatus, int]:
-    """Return how many cues of the whole list each word stands for."""
+def status_of(row: ListRow | LikeCues) -> CueStatus:
+    """Return the one word for a cue, or for cues that are alike."""
+    variations = statuses_of(row.facts, row.variations)
+    return cue_status(row.state, variations, is_asked=row.is_asked, placeholder=row.placeholder)
+
+
+def counted(likes: Sequence[LikeCues]) -> dict[CueStatus, int]:
+    """Return how many of the cues each word stands for."""
     counts: Counter[CueStatus] = Counter()
-    for like in standing_queries.like_cues(session, standing.project.id, standing.only_designer_id):
-        variations = statuses_of(like.facts or "", like.variations)
-        status = cue_status(like.state, variations, is_asked=like.is_asked, placeholder=like.placeholder)
-        counts[status] += like.cues
+    for like in likes:
+        counts[status_of(like)] += like.cues
     return dict(counts)
 
 
@@ -64,7 +54,7 @@ def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.Lis
     """Return how many cues of the list stand where."""
     standing = standing_in(session, actor, project_id)
     return schemas.ListCounts(
-        counts=counted(session, standing),
+        counts=counted(standing_queries.like_cues(session, project_id, viewer_of(standing))),
         files_to_review=standing_queries.waiting_files(session, project_id, standing.only_designer_id),
     )
 

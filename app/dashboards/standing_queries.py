@@ -1,21 +1,20 @@
 """Where cues stand, summed up from their takes; each function is one SELECT, whatever the size of the project."""
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Collection
 from datetime import datetime
 from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, String, Subquery, and_, bindparam, case, cast, exists, func, select
+from sqlalchemy import ColumnElement, Select, and_, bindparam, case, exists, func, select, tuple_
 from sqlalchemy.orm import Session, load_only
-from sqlalchemy.sql.functions import aggregate_strings
 from typing_extensions import TypeVarTuple
 
 from app.conformance.models import CheckRun, Waiver
-from app.dashboards.rules import CODE_BASE, STATE_CODES
-from app.deliveries.models import Take
+from app.deliveries.models import CueSums, Take
 from app.deliveries.rules import TakeState
+from app.deliveries.sum_rules import CODE_BASE, STATE_CODES
 from app.kit.among import among
 from app.kit.there_is import there_is
 from app.renders.models import Picture
@@ -40,31 +39,6 @@ def _seen_by(query: Select[*Ts], designer_id: UUID | None) -> Select[*Ts]:
     return query if designer_id is None else query.where(Take.designer_id == designer_id)
 
 
-class ListRow(NamedTuple):
-    """One cue of the list with the packed facts of its variations, as "17,10"; None where nothing came."""
-
-    id: UUID
-    number: int
-    name: str
-    state: CueState
-    variations: int
-    placeholder: bool
-    palette: bool
-    facts: str | None
-
-
-def _facts(project_id: UUID, designer_id: UUID | None) -> Subquery:
-    """Gather the packed facts of each cue's variations in one row a cue."""
-    summed = _seen_by(select(Take.cue_id, Take.variation, _packed().label("packed")), designer_id)
-    sums = summed.where(Take.project_id == project_id).group_by(Take.cue_id, Take.variation).subquery()
-    return (
-        select(sums.c.cue_id, aggregate_strings(cast(sums.c.packed, String), ",").label("facts"))
-        .join(Cue, and_(Cue.id == sums.c.cue_id, sums.c.variation <= Cue.variations))
-        .group_by(sums.c.cue_id)
-        .subquery()
-    )
-
-
 class LikeCues(NamedTuple):
     """How many cues of a list are alike in all that their standing depends on."""
 
@@ -76,30 +50,77 @@ class LikeCues(NamedTuple):
     cues: int
 
 
-def like_cues(session: Session, project_id: UUID, designer_id: UUID | None) -> list[LikeCues]:
-    """Return how many cues are alike; only a designer's own takes count where one is given."""
-    facts = _facts(project_id, designer_id)
-    is_asked = exists().where(Question.cue_id == Cue.id, Question.answered_at.is_(None))
-    alike = (Cue.state, Cue.variations, Cue.placeholder, is_asked, facts.c.facts)
-    rows = session.execute(
-        select(*alike, func.count())
-        .join(facts, facts.c.cue_id == Cue.id, isouter=True)
-        .where(Cue.project_id == project_id)
-        .group_by(*alike)
-    )
-    return [LikeCues._make(row) for row in rows]
+def like_cues(session: Session, project_id: UUID, viewer_id: UUID) -> list[LikeCues]:
+    """Return how many cues are alike in a view: a designer's id is for their own takes, the studio's for all.
+
+    Counted by what is kept of the cues for which something came, and by the list for all others; those on which a
+    question is open are few, and looked up.
+    """
+    kept = (CueSums.state, CueSums.variations, CueSums.placeholder, CueSums.facts)
+    listed = (Cue.state, Cue.variations, Cue.placeholder)
+    counts: Counter[tuple[CueState, int, bool, bool, str | None]] = Counter()
+    of_view = (CueSums.project_id == project_id, CueSums.viewer_id == viewer_id)
+    for state, variations, placeholder, facts, cues in session.execute(
+        select(*kept, func.count()).where(*of_view).group_by(*kept)
+    ):
+        counts[state, variations, placeholder, False, facts] += cues
+        counts[state, variations, placeholder, False, None] -= cues
+    in_list = (Cue.project_id == project_id, Cue.state.in_([*CueState]))
+    for state, variations, placeholder, cues in session.execute(
+        select(*listed, func.count()).where(*in_list).group_by(*listed)
+    ):
+        counts[state, variations, placeholder, False, None] += cues
+    asked = select(Question.cue_id).where(Question.project_id == project_id, Question.answered_at.is_(None))
+    for state, variations, placeholder, facts in session.execute(
+        select(*listed, CueSums.facts).join(CueSums, _of_view(viewer_id), isouter=True).where(Cue.id.in_(asked))
+    ):
+        counts[state, variations, placeholder, False, facts] -= 1
+        counts[state, variations, placeholder, True, facts] += 1
+    return [LikeCues(*alike, cues) for alike, cues in counts.items() if cues]
 
 
-def list_rows(session: Session, project_id: UUID, designer_id: UUID | None) -> list[ListRow]:
-    """Return every cue in list order with what its takes add up to; only a designer's own where one is given."""
-    facts = _facts(project_id, designer_id)
-    rows = session.execute(
-        select(Cue.id, Cue.number, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.palette, facts.c.facts)
-        .join(facts, facts.c.cue_id == Cue.id, isouter=True)
-        .where(Cue.project_id == project_id)
-        .order_by(Cue.position, Cue.number)
-    )
-    return [ListRow._make(row) for row in rows]
+def _is_asked() -> ColumnElement[bool]:
+    asked = (Question.project_id == Cue.project_id, Question.cue_id == Cue.id, Question.answered_at.is_(None))
+    return exists().where(*asked)
+
+
+def _of_view(viewer_id: UUID) -> ColumnElement[bool]:
+    return and_(CueSums.cue_id == Cue.id, CueSums.viewer_id == viewer_id)
+
+
+class ListRow(NamedTuple):
+    """One cue of the list with the packed facts of its variations; None where nothing came."""
+
+    id: UUID
+    number: int
+    position: int
+    name: str
+    state: CueState
+    variations: int
+    placeholder: bool
+    palette: bool
+    is_asked: bool
+    facts: str | None
+
+
+def list_rows(
+    session: Session,
+    project_id: UUID,
+    viewer_id: UUID,
+    *,
+    after: tuple[int, int] | None = None,
+    limit: int | None = None,
+    only: ColumnElement[bool] | None = None,
+) -> list[ListRow]:
+    """Return the cues that follow a position and number in list order, with what their takes add up to in a view."""
+    told = (Cue.id, Cue.number, Cue.position, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.palette)
+    query = select(*told, _is_asked(), CueSums.facts).join(CueSums, _of_view(viewer_id), isouter=True)
+    query = query.select_from(Cue).where(Cue.project_id == project_id)
+    if after is not None:
+        query = query.where(tuple_(Cue.position, Cue.number) > tuple_(*after))
+    if only is not None:
+        query = query.where(only)
+    return [ListRow._make(row) for row in session.execute(query.order_by(Cue.position, Cue.number).limit(limit))]
 
 
 class VariationRow(NamedTuple):
@@ -170,15 +191,6 @@ def _listed() -> Select[Take]:
 def _approved(is_own: bool) -> Select[Take]:
     approved = (among(Take.cue_id, "cue_ids"), Take.state == TakeState.APPROVED, Take.variation == 1)
     return _owned(_in_a_list(), is_own).where(*approved)
-
-
-def asked_cues(session: Session, project_id: UUID) -> set[UUID]:
-    """Return the cues on which a question is open."""
-    return set(
-        session.scalars(
-            select(Question.cue_id).where(Question.project_id == project_id, Question.answered_at.is_(None))
-        )
-    )
 
 
 def first_open_questions(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, str]:

@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, ForeignKeyConstraint, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
@@ -13,6 +13,7 @@ from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.uploads import Upload
 from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 
 
 class Delivery(Base):
@@ -80,6 +81,54 @@ class Take(Base):
     delivery: Mapped[Delivery] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise")
     cue: Mapped[Cue | None] = relationship(lazy="raise")
+
+
+class CueSums(Base):
+    """What the takes of a cue add up to: of all for the team, of their own for each designer.
+
+    The facts of the cue stand beside it, so that cues are counted by this table alone: where they change in the list
+    the database changes them here, as it does whatever refers to a key that changes.
+    """
+
+    __tablename__ = "deliveries_cue_sums"
+    __table_args__ = (
+        ForeignKeyConstraint(
+            ["cue_id", "state", "variations", "placeholder"],
+            [f"sound_lists_cues.{name}" for name in ("id", "state", "variations", "placeholder")],
+            name="fk_deliveries_cue_sums_cue",
+            onupdate="CASCADE",
+        ),
+        Index(
+            "ix_deliveries_cue_sums_alike",
+            *("project_id", "viewer_id", "state", "variations", "placeholder", "facts"),
+            "studio_id",  # which the row policies of PostgreSQL ask for
+        ),
+        Index(
+            "ix_deliveries_cue_sums_newest_back",
+            *("project_id", "viewer_id", "newest_back_since"),
+            sqlite_where=text("newest_back_since is not null"),
+            postgresql_where=text("newest_back_since is not null"),
+        ),
+        Index(
+            "ix_deliveries_cue_sums_back",
+            *("project_id", "viewer_id", "back_since", "cue_id"),
+            sqlite_where=text("back_since is not null"),
+            postgresql_where=text("back_since is not null"),
+        ),
+        {"sqlite_with_rowid": False},
+    )
+
+    cue_id: Mapped[UUID] = mapped_column(primary_key=True)
+    viewer_id: Mapped[UUID] = mapped_column(primary_key=True)  # whose view: a designer's, or under the studio's id all
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    state: Mapped[CueState]
+    variations: Mapped[int]
+    placeholder: Mapped[bool]
+    facts: Mapped[str]  # this and what follows: see Sums
+    newest_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
+    newest_back_since: Mapped[datetime | None]
+    back_since: Mapped[datetime | None]
 
 
 class DryStem(Base):

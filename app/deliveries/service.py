@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Any
 from uuid import UUID
 
@@ -22,6 +23,7 @@ from app.deliveries.rules import (
     variation_meant,
 )
 from app.deliveries.schemas import CueBrief, CueGuess, TakeAdded, TakeRead
+from app.deliveries.sums import keep_sums
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import NORMAL
@@ -192,6 +194,7 @@ def add_take(
     )
     session.add(take)
     session.flush()
+    keep_sums(session, take.cue_id)
     _note_delivered(session, take)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
@@ -258,6 +261,7 @@ def match_take(
         return take, standing
     ensure_may_become(take.state, TakeState.RECEIVED)
     number = queries.next_number(session, slot.cue.id, slot.variation)
+    keep_sums(session, take.cue_id, slot.cue.id)
     take.cue_id, take.variation, take.number = slot.cue.id, slot.variation, number
     take.alternate = slot.alternate
     session.flush()
@@ -285,8 +289,14 @@ def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None
 def change_state(session: Session, take: Take, wanted: TakeState) -> None:
     """Take a take from state to state; raise WrongState where that cannot be."""
     ensure_may_become(take.state, wanted)
-    take.state, take.state_since = wanted, clock.now()
+    put_back(session, take, wanted, clock.now())
+
+
+def put_back(session: Session, take: Take, state: TakeState, since: datetime) -> None:
+    """Have a take stand as it did at some time, whatever it is now."""
+    take.state, take.state_since = state, since
     session.flush()
+    keep_sums(session, take.cue_id)
 
 
 def check_name(session: Session, take: Take) -> str:

@@ -293,6 +293,20 @@ def uuid_cursor(cursor: str | None) -> UUID | None:
         raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
 
 
+def instant_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
+    """Read a cursor that is an instant with its zone and an id."""
+    if cursor is None:
+        return None
+    at, _, id_ = cursor.rpartition(".")
+    try:
+        instant = datetime.fromisoformat(at)
+        if instant.tzinfo is None:
+            raise ValueError(at)
+        return instant, UUID(id_)
+    except ValueError:
+        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
+
+
 def _problem(request: Request, status: int, code: str, detail: str, **more: Any) -> JSONResponse:
     problem = Problem(
         title=code.replace("-", " ").capitalize(),

@@ -20,7 +20,7 @@ from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
 from app.kit.among import among
-from app.kit.http import BadCursor, Page, cursor_of
+from app.kit.http import Page, cursor_of, instant_cursor
 from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
 from app.projects.queries import decider_of
@@ -52,7 +52,7 @@ PAGE_CUES = 25
 
 def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
     """Return what waits for review, oldest first, with all that its cards show."""
-    after = _read_cursor(cursor)
+    after = instant_cursor(cursor)
     reach = _reach(session, actor, project_id)
     waiting = queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
     shown = waiting[:PAGE_CUES]
@@ -77,19 +77,6 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     ]
     has_more = len(waiting) > PAGE_CUES
     return Page(items=items, next=cursor_of(shown[-1].since.isoformat(), shown[-1].id) if has_more else None)
-
-
-def _read_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
-    if cursor is None:
-        return None
-    at, _, cue_id = cursor.rpartition(".")
-    try:
-        instant = datetime.fromisoformat(at)
-        if instant.tzinfo is None:
-            raise ValueError(at)
-        return instant, UUID(cue_id)
-    except ValueError:
-        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
 
 
 def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:

@@ -11,7 +11,7 @@ from app.contracts.settlement import note_work, settle_cut
 from app.contracts.silence import CLAUSE as SILENCE
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state, take_for
+from app.deliveries.service import change_state, put_back, take_for
 from app.kit import clock, kill
 from app.kit.db import new_id
 from app.kit.events import publish
@@ -295,7 +295,7 @@ def _take_back(
         back = new_verdict(session, standing.actor.person, take, VerdictKind.WITHDRAW, "", action_id)
         back.withdraws_id = verdict.id
         session.add(back)
-        take.state, take.state_since = verdict.state_before, verdict.since_before
+        put_back(session, take, verdict.state_before, verdict.since_before)
         if verdict.dropped_draft:
             session.add(
                 ChangeRequest(

@@ -26,6 +26,16 @@ class Cue(Base):
     __table_args__ = (
         UniqueConstraint("project_id", "number"),
         Index("ix_sound_lists_cues_order", "project_id", "position", "number"),
+        # What cues are counted by. The state stands first, so that nobody who wants a project's cues goes by it.
+        Index("ix_sound_lists_cues_counted", "state", "project_id", "variations", "placeholder"),
+        # Sums of what is delivered for a cue refer to these, and so follow them.
+        Index("uq_sound_lists_cues_summed", "id", "state", "variations", "placeholder", unique=True),
+        Index(
+            "ix_sound_lists_cues_palette",
+            *("project_id", "position", "number"),
+            sqlite_where=text("palette = 1"),
+            postgresql_where=text("palette"),
+        ),
         CheckConstraint("variations between 1 and 99", name="variations_in_range"),
         CheckConstraint("duration_s is null or duration_s > 0", name="duration_positive"),
         CheckConstraint("(state = 'cut') = (cut_at is not null)", name="cut_is_dated"),

@@ -115,7 +115,7 @@ def _cue_read(cue: Cue, cue_prefix: str, stems: list[str], open_questions: int) 
 
 def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: int) -> tuple[Sequence[Cue], str | None]:
     """Return one page of the list, and the cursor of the following page."""
-    after = _read_cursor(cursor) if cursor is not None else None
+    after = place_in(cursor)
     found = queries.cue_page(session, project_id, after=after, limit=limit + 1)
     page = found[:limit]
     return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
@@ -131,7 +131,10 @@ def cues_read(session: Session, project: Project, cues: Sequence[Cue]) -> list[C
     ]
 
 
-def _read_cursor(cursor: str) -> tuple[int, int]:
+def place_in(cursor: str | None) -> tuple[int, int] | None:
+    """Return the position and number in the list that a cursor of it means."""
+    if cursor is None:
+        return None
     position, _, number = cursor.partition(".")
     if not (position.isdecimal() and number.isdecimal() and max(len(position), len(number)) < CURSOR_DIGITS):
         raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")

@@ -35,6 +35,7 @@ from app.contracts.models import (
 from app.contracts.rules import ContractKind, ContractState, LineKind
 from app.deliveries.models import Delivery, DryStem, Take
 from app.deliveries.rules import TakeState
+from app.deliveries.sums import keep_sums
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
@@ -110,6 +111,7 @@ class House(World):
         )
         session.add_all([take, dry_stem])
         session.flush()
+        keep_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
         picture = Picture(
             studio_id=self.studio_id,

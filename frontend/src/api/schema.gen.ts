@@ -3284,9 +3284,69 @@ export interface paths {
         };
         /**
          * Read Desk
-         * @description Return a designer's work in one project.
+         * @description Return a designer's work in one project: how much of everything, and the first page of each list.
          */
         get: operations["read_desk"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/desk/came-back": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Came Back
+         * @description Return the takes that are with the designer again, by cue, those that wait longest first.
+         */
+        get: operations["list_came_back"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/desk/to-make": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List To Make
+         * @description Return the cues that wait for a file from the designer, in list order.
+         */
+        get: operations["list_to_make"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/desk/with-approver": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List With Approver
+         * @description Return the designer's cues that wait for their verdict, in list order.
+         */
+        get: operations["list_with_approver"];
         put?: never;
         post?: never;
         delete?: never;
@@ -5325,15 +5385,27 @@ export interface components {
         };
         /**
          * Desk
-         * @description A designer's work in one project.
+         * @description A designer's work in one project; of its lists the first page each, and the cursor of the following one.
          */
         Desk: {
             /** Came Back */
             came_back: components["schemas"]["CameBack"][];
+            /** Came Back Next */
+            came_back_next: string | null;
+            /** Came Back Cues */
+            came_back_cues: number;
             /** To Make */
             to_make: components["schemas"]["ToMake"][];
+            /** To Make Next */
+            to_make_next: string | null;
+            /** To Make Cues */
+            to_make_cues: number;
             /** With Approver */
             with_approver: components["schemas"]["WithApprover"][];
+            /** With Approver Next */
+            with_approver_next: string | null;
+            /** With Approver Cues */
+            with_approver_cues: number;
             /** With Approver Files */
             with_approver_files: number;
             /** Accepted */
@@ -7282,8 +7354,13 @@ export interface components {
          * @description A project at one glance.
          */
         Overview: {
-            /** Steps */
+            /**
+             * Steps
+             * @description Of the first 500 cues of the list.
+             */
             steps: components["schemas"]["Step"][];
+            /** Cues */
+            cues: number;
             /** Counts */
             counts: {
                 [key: string]: number;
@@ -7397,6 +7474,13 @@ export interface components {
             /** Next */
             next?: string | null;
         };
+        /** Page[CameBack] */
+        Page_CameBack_: {
+            /** Items */
+            items: components["schemas"]["CameBack"][];
+            /** Next */
+            next?: string | null;
+        };
         /** Page[ChangeRequestRead] */
         Page_ChangeRequestRead_: {
             /** Items */
@@ -7464,6 +7548,20 @@ export interface components {
         Page_TakeRead_: {
             /** Items */
             items: components["schemas"]["TakeRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[ToMake] */
+        Page_ToMake_: {
+            /** Items */
+            items: components["schemas"]["ToMake"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[WithApprover] */
+        Page_WithApprover_: {
+            /** Items */
+            items: components["schemas"]["WithApprover"][];
             /** Next */
             next?: string | null;
         };
@@ -20080,6 +20178,159 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_came_back: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_CameBack_"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_to_make: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_ToMake_"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_with_approver: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_WithApprover_"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

@@ -1,6 +1,7 @@
 import { queryOptions } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
 
 /** A designer's work in one project: the desk shows it, and its tab counts what came back. */
 export const deskQuery = (projectId: string) =>
@@ -8,3 +9,9 @@ export const deskQuery = (projectId: string) =>
     queryKey: ['desk', projectId],
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/desk', { params: { path: { project_id: projectId } } })),
   })
+
+type Desk = components['schemas']['Desk']
+
+/** How much came back: takes where all of them are here, else cues. */
+export const cameBack = ({ came_back: takes, came_back_next: next, came_back_cues: cues }: Desk): number =>
+  next ? cues : takes.length

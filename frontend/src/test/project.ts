@@ -155,6 +155,7 @@ const step = (number: number, name: string, status: string, palette = false) => 
 export const anOverview = (more: Record<string, unknown> = {}) => ({
   // In list order the palette comes second.
   steps: [step(1, 'shield_hit', 'to_review'), step(2, 'ui_confirm', 'accepted', true), step(3, 'mine_arm', 'cut')],
+  cues: 3,
   counts: { to_review: 1, accepted: 1, cut: 1 },
   builds: [],
   palette: [],

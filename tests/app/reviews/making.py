@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from app.conformance.models import CheckRun
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
+from app.deliveries.sums import keep_sums
 from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.renders.models import Picture, RenderSet
@@ -157,6 +158,7 @@ def add_take(
     )
     session.add(take)
     session.flush()
+    keep_sums(session, cue_id)
     spec = current_spec(session, world.project_id)
     if is_drawn:
         session.add(Picture(studio_id=world.studio_id, sound_sha256=sha256, duration_s=0.84))

@@ -3,7 +3,7 @@ import { redirect, useParams, useRouter } from '@tanstack/react-router'
 import { useEffect } from 'react'
 
 import { answered, api, ApiProblem } from '@/api'
-import { deskQuery } from '@/app/desk'
+import { cameBack, deskQuery } from '@/app/desk'
 import { keepLastProject, lastProject } from '@/app/lastProject'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
@@ -67,7 +67,7 @@ function useShell(): ShellData {
     ndaOpen: project?.nda_open ?? false,
     isParty: isParty(project),
     projects: me.projects.map(({ id, name }) => ({ id, name })),
-    counts: { review: queue?.length, desk: desk && desk.came_back.length + desk.unmatched },
+    counts: { review: queue?.length, desk: desk && cameBack(desk) + desk.unmatched },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,

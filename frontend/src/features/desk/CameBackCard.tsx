@@ -24,11 +24,13 @@ import { State } from '@/ui/State'
 
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
 import classes from './CameBack.module.css'
+import type { DeskList } from './pages'
 import { Refusal } from './Refusal'
 
 interface CameBackProps {
   projectId: string
-  items: readonly CameBack[]
+  back: DeskList<CameBack>
+  count: number
   player: Player
   playing: PlayerState
   /** Choose a file that goes to this cue. */
@@ -46,7 +48,8 @@ export function hear(player: Player, id: string, url: string, fromS?: number): v
 }
 
 /** What is with the designer again: one open with its marks, the others a line each. */
-export function CameBackCard({ projectId, items, player, playing, onSendOwn }: CameBackProps) {
+export function CameBackCard({ projectId, back, count, player, playing, onSendOwn }: CameBackProps) {
+  const { items, hasMore, isFetching, showMore } = back
   const [openId, setOpenId] = useState<string | null>(null)
   const index = Math.max(
     0,
@@ -54,10 +57,11 @@ export function CameBackCard({ projectId, items, player, playing, onSendOwn }: C
   )
   const open = items[index]
   const move = (by: number) => {
+    if (hasMore && index + by === items.length) return showMore()
     const next = items[(index + by + items.length) % items.length]
     if (next) setOpenId(next.take_id)
   }
-  const several = items.length > 1
+  const several = items.length > 1 || hasMore
   useHotkeys([
     { keys: 'j', label: 'Next that came back', group: 'Desk', run: () => move(1), disabled: !several },
     { keys: 'k', label: 'The one before', group: 'Desk', run: () => move(-1), disabled: !several },
@@ -67,7 +71,7 @@ export function CameBackCard({ projectId, items, player, playing, onSendOwn }: C
       <CardHead
         id="came-back"
         title="Came back"
-        count={items.length > 0 ? items.length : undefined}
+        count={count > 0 ? count : undefined}
         end={<span className="wide-only">returns by the checker use up no round</span>}
       />
       {open === undefined && (
@@ -91,6 +95,13 @@ export function CameBackCard({ projectId, items, player, playing, onSendOwn }: C
           <ClosedTake key={item.take_id} item={item} onOpen={() => setOpenId(item.take_id)} />
         ),
       )}
+      {hasMore && (
+        <div className={classes.further}>
+          <Button aria-busy={isFetching} onClick={showMore}>
+            More that came back
+          </Button>
+        </div>
+      )}
     </Card>
   )
 }
@@ -99,7 +110,7 @@ function Name({ item }: { item: CameBack }) {
   return <>{item.cue?.name ?? item.file_name}</>
 }
 
-interface OpenTakeProps extends Omit<CameBackProps, 'items'> {
+interface OpenTakeProps extends Omit<CameBackProps, 'back' | 'count'> {
   item: CameBack
 }
 

@@ -16,6 +16,7 @@ import { CameBackCard } from './CameBackCard'
 import { DeliveryCard } from './DeliveryCard'
 import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
 import classes from './Desk.module.css'
+import { useCameBack, useToMake } from './pages'
 import { Refusal } from './Refusal'
 import { labelsOf } from './rows'
 import { AskedCard, MendsCard, ToMakeCard, WithApproverCard } from './SideCards'
@@ -101,6 +102,8 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
   const onPageDrop = useCallback((picked: Picked[]) => void add(picked), [add])
   const over = usePageDrop(onPageDrop)
   const chooser = useFileChooser(add)
+  const back = useCameBack(projectId, desk)
+  const toMake = useToMake(projectId, desk)
   const labelOf = useMemo(() => labelsOf(cues ?? []), [cues])
 
   return (
@@ -125,7 +128,8 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
         <div className="stack">
           <CameBackCard
             projectId={projectId}
-            items={desk.came_back}
+            back={back}
+            count={back.hasMore ? desk.came_back_cues : back.items.length}
             player={player}
             playing={playing}
             onSendOwn={chooser.choose}
@@ -145,11 +149,12 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           <OwedCards projectId={projectId} />
           <ToMakeCard
             projectId={projectId}
-            toMake={desk.to_make}
+            toMake={toMake}
+            count={desk.to_make_cues}
             onChoose={chooser.choose}
             onDrop={(picked, cueId) => void add(picked, cueId)}
           />
-          <WithApproverCard desk={desk} />
+          <WithApproverCard projectId={projectId} desk={desk} />
           <MendsCard projectId={projectId} />
           <AskedCard
             projectId={projectId}

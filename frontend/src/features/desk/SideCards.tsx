@@ -18,30 +18,33 @@ import { useFocusOnMount } from '@/ui/useFocusOnMount'
 import { filesOfDrop, type Picked } from '@/uploads'
 
 import { type AskedQuestion, type Desk, type ToMake, useAsk, useCues } from './api'
+import { type DeskList, useWithApprover } from './pages'
 import classes from './Side.module.css'
 
 const SHOWN_AT_FIRST = 14
 
 interface ToMakeCardProps {
   projectId: string
-  toMake: readonly ToMake[]
+  toMake: DeskList<ToMake>
+  count: number
   onChoose: (cueId: string) => void
   onDrop: (picked: Picked[], cueId: string) => void
 }
 
 /** What is still to be made; each line takes a drop for its own cue. */
-export function ToMakeCard({ projectId, toMake, onChoose, onDrop }: ToMakeCardProps) {
+export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMakeCardProps) {
+  const { items, hasMore, isFetching, showMore } = toMake
   const [all, setAll] = useState(false)
-  const shown = all ? toMake : toMake.slice(0, SHOWN_AT_FIRST)
+  const shown = all ? items : items.slice(0, SHOWN_AT_FIRST)
   return (
     <Card aria-labelledby="to-make">
       <CardHead
         id="to-make"
         title="To make"
-        count={toMake.length > 0 ? toMake.length : undefined}
-        end={toMake.length > 0 && <span className="wide-only">drop a file on its cue</span>}
+        count={count > 0 ? count : undefined}
+        end={count > 0 && <span className="wide-only">drop a file on its cue</span>}
       />
-      {toMake.length === 0 && <p className={`mid ${classes.plain}`}>Every cue of the list has its files.</p>}
+      {count === 0 && <p className={`mid ${classes.plain}`}>Every cue of the list has its files.</p>}
       <ul aria-labelledby="to-make">
         {shown.map((one) => (
           <ToMakeRow
@@ -53,10 +56,17 @@ export function ToMakeCard({ projectId, toMake, onChoose, onDrop }: ToMakeCardPr
           />
         ))}
       </ul>
-      {toMake.length > shown.length && (
+      {items.length > shown.length && (
         <p className={classes.plain}>
           <button type="button" className="link small mid" onClick={() => setAll(true)}>
-            Show all {toMake.length}
+            {hasMore ? 'Show more' : `Show all ${items.length}`}
+          </button>
+        </p>
+      )}
+      {items.length === shown.length && hasMore && (
+        <p className={classes.plain}>
+          <button type="button" className="link small mid" aria-busy={isFetching} onClick={showMore}>
+            Show more
           </button>
         </p>
       )}
@@ -130,8 +140,9 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
 }
 
 /** What the designer need not think of now. */
-export function WithApproverCard({ desk }: { desk: Desk }) {
-  const { with_approver: cues, with_approver_files: files, accepted, cues: all } = desk
+export function WithApproverCard({ projectId, desk }: { projectId: string; desk: Desk }) {
+  const { with_approver_cues: count, with_approver_files: files, accepted, cues: all } = desk
+  const { items: cues, hasMore, isFetching, showMore } = useWithApprover(projectId, desk)
   return (
     <Card aria-labelledby="with-approver">
       <CardHead id="with-approver" title="With the approver" end={`${accepted} of ${all} accepted`} />
@@ -140,9 +151,19 @@ export function WithApproverCard({ desk }: { desk: Desk }) {
           <span className="mid">Nothing waits for a verdict.</span>
         ) : (
           <>
-            <span className="mid">{cues.map(({ name }) => name).join(', ')}</span>
+            <span className="mid">
+              {cues.map(({ name }) => name).join(', ')}
+              {hasMore && (
+                <>
+                  {' … '}
+                  <button type="button" className="link small" aria-busy={isFetching} onClick={showMore}>
+                    More that wait
+                  </button>
+                </>
+              )}
+            </span>
             <State kind="to_review">
-              {plural(cues.length, 'cue')}, {plural(files, 'file')}
+              {plural(count, 'cue')}, {plural(files, 'file')}
             </State>
             {waitsOf(cues).map((says) => (
               <p key={says} className={`small mid ${classes.whole}`}>
@@ -157,7 +178,7 @@ export function WithApproverCard({ desk }: { desk: Desk }) {
 }
 
 /** For each day after which silence accepts: which cues, and when. */
-function waitsOf(cues: Desk['with_approver']): string[] {
+function waitsOf(cues: readonly Desk['with_approver'][number][]): string[] {
   const days = [...new Set(cues.flatMap(({ accepted_after: day }) => day ?? []))]
   return days.map((day) => {
     const names = cues.filter(({ accepted_after: after }) => after === day).map(({ name }) => name)

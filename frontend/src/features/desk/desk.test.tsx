@@ -5,7 +5,7 @@ import userEvent from '@testing-library/user-event'
 import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
-import { answer, type Answers, refusal, serve } from '@/test/server'
+import { answer, type Answers, refusal, serve, wrote } from '@/test/server'
 import { aMend, someSounds } from '@/test/take'
 
 const CUE = { id: 'c9', label: 'SW-009', name: 'airlock_cycle' }
@@ -86,6 +86,12 @@ const DESK = {
     toMake({ id: 'c21', label: 'SW-021', name: 'void_whale' }, { state: 'concept' }),
   ],
   with_approver: [{ id: 'c7', label: 'SW-007', name: 'shield_hit', accepted_after: '2030-03-15' }],
+  came_back_next: null,
+  came_back_cues: 2,
+  to_make_next: null,
+  to_make_cues: 3,
+  with_approver_next: null,
+  with_approver_cues: 1,
   with_approver_files: 3,
   accepted: 6,
   cues: 23,
@@ -371,11 +377,50 @@ test('what waits with the approver says when it counts as accepted without a ver
 test('cues that wait until the same day are told in one line', async () => {
   const waiting = (name: string, day: string | null) => ({ id: name, label: name, name, accepted_after: day })
   const waits = [waiting('alarm', '2030-03-15'), waiting('bell', '2030-03-15'), waiting('chime', '2030-03-18')]
-  serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, with_approver: waits } }))
+  serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, with_approver: waits, with_approver_cues: 3 } }))
   openApp('/desk')
   const card = await screen.findByRole('region', { name: 'With the approver' })
   expect(card).toHaveTextContent('alarm, bell: accepted after Friday 15 March 2030 without a verdict')
   expect(card).toHaveTextContent('chime: accepted after Monday 18 March 2030 without a verdict')
+})
+
+describe('long lists come in pages', () => {
+  const paged = (more: object) => ({ ...DESK, ...more })
+
+  test('what is to be made: the first ones, all of the first page, then page by page', async () => {
+    const first = Array.from({ length: 50 }, (_, place) => toMake({ id: `m${place}`, label: '', name: `cue_${place}` }))
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/desk': paged({ to_make: first, to_make_next: '50.50', to_make_cues: 51 }),
+        'GET /v1/projects/p1/desk/to-make': { items: [toMake({ id: 'm50', label: '', name: 'the_last' })], next: null },
+      }),
+    )
+    openApp('/desk')
+    const card = await screen.findByRole('region', { name: /^To make/ })
+    expect(card).toHaveTextContent('51')
+    expect(within(card).getAllByRole('listitem')).toHaveLength(14)
+    await userEvent.click(within(card).getByRole('button', { name: 'Show more' }))
+    expect(within(card).getAllByRole('listitem')).toHaveLength(50)
+    await userEvent.click(within(card).getByRole('button', { name: 'Show more' }))
+    await within(card).findByText('the_last')
+    expect(within(card).queryByRole('button', { name: 'Show more' })).toBeNull()
+    expect(wrote(asked, 'GET /v1/projects/p1/desk/to-make')).toHaveLength(1)
+  })
+
+  test('what came back: the key for the next one asks for the page after the last', async () => {
+    serve(
+      answers({
+        'GET /v1/projects/p1/desk': paged({ came_back: [RETURNED], came_back_next: 'x', came_back_cues: 900 }),
+        'GET /v1/projects/p1/desk/came-back': { items: [CHANGED], next: null },
+      }),
+    )
+    openApp('/desk')
+    await screen.findByRole('button', { name: 'More that came back' })
+    expect(screen.getByText(/900 cues came back/)).toBeInTheDocument()
+    await userEvent.keyboard('j')
+    await screen.findByRole('button', { name: 'Open missile_launch' })
+    expect(screen.queryByRole('button', { name: 'More that came back' })).toBeNull()
+  })
 })
 
 describe('delivering', () => {

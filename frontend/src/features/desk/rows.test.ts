@@ -241,8 +241,14 @@ describe('a finding in words', () => {
 describe('the line below the head', () => {
   const desk = (more: Partial<Desk>): Desk => ({
     came_back: [],
+    came_back_next: null,
+    came_back_cues: 0,
     to_make: [],
+    to_make_next: null,
+    to_make_cues: 0,
     with_approver: [],
+    with_approver_next: null,
+    with_approver_cues: 0,
     with_approver_files: 0,
     accepted: 6,
     cues: 23,
@@ -254,6 +260,7 @@ describe('the line below the head', () => {
   test.each([
     [desk({}), 'Nothing waits for you: 6 of 23 cues accepted.'],
     [desk({ cues: 0 }), 'The list is empty. You hear by mail when there is something to make.'],
+    [desk({ came_back_next: 'further', came_back_cues: 900, to_make_cues: 5000 }), '900 cues came back, 5,000 cues to make.'],
     [desk({ unmatched: 1, checking: 2 }), 'One file has no cue yet, two are being checked.'],
   ])('says what waits', (given, line) => {
     expect(deskLine(given)).toBe(line)

@@ -69,7 +69,7 @@ describe('the project page', () => {
   })
 
   test('an empty project says what to do first', async () => {
-    serve(inProject('producer', { 'GET /v1/projects/p1/overview': anOverview({ steps: [], counts: {} }) }))
+    serve(inProject('producer', { 'GET /v1/projects/p1/overview': anOverview({ steps: [], cues: 0, counts: {} }) }))
     openApp('/projects/p1')
     expect(await screen.findByRole('heading', { name: 'Nothing is asked yet.' })).toBeVisible()
     expect(screen.getByRole('link', { name: 'Import the list' })).toHaveAttribute(

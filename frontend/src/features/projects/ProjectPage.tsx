@@ -102,7 +102,7 @@ export function ProjectPage() {
           <div className="stack">
             <StepsCard project={project} overview={overview} />
             <SpecCard project={project} />
-            <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.steps.length} />
+            <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.cues} />
             {isTeam && <PlaceholdersCard projectId={projectId} />}
           </div>
           <aside className="stack" aria-label="Builds, pack and what happened">

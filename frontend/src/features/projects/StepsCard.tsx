@@ -19,13 +19,13 @@ interface StepsCardProps {
 }
 
 /** One cell a cue with the state it is in, the palette first. */
-export function StepsCard({ project, overview: { steps, counts } }: StepsCardProps) {
+export function StepsCard({ project, overview: { steps, cues, counts } }: StepsCardProps) {
   if (steps.length === 0) return <NothingAsked project={project} />
   const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
   return (
     <Card className={classes.card} aria-labelledby="steps">
       <div className={classes.head}>
-        <h2 id="steps">{plural(steps.length, 'cue')}</h2>
+        <h2 id="steps">{plural(cues, 'cue')}</h2>
         <p className="small mid">{standInWords(counts)}</p>
       </div>
       <div className={classes.steps}>
@@ -43,6 +43,14 @@ export function StepsCard({ project, overview: { steps, counts } }: StepsCardPro
           </div>
         ))}
       </div>
+      {cues > steps.length && (
+        <p className={`small mid ${classes.next}`}>
+          The first {figure(steps.length)} in list order.{' '}
+          <Link className="link" to={`/projects/${project.id}/sound-list` as LinkProps['to']}>
+            All {figure(cues)} stand in the sound list
+          </Link>
+        </p>
+      )}
       <ul className={classes.legend} aria-label="How many stand where">
         {statuses.map((status) => (
           <li key={status}>

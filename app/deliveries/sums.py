@@ -1,0 +1,79 @@
+"""Keeps what the takes of cues add up to, in the transaction that changes a take: for the team and for each designer.
+
+It is worked out when the transaction ends, once for each cue, so that many takes of a cue cost no more than one.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from functools import cache
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import Select, event, select
+from sqlalchemy.orm import Session
+
+from app.deliveries.models import CueSums, Take
+from app.deliveries.sum_rules import SummedTake, Sums, sums_of
+from app.kit.among import among
+from app.sound_lists.models import Cue
+
+TOUCHED = "cues whose takes changed"  # key in a session's info
+
+
+def keep_sums(session: Session, *cue_ids: UUID | None) -> None:
+    """Have the sums of cues worked out anew when the transaction ends; who changes a take says so here."""
+    if TOUCHED not in session.info:
+        session.info[TOUCHED] = set()
+        event.listen(session, "before_commit", _sum_up, once=True)
+    session.info[TOUCHED].update(cue_id for cue_id in cue_ids if cue_id is not None)
+
+
+def views_of(studio_id: UUID, takes: Sequence[SummedTake]) -> Iterator[tuple[UUID, Sums]]:
+    """Yield what the takes of a cue add up to for the team, under its studio's id, and for each of their designers."""
+    yield studio_id, sums_of(takes)
+    own: dict[UUID, list[SummedTake]] = defaultdict(list)
+    for take in takes:
+        own[take.designer_id].append(take)
+    for designer_id, theirs in own.items():
+        yield designer_id, sums_of(theirs)
+
+
+def _sum_up(session: Session) -> None:
+    cue_ids = session.info.pop(TOUCHED)
+    if not cue_ids:
+        return
+    # Each cue by one transaction at a time: whoever waited here reads what the others wrote.
+    cues = session.execute(_locked(), {"cue_ids": cue_ids}).all()
+    takes: dict[UUID, list[SummedTake]] = defaultdict(list)
+    for take in session.execute(_summed(), {"cue_ids": cue_ids}):
+        takes[take.cue_id].append(SummedTake._make(take[1:]))
+    kept = {(row.cue_id, row.viewer_id): row for row in session.scalars(_kept(), {"cue_ids": cue_ids})}
+    for cue in cues:
+        if not takes[cue.cue_id]:
+            continue
+        for viewer_id, sums in views_of(cue.studio_id, takes[cue.cue_id]):
+            if (row := kept.pop((cue.cue_id, viewer_id), None)) is None:
+                row = CueSums(**cue._mapping, viewer_id=viewer_id)
+                session.add(row)
+            for name, value in asdict(sums).items():
+                setattr(row, name, value)
+    for row in kept.values():  # their takes are for another cue now
+        session.delete(row)
+
+
+@cache
+def _locked() -> Select[*tuple[Any, ...]]:
+    facts = (Cue.id.label("cue_id"), Cue.studio_id, Cue.project_id, Cue.state, Cue.variations, Cue.placeholder)
+    return select(*facts).where(among(Cue.id, "cue_ids")).order_by(Cue.id).with_for_update(key_share=True)
+
+
+@cache
+def _summed() -> Select[*tuple[Any, ...]]:
+    facts = (getattr(Take, name) for name in SummedTake._fields)
+    return select(Take.cue_id, *facts).where(among(Take.cue_id, "cue_ids"))
+
+
+@cache
+def _kept() -> Select[CueSums]:
+    return select(CueSums).where(among(CueSums.cue_id, "cue_ids")).execution_options(populate_existing=True)

@@ -1,0 +1,76 @@
+import { useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
+import { useEffect, useState } from 'react'
+
+import { answered, api } from '@/api'
+import { deskQuery } from '@/app/desk'
+
+import type { CameBack, Desk, ToMake } from './api'
+
+interface PageOf<T> {
+  items: T[]
+  next?: string | null
+}
+type Read<T> = (projectId: string, cursor: string | undefined) => Promise<PageOf<T>>
+
+/** A list of the desk as far as it was asked for. */
+export interface DeskList<T> {
+  items: readonly T[]
+  hasMore: boolean
+  isFetching: boolean
+  showMore: () => void
+}
+
+const at = (projectId: string, cursor: string | undefined) => ({
+  params: { path: { project_id: projectId }, query: { cursor } },
+})
+const READS = {
+  came_back: (projectId: string, cursor?: string) =>
+    answered(api.GET('/v1/projects/{project_id}/desk/came-back', at(projectId, cursor))),
+  to_make: (projectId: string, cursor?: string) =>
+    answered(api.GET('/v1/projects/{project_id}/desk/to-make', at(projectId, cursor))),
+  with_approver: (projectId: string, cursor?: string) =>
+    answered(api.GET('/v1/projects/{project_id}/desk/with-approver', at(projectId, cursor))),
+}
+
+/** The first page comes with the desk; once more is asked for, the list is read page by page. */
+function usePages<T>(list: keyof typeof READS, projectId: string, items: T[], next: string | null): DeskList<T> {
+  const client = useQueryClient()
+  const [isOpened, setOpened] = useState(false)
+  const read = READS[list] as unknown as Read<T>
+  const queryKey = [...deskQuery(projectId).queryKey, list]
+  const { data, refetch, fetchNextPage, hasNextPage, isFetchingNextPage } = useInfiniteQuery({
+    queryKey,
+    queryFn: ({ pageParam: cursor }) => read(projectId, cursor),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next: following }) => following ?? undefined,
+    enabled: isOpened,
+  })
+  useEffect(() => {
+    if (isOpened) void refetch()
+    // What the first page says anew is said of the others too.
+    // eslint-disable-next-line react-hooks/exhaustive-deps
+  }, [items, next])
+  if (!isOpened || data === undefined) {
+    const showMore = () => {
+      client.setQueryData(queryKey, { pages: [{ items, next }], pageParams: [undefined] })
+      setOpened(true)
+      void fetchNextPage()
+    }
+    return { items, hasMore: Boolean(next), isFetching: isFetchingNextPage, showMore }
+  }
+  return {
+    items: data.pages.flatMap((page) => page.items),
+    hasMore: hasNextPage,
+    isFetching: isFetchingNextPage,
+    showMore: () => void fetchNextPage(),
+  }
+}
+
+export const useCameBack = (projectId: string, desk: Desk): DeskList<CameBack> =>
+  usePages('came_back', projectId, desk.came_back, desk.came_back_next)
+
+export const useToMake = (projectId: string, desk: Desk): DeskList<ToMake> =>
+  usePages('to_make', projectId, desk.to_make, desk.to_make_next)
+
+export const useWithApprover = (projectId: string, desk: Desk): DeskList<Desk['with_approver'][number]> =>
+  usePages('with_approver', projectId, desk.with_approver, desk.with_approver_next)
