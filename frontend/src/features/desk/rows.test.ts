@@ -260,7 +260,10 @@ describe('the line below the head', () => {
   test.each([
     [desk({}), 'Nothing waits for you: 6 of 23 cues accepted.'],
     [desk({ cues: 0 }), 'The list is empty. You hear by mail when there is something to make.'],
-    [desk({ came_back_next: 'further', came_back_cues: 900, to_make_cues: 5000 }), '900 cues came back, 5,000 cues to make.'],
+    [
+      desk({ came_back_next: 'further', came_back_cues: 900, to_make_cues: 5000 }),
+      '900 cues came back, 5,000 cues to make.',
+    ],
     [desk({ unmatched: 1, checking: 2 }), 'One file has no cue yet, two are being checked.'],
   ])('says what waits', (given, line) => {
     expect(deskLine(given)).toBe(line)
