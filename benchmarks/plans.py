@@ -1,6 +1,7 @@
 """How a database says that it will find what a statement asks for."""
 
 import re
+import threading
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from itertools import pairwise
@@ -13,6 +14,7 @@ from app.kit.db import Base
 
 Statement = tuple[str, Any]
 INDEX = re.compile(r"(?:USING (?:COVERING )?INDEX|Scan(?: Backward)? using|Bitmap Index Scan on) (\w+)")
+ASKING = {"MainThread", "AnyIO worker thread"}  # names of the threads that ask and answer; a worker's have others
 # Read from one end to the other they are what is asked for, and little.
 PARTIAL = {
     str(index.name)
@@ -24,11 +26,12 @@ PARTIAL = {
 
 @contextmanager
 def heard(engine: sa.Engine) -> Iterator[list[Statement]]:
-    """Gather the statements that are executed during a block."""
+    """Gather the statements that are executed during a block, but for those of a worker in this process."""
     statements: list[Statement] = []
 
     def hear(_connection: Any, _cursor: Any, statement: str, parameters: Any, *_: Any) -> None:
-        statements.append((statement, parameters))
+        if threading.current_thread().name in ASKING:
+            statements.append((statement, parameters))
 
     sa.event.listen(engine, "before_cursor_execute", hear)
     yield statements

@@ -268,7 +268,7 @@ def _summary_rows(known: list[Trial], unseen: list[Trial]) -> str:
 
 
 def _short_of(known: list[Trial], unseen: list[Trial]) -> str:
-    halves = {"known": known, "unseen": unseen}
+    halves = {"known": known, "unseen": unseen} if unseen else {"known": known}
     short = [f"{check} ({name})" for check in CHECKS for name, half in halves.items() if _share(half, check) < FOUND]
     return ", ".join(short) or "none"
 

@@ -1,15 +1,14 @@
-"""The faults that are or were unseen are what and where they say, and touch nothing else. No detector looks here."""
+"""The unseen faults are what and where they say, and touch nothing else: no detector looks at them here."""
 
 import numpy as np
 import pytest
 
-from tests.audio_checks.faults import second_unseen_injuries, unseen_injuries
 from tests.audio_checks.faults.audible import excess_db
 from tests.audio_checks.faults.injuries import Fault, Injured
 from tests.audio_checks.faults.sounds import Samples
+from tests.audio_checks.faults.unseen_injuries import FAULTS
 
 RATE = 44_100
-FAULTS = second_unseen_injuries.FAULTS + unseen_injuries.FAULTS
 
 
 def _of(*checks: str) -> pytest.MarkDecorator:
@@ -26,7 +25,7 @@ def sound() -> Samples:
     )
     noise = np.logspace(-4, -1.5, len(times))[:, np.newaxis] * np.random.default_rng(4).standard_normal(tones.shape)
     sound: Samples = (tones + noise) * np.hanning(len(times))[:, np.newaxis] ** 0.3
-    return sound * 0.6 / np.abs(sound).max()
+    return sound * 0.8 / np.abs(sound).max()
 
 
 def _injured(fault: Fault, level: float, sound: Samples) -> Injured:
@@ -37,7 +36,21 @@ def _injured(fault: Fault, level: float, sound: Samples) -> Injured:
     pytest.fail(f"{fault.name} at {level} {fault.unit} has no place in six tries")
 
 
-@_of(*{fault.check for fault in FAULTS})
+def _frames(injured: Injured) -> tuple[int, int]:
+    return round(injured.start_s * RATE), round(injured.end_s * RATE)
+
+
+def _level(there: Samples) -> float:
+    return float(np.sqrt(np.square(there).mean()))
+
+
+def test_each_check_has_two_or_three_ways() -> None:
+    ways = [fault.check for fault in FAULTS]
+    assert {ways.count(check) for check in ways} <= {2, 3}
+    assert len({(fault.check, fault.name) for fault in FAULTS}) == len(FAULTS)
+
+
+@_of(*{fault.check: None for fault in FAULTS})
 def test_a_faulty_sound_is_in_range_and_the_sound_itself_stays_as_it_was(fault: Fault, sound: Samples) -> None:
     kept = sound.copy()
     for level in fault.levels[1:3] or fault.levels:
@@ -54,55 +67,65 @@ def test_a_faulty_sound_is_in_range_and_the_sound_itself_stays_as_it_was(fault: 
 @_of("click", "dropout")
 def test_nothing_but_the_fault_is_touched(fault: Fault, sound: Samples) -> None:
     for level in fault.levels[1:3] or fault.levels:
-        faulty, start_s, end_s = _injured(fault, level, sound)
-        start, end = round(start_s * RATE), round(end_s * RATE)
-        rest = len(faulty) - end
-        assert np.array_equal(faulty[:start], sound[:start])
-        # A slip or a joint has no length, and goes on from another frame of the sound.
-        goes_on = len(sound) - rest
-        assert np.array_equal(faulty[end:], sound[goes_on:])
-        assert goes_on != end or not np.array_equal(faulty[start:end], sound[start:end])
-        assert start == end or goes_on == end
+        injured = _injured(fault, level, sound)
+        start, end = _frames(injured)
+        assert len(injured.samples) == len(sound)
+        assert np.array_equal(injured.samples[:start], sound[:start])
+        assert np.array_equal(injured.samples[end:], sound[end:])
+        assert not np.array_equal(injured.samples, sound)
 
 
 @_of("click")
-def test_a_click_exceeds_the_sound_by_its_level(fault: Fault, sound: Samples) -> None:
-    for level in fault.levels[1:3] or fault.levels:
-        faulty, start_s, end_s = _injured(fault, level, sound)
-        reach = range(round(start_s * RATE), round(end_s * RATE) + 1)
-        assert max(excess_db(faulty, sound, at, RATE) for at in reach) >= level - 0.5
+def test_a_click_exceeds_the_sound_by_its_level_and_is_short(fault: Fault, sound: Samples) -> None:
+    for level in fault.levels[1:3]:
+        injured = _injured(fault, level, sound)
+        start, end = _frames(injured)
+        assert 0 < end - start <= 0.003 * RATE + 1
+        assert max(excess_db(injured.samples, sound, at, RATE) for at in range(start, end + 1)) >= level - 0.5
 
 
 @_of("dropout")
-def test_a_dropout_lasts_as_long_as_it_says(fault: Fault, sound: Samples) -> None:
+def test_a_dropout_is_silent_or_far_lower_for_as_long_as_it_says(fault: Fault, sound: Samples) -> None:
     for level in fault.levels:
-        _, start_s, end_s = _injured(fault, level, sound)
-        told_s = level / 1000 if fault.unit == "ms" else level / RATE
-        assert told_s - 1 / RATE <= end_s - start_s <= told_s + 0.0012  # a driver's ramps are outside of it
+        injured = _injured(fault, level, sound)
+        start, end = _frames(injured)
+        length = round(level / 1000 * RATE)
+        there = injured.samples[start:end]
+        beside = min(_level(sound[start - RATE // 100 : start]), _level(sound[end : end + RATE // 100]))
+        low = np.abs(there).max(axis=1) < 0.2 * beside
+        runs = np.diff(np.flatnonzero(np.diff(np.concatenate(([0], low, [0])))))[::2]
+        assert length <= runs.max() <= length + 0.004 * RATE  # the quietest part of a fade is as good as silent
+        assert (runs >= length).sum() <= 4
+        assert end - start <= 4 * length + 0.05 * RATE
 
 
 @_of("cut-start", "cut-tail")
 def test_a_cut_is_next_to_silence_and_high_on_the_wave(fault: Fault, sound: Samples) -> None:
-    faulty, at_s, _ = _injured(fault, fault.levels[0], sound)
-    at = round(at_s * RATE)
-    silent = faulty[: at - 40] if fault.check == "cut-start" else faulty[at + 40 :]
-    assert np.abs(silent).max() < 10 ** (-60 / 20)
-    beside = np.abs(faulty[at - 2 : at + 3]).max()
-    assert beside > 0.25 * np.abs(faulty[at - RATE // 100 : at + RATE // 100]).max()
+    injured = _injured(fault, fault.levels[0], sound)
+    faulty, (first, last) = injured.samples, _frames(injured)
+    silent = faulty[:first] if fault.check == "cut-start" else faulty[last + 5 :]
+    assert (
+        np.abs(silent).max(initial=0) < 0.1 * np.abs(faulty).max()
+    )  # a low cut's answer to the edge is the most there
+    beside = np.abs(faulty[max(0, first - 2) : last + 3]).max()
+    assert beside > 0.2 * np.abs(faulty[max(0, first - RATE // 100) : last + RATE // 100]).max()
     assert beside > np.abs(faulty).max() * 10 ** (-46 / 20)
+    assert last - first <= 0.0002 * RATE + 1
 
 
 @_of("clipping")
-def test_a_clipped_sound_has_its_tops_off_and_is_itself_below(fault: Fault, sound: Samples) -> None:
+def test_a_clipped_sound_has_its_tops_off(fault: Fault, sound: Samples) -> None:
     for level in fault.levels:
         faulty = _injured(fault, level, sound).samples
         lost_db = []
-        for heard, clean in zip(faulty.T, sound.T, strict=True):
+        width = RATE // 10
+        for at in range(width, len(sound) - 2 * width, width):  # a ridden volume is nearly steady for so long
+            heard, clean = faulty[at : at + width, 0], sound[at : at + width, 0]
             low = np.abs(clean) < 0.2 * np.abs(sound).max()
             gain = np.dot(heard[low], clean[low]) / np.square(clean[low]).sum()
-            assert np.abs(heard[low] - gain * clean[low]).max() < 0.1 * np.abs(faulty).max()
+            assert np.abs(heard[low] - gain * clean[low]).max() < 0.3 * np.abs(faulty).max()
             lost_db.append(20 * np.log10(gain * np.abs(clean).max() / np.abs(heard).max()))
-        assert level - 0.3 <= max(lost_db) < level + 5
+        assert level - 1.5 <= max(lost_db) < level + 3
 
 
 @_of("dc-offset")
@@ -110,18 +133,20 @@ def test_the_mean_of_a_channel_is_as_far_off_as_it_says(fault: Fault, sound: Sam
     for level in fault.levels:
         faulty = _injured(fault, level, sound).samples
         assert 100 * np.abs(faulty.mean(axis=0)).max() == pytest.approx(level, rel=1e-6)
-        offset = faulty - 0.9 * (sound - sound.mean(axis=0))
-        assert np.abs(np.diff(offset, axis=0)).max() < 1e-4
+        for heard, clean in zip(faulty.T, sound.T, strict=True):
+            assert np.corrcoef(heard, clean)[0, 1] > 0.99  # it is the sound still
 
 
 @_of("hum")
-def test_hum_is_steady_lines_near_multiples_of_the_mains(fault: Fault, sound: Samples) -> None:
-    hum = _injured(fault, fault.levels[-1], sound).samples[:, 0] - sound[:, 0]
-    power = np.square(np.abs(np.fft.rfft(hum * np.hanning(len(hum)))))
-    hz = np.fft.rfftfreq(len(hum), 1 / RATE)
-    beside = min(power[np.abs(hz - np.round(hz / mains) * mains) > 2 + 0.011 * hz].sum() for mains in (50, 60))
-    assert power.sum() > 0
-    assert beside < 0.001 * power.sum()
+def test_hum_is_nearly_steady_lines_near_multiples_of_the_mains(fault: Fault, sound: Samples) -> None:
+    hums = _injured(fault, fault.levels[-1], sound).samples - sound
+    assert min(_level(hum) for hum in hums.T) > 10 ** (-10.5 / 20) * max(_level(hum) for hum in hums.T)
+    for hum in hums.T:
+        power = np.square(np.abs(np.fft.rfft(hum * np.hanning(len(hum)))))
+        hz = np.fft.rfftfreq(len(hum), 1 / RATE)
+        beside = min(power[np.abs(hz - np.round(hz / mains) * mains) > 3 + 0.005 * hz].sum() for mains in (50, 60))
+        assert power.sum() > 0
+        assert beside < 0.001 * power.sum()
 
 
 @_of("noise-floor")
