@@ -62,6 +62,7 @@ class Postgres:
             "fsync": safe,
             "full_page_writes": safe,
             "synchronous_commit": safe,
+            "autovacuum": safe,  # what it counts at some moment would have plans change from then on
             "max_connections": "200",
         }
         options = [argument for name, value in settings.items() for argument in ("-c", f"{name}={value}")]
