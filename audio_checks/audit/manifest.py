@@ -168,7 +168,9 @@ def _is_path(value: object) -> bool:
 
 
 def _is_level(value: object) -> bool:
-    return value is None or (type(value) in (int, float) and -1_000 < value < 1_000)  # type: ignore[operator]
+    if value is None:
+        return True
+    return isinstance(value, int | float) and not isinstance(value, bool) and -1_000 < value < 1_000
 
 
 def _is_text(value: object) -> bool:

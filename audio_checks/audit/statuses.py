@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from audio_checks.audit.heard import Heard
 from audio_checks.audit.likeness import Likeness
@@ -20,18 +20,7 @@ Status = Literal[
     "placeholder",
     "duplicate",
 ]
-STATUSES: tuple[Status, ...] = (
-    "same",
-    "gain",
-    "trimmed",
-    "resampled",
-    "re-encoded",
-    "changed",
-    "missing",
-    "unknown",
-    "placeholder",
-    "duplicate",
-)
+STATUSES: tuple[Status, ...] = get_args(Status)
 
 LEAST_GAIN_DB = 0.1  # at the same rate and depth
 LEAST_GAIN_RECODED_DB = 0.5  # where another rate, depth or codec makes the figure less sure

@@ -1,5 +1,5 @@
 import { useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
-import { useEffect, useState } from 'react'
+import { useEffect, useEffectEvent, useState } from 'react'
 
 import { answered, api } from '@/api'
 import { deskQuery } from '@/app/desk'
@@ -45,10 +45,12 @@ function usePages<T>(list: keyof typeof READS, projectId: string, items: T[], ne
     getNextPageParam: ({ next: following }) => following ?? undefined,
     enabled: isOpened,
   })
-  useEffect(() => {
+  const readAnew = useEffectEvent(() => {
     if (isOpened) void refetch()
-    // What the first page says anew is said of the others too.
-    // eslint-disable-next-line react-hooks/exhaustive-deps
+  })
+  // What the first page says anew is said of the others too.
+  useEffect(() => {
+    readAnew()
   }, [items, next])
   if (!isOpened || data === undefined) {
     const showMore = () => {
