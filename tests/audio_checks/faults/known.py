@@ -9,13 +9,15 @@ from tests.audio_checks.faults import (
     second_unseen_injuries,
     second_unseen_sounds,
     sounds,
+    third_unseen_injuries,
+    third_unseen_sounds,
     training_sounds,
 )
 from tests.audio_checks.faults.injuries import Fault
 from tests.audio_checks.faults.sounds import Family
 
 FIRST_FAMILIES: dict[str, Family] = sounds.FAMILIES | once_unseen_sounds.FAMILIES
-FAMILIES = FIRST_FAMILIES | second_unseen_sounds.FAMILIES
+FAMILIES = FIRST_FAMILIES | second_unseen_sounds.FAMILIES | third_unseen_sounds.FAMILIES
 CLICK_FAMILIES = FIRST_FAMILIES | training_sounds.FAMILIES
 CLICKS = tuple(fault for fault in injuries.FAULTS + once_unseen_injuries.FAULTS if fault.check == "click")
 TRIED: tuple[tuple[tuple[Fault, ...], Mapping[str, Family]], ...] = (
@@ -23,4 +25,5 @@ TRIED: tuple[tuple[tuple[Fault, ...], Mapping[str, Family]], ...] = (
     (tuple(fault for fault in once_unseen_injuries.FAULTS if fault not in CLICKS), once_unseen_sounds.FAMILIES),
     (CLICKS, CLICK_FAMILIES),
     (second_unseen_injuries.FAULTS, second_unseen_sounds.FAMILIES),
+    (third_unseen_injuries.FAULTS, third_unseen_sounds.FAMILIES),
 )

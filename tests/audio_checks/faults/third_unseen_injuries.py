@@ -1,4 +1,4 @@
-"""The faults that no detector is tuned on, for the sounds of `unseen_sounds`; each is as those of `injuries` are."""
+"""Faults as they come about in practice, for the sounds of `third_unseen_sounds`: unseen until looked at once."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""Further whole sounds of games, by other means again, which no detector was tuned on: see `sounds` for those.
+"""Further whole sounds of games, by other means again: unseen until they had been looked at once.
 
 Noise whose spectrum is painted over time, voices whose brightness follows their force, and single knocks set in place.
 """

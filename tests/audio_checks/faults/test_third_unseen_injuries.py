@@ -1,4 +1,4 @@
-"""The unseen faults are what and where they say, and touch nothing else: no detector looks at them here."""
+"""The faults of the third unseen half are what and where they say, and touch nothing else."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from tests.audio_checks.faults.audible import excess_db
 from tests.audio_checks.faults.injuries import Fault, Injured
 from tests.audio_checks.faults.sounds import Samples
-from tests.audio_checks.faults.unseen_injuries import FAULTS
+from tests.audio_checks.faults.third_unseen_injuries import FAULTS
 
 RATE = 44_100
 
