@@ -11,6 +11,7 @@ from sqlalchemy import (
     Row,
     Select,
     String,
+    Update,
     and_,
     bindparam,
     cast,
@@ -45,18 +46,24 @@ def current_run(session: Session, take_id: UUID) -> CheckRun | None:
 
 def run_with_key(session: Session, studio_id: UUID, key: str) -> CheckRun | None:
     """Return a check of the studio that says what a new one with this key would say."""
-    return session.scalar(
-        select(CheckRun)
-        .where(CheckRun.studio_id == studio_id, CheckRun.key == key, CheckRun.verdict != "unjudged")
-        .order_by(CheckRun.id.desc())
-        .limit(1)
-    )
+    return session.scalar(_run_with_key(), {"studio_id": studio_id, "key": key})
+
+
+@cache  # what every check of a take asks for is built once: that takes as long as to run it
+def _run_with_key() -> Select[CheckRun]:
+    of_key = (CheckRun.studio_id == bindparam("studio_id"), CheckRun.key == bindparam("key"))
+    return select(CheckRun).where(*of_key, CheckRun.verdict != "unjudged").order_by(CheckRun.id.desc()).limit(1)
 
 
 def retire_runs(session: Session, take_id: UUID) -> None:
     """Make room for a new current run."""
-    retired = update(CheckRun).where(CheckRun.take_id == take_id, CheckRun.is_current).values(is_current=False)
-    session.execute(retired, execution_options={"synchronize_session": False})
+    session.execute(_retired(), {"of_take": take_id}, execution_options={"synchronize_session": False})
+
+
+@cache
+def _retired() -> Update:
+    current = (CheckRun.take_id == bindparam("of_take"), CheckRun.is_current)
+    return update(CheckRun).where(*current).values(is_current=False)
 
 
 def tell_runs(session: Session, project_id: UUID) -> Sequence[UUID]:

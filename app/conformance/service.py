@@ -81,7 +81,7 @@ class CheckOrder:
 
 def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
     """Return what is to be checked; None where the take waits for no check."""
-    take = deliveries.take_by_id(session, take_id)
+    take = deliveries.take_with_cue(session, take_id)
     if take is None or take.state is not TakeState.RECEIVED:
         return None
     return _order(session, take)
@@ -133,7 +133,7 @@ def known_report(session: Session, order: CheckOrder) -> Report | None:
 
 def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
     """Write a report and what it makes of its take, unless the take has moved on; return whether it was written."""
-    take = deliveries.take_by_id(session, order.take_id, locked=True)
+    take = deliveries.take_to_judge(session, order.take_id)
     if take is None or take.state is not TakeState.RECEIVED or take.edition != order.edition:
         return False
     queries.retire_runs(session, take.id)

@@ -91,7 +91,12 @@ def stem_of(session: Session, take: Take) -> str | None:
     """Return the stem that the list gives to a take; None while unmatched and for a cut cue."""
     if take.cue_id is None:
         return None
-    return session.scalar(select(Stem.stem).where(Stem.cue_id == take.cue_id, Stem.variation == take.variation))
+    return session.scalar(_stem(), {"cue_id": take.cue_id, "variation": take.variation})
+
+
+@cache  # what every job asks for is built once: that takes as long as to run it
+def _stem() -> Select[str]:
+    return select(Stem.stem).where(Stem.cue_id == bindparam("cue_id"), Stem.variation == bindparam("variation"))
 
 
 def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take | None:
@@ -99,13 +104,38 @@ def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take
     return session.scalar(_by_id(locked=locked), {"take_id": take_id})
 
 
-@cache  # every job asks for its take: to build the statement takes as long as to run it
+def take_with_cue(session: Session, take_id: UUID) -> Take | None:
+    """Return a take with its cue, for a job."""
+    return session.scalar(_with_cue(), {"take_id": take_id})
+
+
+def take_to_judge(session: Session, take_id: UUID) -> Take | None:
+    """Return a take by itself, locked, for a job that is going to change it."""
+    return session.scalar(_to_judge(), {"take_id": take_id})
+
+
+@cache
 def _by_id(*, locked: bool) -> Select[Take]:
-    query = select(Take).where(Take.id == bindparam("take_id"))
-    query = query.options(*_WITH_CUE_AND_DESIGNER)
-    if locked:
-        query = query.with_for_update(of=Take, key_share=True).execution_options(populate_existing=True)
-    return query
+    query = _of_id().options(*_WITH_CUE_AND_DESIGNER)
+    return _locked(query) if locked else query
+
+
+@cache
+def _with_cue() -> Select[Take]:
+    return _of_id().options(joinedload(Take.cue))
+
+
+@cache
+def _to_judge() -> Select[Take]:
+    return _locked(_of_id())
+
+
+def _of_id() -> Select[Take]:
+    return select(Take).where(Take.id == bindparam("take_id"))
+
+
+def _locked(query: Select[Take]) -> Select[Take]:
+    return query.with_for_update(of=Take, key_share=True).execution_options(populate_existing=True)
 
 
 def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
@@ -120,20 +150,24 @@ def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None
 
 def dry_stem_of(session: Session, take: Take) -> DryStem | None:
     """Return the dry stem that a take is compared with."""
-    return session.scalar(_live_stems(take.delivery_id, stem_of_name(take.file_name)).limit(1))
+    return session.scalar(_newest_stem(), {"delivery_id": take.delivery_id, "stem": stem_of_name(take.file_name)})
 
 
 def live_stems(session: Session, delivery_id: UUID, stem: str) -> Sequence[DryStem]:
     """Return the dry stems of one name in a delivery that are not withdrawn, the newest first."""
-    return session.scalars(_live_stems(delivery_id, stem)).all()
+    return session.scalars(_live_stems(), {"delivery_id": delivery_id, "stem": stem}).all()
 
 
-def _live_stems(delivery_id: UUID, stem: str) -> Select[DryStem]:
-    return (
-        select(DryStem)
-        .where(DryStem.delivery_id == delivery_id, DryStem.stem == stem, DryStem.withdrawn_at.is_(None))
-        .order_by(DryStem.received_at.desc(), DryStem.id.desc())
-    )
+@cache
+def _newest_stem() -> Select[DryStem]:
+    return _live_stems().limit(1)
+
+
+@cache
+def _live_stems() -> Select[DryStem]:
+    of_name = (DryStem.delivery_id == bindparam("delivery_id"), DryStem.stem == bindparam("stem"))
+    newest_first = (DryStem.received_at.desc(), DryStem.id.desc())
+    return select(DryStem).where(*of_name, DryStem.withdrawn_at.is_(None)).order_by(*newest_first)
 
 
 def dry_stem_of_upload(session: Session, upload_id: UUID, stem: str) -> DryStem | None:

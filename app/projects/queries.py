@@ -188,10 +188,16 @@ def current_spec(session: Session, project_id: UUID) -> Spec:
     return session.scalars(_newest_spec(), {"project_id": project_id}).one()
 
 
+def current_spec_and_author(session: Session, project_id: UUID) -> Spec:
+    """Return the newest version of the delivery spec with whoever saved it."""
+    with_author = _newest_spec().options(joinedload(Spec.author))
+    return session.scalars(with_author, {"project_id": project_id}).one()
+
+
 @cache  # asked for so often that building the statement would show
 def _newest_spec() -> Select[Spec]:
     of_project = select(Spec).where(Spec.project_id == bindparam("project_id"))
-    return of_project.options(joinedload(Spec.author)).order_by(Spec.version.desc()).limit(1)
+    return of_project.order_by(Spec.version.desc()).limit(1)
 
 
 def spec_version(session: Session, project_id: UUID, version: int) -> Spec | None:

@@ -308,7 +308,7 @@ def decider_history(session: Session, actor: Actor, project_id: UUID) -> Sequenc
 def spec_in_force(session: Session, actor: Actor, project_id: UUID) -> Spec:
     """Return the spec that holds now."""
     standing_in(session, actor, project_id)
-    return queries.current_spec(session, project_id)
+    return queries.current_spec_and_author(session, project_id)
 
 
 def spec_version(session: Session, actor: Actor, project_id: UUID, number: int) -> Spec:
@@ -337,7 +337,7 @@ def save_spec(
     standing.ensure_speaks()
     read = read_spec(toml)
     queries.lock_project(session, project_id)
-    newest = queries.current_spec(session, project_id)
+    newest = queries.current_spec_and_author(session, project_id)
     if newest.version != based_on_version:
         raise SpecMovedOn(
             f"{newest.author.name} saved version {newest.version}; yours began from version {based_on_version}",

@@ -14,7 +14,7 @@ from prometheus_client import Counter
 
 from app.conformance.checking import Bench, judge
 from app.conformance.queries import mend_by_id
-from app.deliveries.queries import take_by_id
+from app.deliveries.queries import take_with_cue
 from app.kit import kill
 from app.kit.events import publish
 from app.kit.queue import BULK, Payload, job
@@ -62,7 +62,7 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
         if queries.picture_of(session, mend.studio_id, mend.sha256) is not None:
             return
         studio_id, sha256 = mend.studio_id, mend.sha256
-        take = take_by_id(session, mend.take_id)
+        take = take_with_cue(session, mend.take_id)
         loop = take is not None and take.cue is not None and take.cue.loop
     with (
         runtime.store.local_copy(studio_id, sha256) as master,
@@ -127,7 +127,7 @@ def _librosa_sandbox() -> Sandbox:
 def hear_take(runtime: Runtime, payload: Payload) -> None:
     """Measure what a take's master is like, for comparing it with others."""
     with runtime.database.reading() as session:
-        take = take_by_id(session, UUID(payload["take_id"]))
+        take = take_with_cue(session, UUID(payload["take_id"]))
         if take is None or queries.timbre_of(session, take.studio_id, take.master_sha256) is not None:
             return
         studio_id, sha256 = take.studio_id, take.master_sha256

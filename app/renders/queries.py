@@ -87,7 +87,14 @@ def _shown_pictures() -> Select[Picture]:
 
 def picture_of(session: Session, studio_id: UUID, sha256: str) -> Picture | None:
     """Return the picture of one stored sound."""
-    return session.scalar(select(Picture).where(Picture.studio_id == studio_id, Picture.sound_sha256 == sha256))
+    return session.scalar(_picture_of(), {"studio_id": studio_id, "sha256": sha256})
+
+
+@cache
+def _picture_of() -> Select[Picture]:
+    return select(Picture).where(
+        Picture.studio_id == bindparam("studio_id"), Picture.sound_sha256 == bindparam("sha256")
+    )
 
 
 def timbre_of(session: Session, studio_id: UUID, sha256: str) -> Timbre | None:

@@ -10,7 +10,7 @@ from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.conformance.queries import made_mend_of
 from app.deliveries.models import Take
-from app.deliveries.queries import stem_of, take_by_id
+from app.deliveries.queries import stem_of, take_with_cue
 from app.deliveries.service import take_for
 from app.kit.db import insert_unless_there, row_of
 from app.kit.events import publish
@@ -159,7 +159,7 @@ def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
 
 def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return what is to be made of a take that may ship, and whether its master is to be drawn; None for neither."""
-    take = take_by_id(session, take_id)
+    take = take_with_cue(session, take_id)
     if take is None:
         return None
     may_ship = take.cue is not None and take.state in RENDERED_STATES
