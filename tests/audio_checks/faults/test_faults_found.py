@@ -6,6 +6,7 @@ import pytest
 
 from tests.audio_checks.faults import injuries, known, sounds
 from tests.audio_checks.faults.masters import MOST
+from tests.audio_checks.faults.promise import BEYOND, PROMISED
 from tests.audio_checks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
 
 MOST_MISSED = 0.1  # of so few: with the whole trial's 5 % a single miss more would not show
@@ -36,3 +37,8 @@ def test_whole_sounds_of_the_same_families_are_let_through() -> None:
 
 def test_what_is_known_can_be_handed_to_other_processes() -> None:
     assert pickle.dumps(known.TRIED)  # raises where a family or a fault was made inside a function
+
+
+def test_what_is_promised_and_what_is_not_is_told_of_checks_and_ways_that_are() -> None:
+    assert {check for checks in PROMISED for check in checks.split(", ")} == set(CHECKS)
+    assert BEYOND.keys() <= {(fault.check, fault.name) for faults, _ in known.TRIED for fault in faults}
