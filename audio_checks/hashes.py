@@ -13,7 +13,8 @@ class Hashes:
 
     def __init__(self) -> None:
         self._together = (kernel.hash_begin(), kernel.hash_begin()) if kernel.hashes_two() else None
-        self._whole, self._sound = hashlib.sha256(), hashlib.sha256()
+        if not self._together:
+            self._whole, self._sound = hashlib.sha256(), hashlib.sha256()
 
     def add_around(self, piece: bytes | memoryview) -> None:
         """Take bytes before or after the sound."""

@@ -5,7 +5,7 @@ A check that crashes is the tool's fault: the file is `unjudged`, whatever else 
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from audio_checks import check_names
@@ -267,7 +267,6 @@ def _judge(
     spec = _NO_SPEC if task.spec is None else task.spec
     selected = _selected(spec, task.cue, ["structure"] if task.spec is None and checks is None else checks)
     shown = legible(task.path) if name is None else name
-    blank = FileReport(path=shown, verdict="unjudged", category=spec.category)
     try:
         with AudioFile(
             task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec), dry=task.dry
@@ -276,27 +275,31 @@ def _judge(
             if not all_figures:
                 file.prepare(figure for check in selected for figure in check.figures)
                 file.prepare(figure for name in asked for figure in judgements.figures_of(name))
-            whole = replace(
-                blank,
-                facts=file.facts.to_dict(),
-                sha256=file.sha256,
-                pcm_sha256=file.pcm_sha256,
-                measurements=file.measurements.to_dict(),
-                likeness_print=file.measurements.likeness_print,
-            )
+            facts, measurements = file.facts.to_dict(), file.measurements.to_dict()
             found, crashed = _found(selected, file, spec, task.cue)
             judged, broken = _judged(asked, file, spec.kind)
     except Unreadable as error:
-        return _refused(blank, error, spec)
+        return _refused(shown, error, spec)
     except Exception as error:  # whatever breaks in the tool must not be held against the file
-        return replace(blank, findings=(crash("audio-checks", error),))
+        return FileReport(shown, "unjudged", category=spec.category, findings=(crash("audio-checks", error),))
     if task.unlisted:
         found.append(_unlisted())
     findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
     verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
     crashed += broken
     findings = [*crashed, *findings]
-    return replace(whole, verdict="unjudged" if crashed else verdict, judgements=judged, findings=ordered(findings))
+    return FileReport(
+        path=shown,
+        verdict="unjudged" if crashed else verdict,
+        sha256=file.sha256,
+        pcm_sha256=file.pcm_sha256,
+        category=spec.category,
+        facts=facts,
+        measurements=measurements,
+        judgements=judged,
+        findings=ordered(findings),
+        likeness_print=file.measurements.likeness_print,
+    )
 
 
 def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | None) -> list[Check]:
@@ -348,8 +351,8 @@ def _reads_flac(spec: DeliverySpec) -> bool:
     return containers is None or "flac" in containers or spec.checks.get("container", "error") != "error"
 
 
-def _refused(blank: FileReport, error: Unreadable, spec: DeliverySpec) -> FileReport:
-    if error.code == "container:flac" and blank.path.lower().endswith(".flac"):  # lawful, but not accepted
+def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:
+    if error.code == "container:flac" and path.lower().endswith(".flac"):  # lawful, but not accepted
         wanted = spec.accept.containers or ()
         finding = Finding(
             code=error.code,
@@ -357,9 +360,9 @@ def _refused(blank: FileReport, error: Unreadable, spec: DeliverySpec) -> FileRe
             fix=f"export the sound as {wanted[0].upper()}" if wanted else error.fix,
             severity="error",
         )
-        return replace(blank, verdict="rejected", findings=(finding,))
+        return FileReport(path, "rejected", category=spec.category, findings=(finding,))
     finding = Finding(code=error.code, message=f"{error} ({error.rule})", fix=error.fix, severity="error")
-    return replace(blank, verdict="unreadable", findings=(finding,))
+    return FileReport(path, "unreadable", category=spec.category, findings=(finding,))
 
 
 def _unlisted() -> Finding:

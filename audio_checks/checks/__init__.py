@@ -16,7 +16,7 @@ The module's name, with `-` for `_`, is the check's name.
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -37,13 +37,13 @@ class Check:
     name: str
     module: ModuleType
 
-    @property
+    @cached_property
     def figures(self) -> tuple[str, ...]:
         """The measurements it reads."""
         figures: tuple[str, ...] = self.module.FIGURES
         return figures
 
-    @property
+    @cached_property
     def judgement(self) -> str | None:
         """The judgement it makes a finding of; None for a check of facts."""
         name: str | None = getattr(self.module, "JUDGEMENT", None)

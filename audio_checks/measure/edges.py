@@ -50,6 +50,7 @@ class Edges:
         self._head_frames = np.empty(0, np.int64)
         self._tail_levels = np.empty(0)  # falling
         self._tail_frames = np.empty(0, np.int64)
+        self._told: dict[float, tuple[float, float]] = {}  # by threshold: two checks ask for the same
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
@@ -58,16 +59,19 @@ class Edges:
         rows = kernel.by_channel(block)
         loudest = float(self._head_levels[-1]) if len(self._head_levels) else 0.0
         self._peak = max(self._peak, self._survey.highest(block))
+        room = spare.taken("records", 2 * len(block) * 8)  # bytes of a float64, and of an int64
         if loudest < CEILING:
-            levels, places = self._records(rows, loudest, backward=False)
+            levels, places = self._records(rows, loudest, room, backward=False)
             self._head_levels = np.concatenate((self._head_levels, levels))
             self._head_frames = np.concatenate((self._head_frames, places))
-        levels, places = self._records(rows, 0.0, backward=True)
+        levels, places = self._records(rows, 0.0, room, backward=True)
         if len(levels):
             kept = self._tail_levels > levels[-1]
             self._tail_levels = np.concatenate((self._tail_levels[kept], levels[::-1]))
             self._tail_frames = np.concatenate((self._tail_frames[kept], places[::-1]))
+        spare.give_back("records", room)
         self._seen += len(block)
+        self._told = {}
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
@@ -83,19 +87,18 @@ class Edges:
         if self._peak == 0:
             whole = 1000 * self._seen / self._rate
             return whole, whole
-        threshold = min(ratio(below_dbfs), self._peak * BELOW_PEAK, CEILING)
-        first = self._head_frames[np.searchsorted(self._head_levels, threshold)]
-        last = self._tail_frames[np.searchsorted(-self._tail_levels, -threshold, side="right") - 1]
-        return 1000 * float(first) / self._rate, 1000 * float(self._seen - 1 - last) / self._rate
+        if below_dbfs not in self._told:
+            threshold = min(ratio(below_dbfs), self._peak * BELOW_PEAK, CEILING)
+            first = int(self._head_frames[self._head_levels.searchsorted(threshold)])
+            last = int(self._tail_frames[(-self._tail_levels).searchsorted(-threshold, side="right") - 1])
+            self._told[below_dbfs] = 1000 * first / self._rate, 1000 * (self._seen - 1 - last) / self._rate
+        return self._told[below_dbfs]
 
     def _records(
-        self, rows: NDArray[np.float64], loudest: float, *, backward: bool
+        self, rows: NDArray[np.float64], loudest: float, room: NDArray[np.uint8], *, backward: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """Return what is louder than `loudest` and than all on its way, rising, with its frames."""
-        frames = rows.shape[1]
-        room = spare.taken("records", 2 * frames * np.dtype(np.float64).itemsize).reshape(2, -1)
-        levels, places = room[0].view(np.float64), room[1].view(np.int64)
+        half = len(room) // 2
+        levels, places = room[:half].view(np.float64), room[half:].view(np.int64)
         count = kernel.records(rows, loudest, CEILING, 1 + GRAIN, backward, levels, places)
-        found = levels[:count].copy(), places[:count] + self._seen
-        spare.give_back("records", room)
-        return found
+        return levels[:count].copy(), places[:count] + self._seen

@@ -146,16 +146,17 @@ class Faults:
         self._decoded = None
         self._end += count
         if self._end == self._history + self._stretch:
-            self._look()
+            self._move_on(self._look())
 
     def result(self) -> dict[str, Any]:
         """Return the figures of the detectors that were asked for, by name."""
         padding = self._cell - (self._end - self._history) % self._cell  # at least a frame of silence ends the sound
         self._samples[:, self._end : self._end + padding] = 0.0
         self._end += padding
-        self._look()
+        cells = self._look()
         figures: dict[str, Any] = {}
         if self._clicks:
+            self._move_on(cells)
             self._samples[:, self._history : self._history + self._silence] = 0.0
             silent = self._samples[:, : self._history + self._silence]
             count = self._cells.measure(silent, self._history)
@@ -189,10 +190,9 @@ class Faults:
         self._known = None
         return self._maxima[:, :rows], peaks, count
 
-    def _look(self) -> None:
-        """Let every detector look at what is new, and keep as much of it as the next stretch needs."""
+    def _look(self) -> int:
+        """Let every detector look at what is new, and return how many cells of it there are."""
         samples = self._samples[:, : self._end]
-        new = self._end - self._history
         maxima, peaks, count = self._measure(samples)
         self._peak = max(self._peak, float(peaks.max()))
         if count:
@@ -204,11 +204,16 @@ class Faults:
                     by_cells.add(cells, count)
             if self._hum:
                 self._hum.add(self._cells.newest_sums(count), count)
-            self._cells.keep(count)
         if self._repeats:
             self._repeats.add(samples, int(peaks.argmax()), self._history, self._frame)
         if self._flat_tops:
             self._flat_tops.add(samples, maxima, peaks, self._history, self._frame)
+        return count
+
+    def _move_on(self, cells: int) -> None:
+        """Keep as much of what is new, so many cells with it, as those need that look at the next stretch."""
+        self._cells.keep(cells)
+        new = self._end - self._history
         for whole, some in ((self._samples, self._history), (self._maxima, self._history // ROW_FRAMES)):
             kept = whole[:, new * some // self._history :][:, :some]
             whole[:, :some] = kept if new >= self._history else kept.copy()

@@ -110,7 +110,8 @@ class Levels:
             self._highest = highest
             self._peak_frame = self._seen + min(
                 first_reaching(block[:, channel], maxima[channel], highest)
-                for channel in np.flatnonzero(peaks == highest)
+                for channel, peak in enumerate(peaks.tolist())
+                if peak == highest
             )
         np.maximum(self._peaks, peaks, out=self._peaks)
         self._sums += self._survey.sums(block)

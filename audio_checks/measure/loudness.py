@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.means import mean_of
 
 OFFSET_LUFS = -0.691  # of K-weighted power, so that a 997 Hz sine reads its RMS level
 HOPS_PER_S = 100
@@ -165,7 +166,7 @@ class Loudness:
         for count, loud in self._loud.items():
             energies = np.maximum(sums[count:] - sums[:-count], 0.0)[-new:]
             powers = energies / (bounds[count:] - bounds[:-count])[-new:]
-            self._loudest[count] = max(self._loudest[count], float(powers.max(initial=0.0)))
+            self._loudest[count] = max(self._loudest[count], float(np.maximum.reduce(powers, initial=0.0)))
             start = first + len(hops) - count + 1 - new  # of the first window
             skipped = -start % self._gate_hops if start >= 0 else -start
             gated = powers[skipped : new - ends : self._gate_hops]
@@ -199,8 +200,8 @@ def integrated_lufs(powers: NDArray[np.float64]) -> float:
     loud = powers[powers > GATE_POWER]
     if not len(loud):
         return -math.inf
-    gate = float(loud.mean()) * 10 ** (RELATIVE_GATE_LU / 10)
-    return _lufs(float(loud[loud > gate].mean()))
+    gate = mean_of(loud) * 10 ** (RELATIVE_GATE_LU / 10)
+    return _lufs(mean_of(loud[loud > gate]))
 
 
 def loudness_range_lu(powers: NDArray[np.float64]) -> float | None:
@@ -219,7 +220,7 @@ def loudness_range_lu(powers: NDArray[np.float64]) -> float | None:
     loud = powers[powers >= GATE_POWER]
     if not len(loud):
         return None
-    gate = float(loud.mean()) * 10 ** (RANGE_GATE_LU / 10)
+    gate = mean_of(loud) * 10 ** (RANGE_GATE_LU / 10)
     levels = 10 * np.log10(np.sort(loud[loud >= gate]))
     low, high = (levels[round((len(levels) - 1) * share)] for share in (0.10, 0.95))
     return float(high - low)

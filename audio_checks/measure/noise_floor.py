@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.decibels import power_decibels
+from audio_checks.measure.means import mean_of
 
 CELLS = 20  # of one step: 10 ms
 PAUSE = 20  # steps: a pause lasts 0.2 s
@@ -64,17 +65,19 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
     """Return the power of the quietest pause of one channel."""
     if len(steps) < 2 * PAUSE:
         return None
-    sums = np.concatenate(([0.0], np.cumsum(steps, dtype=np.float64)))
+    sums = np.zeros(len(steps) + 1)
+    steps.cumsum(dtype=np.float64, out=sums[1:])
     means = (sums[PAUSE:] - sums[:-PAUSE]) / PAUSE
     quietest = int(means.argmin())
     pause = steps[quietest : quietest + PAUSE].astype(np.float64)
-    floor = float(pause.mean())
-    if floor * DEEP > means.max():
+    floor = mean_of(pause)
+    if floor * DEEP > means[means.argmax()]:
         return None
     if not floor:
         return 0.0
-    lower, upper = np.sort(pause)[[PAUSE // 4, -1 - PAUSE // 4]].tolist()
-    quieter, louder = sorted((float(pause[: PAUSE // 2].mean()), float(pause[PAUSE // 2 :].mean())))
+    ordered = sorted(pause.tolist())
+    lower, upper = ordered[PAUSE // 4], ordered[-1 - PAUSE // 4]
+    quieter, louder = sorted((mean_of(pause[: PAUSE // 2]), mean_of(pause[PAUSE // 2 :])))
     if upper > lower * 10 ** (STEADY_DB / 10) or louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
     beside = [means[place] for place in (quietest - PAUSE, quietest + PAUSE) if 0 <= place < len(means)]

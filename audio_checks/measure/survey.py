@@ -110,7 +110,7 @@ class Survey:
         """
         maxima = self.maxima(block)
         if self._peaks is None:
-            self._peaks = maxima.max(axis=1, initial=0.0)
+            self._peaks = np.maximum.reduce(maxima, axis=1, initial=0.0)
         return self._peaks
 
     def highest(self, block: NDArray[np.float64]) -> float:
@@ -123,7 +123,7 @@ class Survey:
         """
         peaks = self.peaks(block)
         if self._highest is None:
-            self._highest = float(peaks.max(initial=0.0))
+            self._highest = max(peaks.tolist(), default=0.0)
         return self._highest
 
     def sums(self, block: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -81,7 +81,10 @@ def read_metadata(chunks: Iterable[tuple[str, bytes]]) -> Metadata:
     Metadata
         Empty where there are no such chunks.
     """
-    reading = _Reading(list(chunks)[:MOST_CHUNKS])
+    some = list(chunks)[:MOST_CHUNKS]
+    if not some:
+        return Metadata()
+    reading = _Reading(some)
     texts = {
         f"{group}.{name}": text
         for group, found in (

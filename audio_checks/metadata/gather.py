@@ -37,4 +37,4 @@ class Gathering:
 
     def read(self) -> Metadata:
         """Return what the kept payloads say."""
-        return read_metadata((name, bytes(kept)) for name, _, _, kept in self._kept)
+        return read_metadata([(name, bytes(kept)) for name, _, _, kept in self._kept])

@@ -30,6 +30,7 @@ MAX_CHUNKS = 10_000
 MAX_CHANNELS = 1_024  # also libsndfile's
 MAX_LOOPS = 1_024
 ZEROS = bytes(1 << 16)
+HEAD_BYTES = 44  # the shortest header there is, read at once
 
 EXPORT_WAV = "export it from your audio editor as WAV (PCM); renaming a file does not convert it"
 EXPORT_AGAIN = "export it again from your audio editor as WAV"
@@ -71,6 +72,8 @@ class _Reading:
     def __init__(self, file: BinaryIO) -> None:
         self.file = file
         self.size = file.seek(0, os.SEEK_END)
+        file.seek(0)
+        self.head = read_up_to(file, HEAD_BYTES)
         self.warnings: list[StructureWarning] = []
 
     def layout(self) -> WavLayout:
@@ -131,6 +134,8 @@ class _Reading:
         )
 
     def read(self, offset: int, count: int) -> bytes:
+        if offset + count <= len(self.head):
+            return self.head[offset : offset + count]
         self.file.seek(offset)
         return read_up_to(self.file, count)
 
@@ -141,13 +146,13 @@ class _Reading:
         """Tell RIFF and RF64 from everything else, which is refused by its name (R11)."""
         if not self.size:
             raise Unreadable("the file is empty: it has 0 bytes", "R11", "container:empty", UPLOAD_AGAIN)
-        for offset, magic, code, name in OTHER_CONTAINERS:
-            if start[offset : offset + len(magic)] == magic:
-                fix = "fetch the real file with `git lfs pull`" if code == "git-lfs-pointer" else EXPORT_WAV
-                raise Unreadable(
-                    f"the file is {name}, not WAV, whatever its name ends in", "R11", f"container:{code}", fix
-                )
         if start[:4] not in (b"RIFF", b"RF64"):
+            for offset, magic, code, name in OTHER_CONTAINERS:
+                if start[offset : offset + len(magic)] == magic:
+                    fix = "fetch the real file with `git lfs pull`" if code == "git-lfs-pointer" else EXPORT_WAV
+                    raise Unreadable(
+                        f"the file is {name}, not WAV, whatever its name ends in", "R11", f"container:{code}", fix
+                    )
             if len(start) > 1 and start[0] == 0xFF and start[1] & 0xE0 == 0xE0 and start[1] & 0x06:
                 raise Unreadable(
                     "the file is MP3, not WAV, whatever its name ends in", "R11", "container:mp3", EXPORT_WAV
