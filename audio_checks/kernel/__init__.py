@@ -51,6 +51,7 @@ try:
         true_peak,
         unforeseen,
         unforeseen_both_ways,
+        window_loudness,
     )
 except ImportError as error:
     raise ImportError(
@@ -104,6 +105,7 @@ __all__ = [
     "true_peak",
     "unforeseen",
     "unforeseen_both_ways",
+    "window_loudness",
 ]
 
 

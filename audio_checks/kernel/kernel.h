@@ -116,6 +116,7 @@ typedef struct {
     double (*product)(const double *one, const double *other, Py_ssize_t count);
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+    void (*cell_sums)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
     uint64_t (*towering)(const double *heights, Py_ssize_t nearest, double times);
     void (*lagged)(const double *samples, Py_ssize_t count, Py_ssize_t order, double *products);
     void (*foretell)(const double *samples, const double *coefficients, Py_ssize_t order, Py_ssize_t count, double *rests);
@@ -146,7 +147,7 @@ int32_t decode_integers(const uint8_t *raw, Py_ssize_t width, const planar *bloc
 Py_ssize_t decode_floats(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames);
 
 /* faults.c */
-enum { CELL_FIGURES = 5, HISTORY = 6 }; /* of a channel's cell; samples that stand before the first */
+enum { CELL_FIGURES = 5, CELL_SUMS = 2, HISTORY = 6 }; /* of a channel's cell, the first of them; samples before it */
 void measure_cells(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
 
 /* levels.c */
@@ -198,7 +199,8 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
     EACH(unforeseen, "Foretell samples of steady stretches from those before; find where an error may stand out.") \
-    EACH(unforeseen_both_ways, "Find the places that can be told neither from what leads up to them nor from what follows.")
+    EACH(unforeseen_both_ways, "Find the places that can be told neither from what leads up to them nor from what follows.") \
+    EACH(window_loudness, "Find the power of windows of so many hops each, and return the highest.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);
 FUNCTIONS(DECLARED)

@@ -154,6 +154,25 @@ LOOP void NAMED(cells)(const double *RESTRICT samples, Py_ssize_t size, Py_ssize
     }
 }
 
+/* The first two of these figures alone, to the same bits. */
+LOOP void NAMED(cell_sums)(const double *RESTRICT samples, Py_ssize_t size, Py_ssize_t count, double *RESTRICT out,
+                           Py_ssize_t row) {
+    for (Py_ssize_t cell = 0; cell < count; cell++, samples += size, out++) {
+        VECTOR sums[NAMED(FOUR)] = {ALL(0)}, squares[NAMED(FOUR)] = {ALL(0)};
+        for (Py_ssize_t at = 0; at < size; at += 4) {
+            const Py_ssize_t over = at + 4 > size ? at + 4 - size : 0;
+            for (int which = 0; which < NAMED(FOUR); which++) {
+                const VECTOR these = AT(samples + at - over + which * WIDTH);
+                const VECTOR new = over ? KEPT(these, over, which) : these;
+                sums[which] += new;
+                squares[which] += new * new;
+            }
+        }
+        out[0] = NAMED(sum_of_four)(sums);
+        out[row] = NAMED(sum_of_four)(squares);
+    }
+}
+
 /* Which of SCREENED heights are `times` as high as the TOWERED ones on either side, the nearest so far away; as bits. */
 LOOP uint64_t NAMED(towering)(const double *heights, Py_ssize_t nearest, double times) {
     uint64_t bits = 0;

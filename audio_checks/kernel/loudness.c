@@ -10,8 +10,11 @@ static void forget(double *state, Py_ssize_t count) {
     }
 }
 
-/* The frame that a hop begins with, to the nearest. */
-static int64_t hop_start(int64_t hop, int64_t rate) { return (2 * hop * rate + HOPS_PER_S) / (2 * HOPS_PER_S); }
+/* The frame that a hop begins with, to the nearest; negative before the signal. */
+static int64_t hop_start(int64_t hop, int64_t rate) {
+    const int64_t twice = 2 * hop * rate + HOPS_PER_S, unit = 2 * HOPS_PER_S;
+    return twice / unit - (twice % unit < 0);
+}
 
 /* Where in the signal a block lies: frames and whole hops before it. */
 typedef struct {
@@ -136,4 +139,44 @@ PyObject *hop_energies(PyObject *module, PyObject *const *args, Py_ssize_t count
 refused:
     let_go(&held);
     return NULL;
+}
+
+/* energies of hops, the number of the first (negative for silence before the signal), hops of a window, rate, powers to
+ * fill: of the windows that end with the last hops, one for each place -> the highest of them, 0 or more */
+PyObject *window_loudness(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    const double *hops;
+    double *powers;
+    if (arguments("window_loudness", count, 5) < 0) return NULL;
+    const int64_t first = PyLong_AsLongLong(args[1]), rate = PyLong_AsLongLong(args[3]);
+    const Py_ssize_t length = PyLong_AsSsize_t(args[2]);
+    if (PyErr_Occurred() || !(hops = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
+        !(powers = TAKE_DOUBLES(&held, args[4], -1, 1))) {
+        let_go(&held);
+        return NULL;
+    }
+    const Py_ssize_t all = held.views[0].len / (Py_ssize_t)sizeof(double);
+    const Py_ssize_t windows = held.views[1].len / (Py_ssize_t)sizeof(double);
+    if (length < 1 || rate < HOPS_PER_S || windows + length - 1 > all) {
+        let_go(&held);
+        PyErr_SetString(PyExc_ValueError, "windows of one hop or more, which begin with a hop that is given, are wanted");
+        return NULL;
+    }
+    /* Both are sums of all hops from the first on, so that a window's energy is their difference. */
+    double until_end = 0, until_start = 0, highest = 0;
+    const Py_ssize_t skipped = all - windows - length + 1;
+    for (Py_ssize_t hop = 0; hop < skipped; hop++) until_start += hops[hop];
+    for (Py_ssize_t hop = 0; hop < skipped + length - 1; hop++) until_end += hops[hop];
+    for (Py_ssize_t window = 0; window < windows; window++) {
+        const Py_ssize_t start = skipped + window, end = start + length;
+        until_end += hops[end - 1];
+        const double energy = until_end - until_start;
+        const int64_t frames = hop_start(first + end, rate) - hop_start(first + start, rate);
+        powers[window] = energy > 0 ? energy / (double)frames : 0;
+        highest = powers[window] > highest ? powers[window] : highest;
+        until_start += hops[start];
+    }
+    let_go(&held);
+    return PyFloat_FromDouble(highest);
 }

@@ -2,6 +2,7 @@
 #include "kernel.h"
 
 enum { PIECE = 64 * ROW, FIGURES = 3 }; /* the latter of a channel so far: sum, sum of squares, highest magnitude */
+enum { LEAST_SUMMED = 4 }; /* samples of cells of which the sums can be had alone: a register has four lanes */
 
 typedef struct {
     const uint8_t *raw;
@@ -11,7 +12,8 @@ typedef struct {
     Py_ssize_t first, frames;
     double *figures;
     planar maxima; /* (channels, rows of the block) */
-    planar cells; /* (CELL_FIGURES * channels, how many); none are wanted where there are no channels */
+    planar cells; /* (figures * channels, how many); none are wanted where there are no channels */
+    int sums_only; /* whether these figures are the first CELL_SUMS, not all CELL_FIGURES */
     Py_ssize_t cell;
     planar hops; /* (how many, STEREO_FIGURES) of two channels; none are wanted where there are no frames */
     Py_ssize_t hop, at; /* frames of a hop, and of the first one those that came before */
@@ -35,8 +37,9 @@ static void measure_rows(const block_to_be *block, Py_ssize_t channel, Py_ssize_
 static void measure_cells_between(const block_to_be *block, Py_ssize_t from, Py_ssize_t until) {
     const Py_ssize_t channels = block->samples.channels;
     for (Py_ssize_t channel = 0; channel < channels && from < until; channel++) {
-        measure_cells(channel_of(block, channel) + from * block->cell, block->cell, until - from,
-                      block->cells.samples + channel * block->cells.row + from, channels * block->cells.row);
+        (block->sums_only ? in_lanes()->cell_sums : measure_cells)(
+            channel_of(block, channel) + from * block->cell, block->cell, until - from,
+            block->cells.samples + channel * block->cells.row + from, channels * block->cells.row);
     }
 }
 
@@ -123,11 +126,12 @@ static int measure_whole_pieces(const block_to_be *block, int32_t *used) {
                                                 block->maxima.samples + channel * block->maxima.row + at / ROW,
                                                 block->figures + channel * FIGURES);
             if (whole < frames) measure_rows(block, channel, at + whole, frames - whole);
-            if (!cells) continue;
+            if (!cells || block->sums_only) continue;
             in_whole_numbers()->cells(rows[channel], block->cell, cells,
                                       block->cells.samples + channel * block->cells.row + cells_done,
                                       channels * block->cells.row);
         }
+        if (block->sums_only) measure_cells_between(block, cells_done, cells_done + cells);
         if (block->hops.frames) measure_stereo_piece(block, &piece, at, frames);
         for (Py_ssize_t channel = 0; channel < channels; channel++) {
             memmove(piece.samples[channel], rows[channel] + frames - WHOLE_BEFORE, WHOLE_BEFORE * sizeof(int16_t));
@@ -161,11 +165,14 @@ PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         goto refused;
     }
     const Py_ssize_t space = block.samples.frames - block.first;
+    block.sums_only = block.cell >= LEAST_SUMMED && block.cells.channels == CELL_SUMS * block.samples.channels;
+    const Py_ssize_t figures = block.sums_only ? CELL_SUMS : CELL_FIGURES;
     if (!frame_bytes || bytes % frame_bytes || block.first < HISTORY || block.frames > space || block.cell < 1 ||
-        (block.cells.channels && (block.cells.channels != CELL_FIGURES * block.samples.channels ||
+        (block.cells.channels && (block.cells.channels != figures * block.samples.channels ||
                                   block.cells.frames < block.frames / block.cell || block.cells.frames > space / block.cell))) {
         PyErr_SetString(PyExc_ValueError, "whole frames, room for them after six frames of history, and five figures of"
-                                          " each channel for every cell that they fill are wanted");
+                                          " each channel, or two of cells of four frames or more, for every cell that"
+                                          " they fill are wanted");
         goto refused;
     }
     if (args[9] != Py_None && ensure_stereo(&block.samples, block.frames, &block.hops, block.hop, block.at) < 0) goto refused;

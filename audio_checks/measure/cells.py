@@ -12,6 +12,7 @@ from audio_checks import kernel
 from audio_checks.measure import spare
 
 CELLS_PER_S = 2_000
+LEAST_CELL = 4  # frames of a cell of which the sums and squares can be had alone
 HISTORY = 6  # frames that stand before the first cell, for its steps and differences
 
 

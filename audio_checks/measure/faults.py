@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.measure import spare
-from audio_checks.measure.cells import HISTORY, CellStream, cell_frames
+from audio_checks.measure.cells import HISTORY, LEAST_CELL, CellStream, cell_frames
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
 from audio_checks.measure.flat_tops import FlatTops
@@ -38,6 +38,7 @@ DETECTORS: dict[str, tuple[str, ...]] = {
 
 CELLS_KEPT = max(Clicks.BACK, Dropouts.BACK, NoiseFloor.BACK)
 CELLS_SUFFICE = frozenset({"dropouts", "hum", "noise_floor"})  # the others look back at samples
+SUMS_SUFFICE = frozenset({"hum", "noise_floor"})  # of cells, with the squares
 
 
 class Faults:
@@ -69,6 +70,7 @@ class Faults:
     ) -> None:
         wanted = frozenset(detectors)
         self._cell = cell_frames(sample_rate_hz)
+        self._sums_suffice = wanted <= SUMS_SUFFICE and self._cell >= LEAST_CELL
         cells_per_s = sample_rate_hz / self._cell
         most = MOST_SAMPLES // channels
         history_s = 0.0 if wanted <= CELLS_SUFFICE else HISTORY_S
@@ -120,6 +122,8 @@ class Faults:
         if first == self._history:
             before = first // ROW_FRAMES
             cells, maxima = self._cells.room(count), self._maxima[:, before : before + rows]
+            if self._sums_suffice:
+                cells = cells[: 2 * len(maxima)]
         else:
             cells, maxima = None, np.empty((len(self._samples), rows))
         room = Room(self._samples, first, maxima, cells, self._cell)

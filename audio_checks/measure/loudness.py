@@ -161,23 +161,16 @@ class Loudness:
         hops = np.concatenate((self._kept, *self._pending))
         new = len(hops) - len(self._kept)
         first = self._whole + ends - len(hops)  # negative at first: there is silence before the signal
-        sums = np.concatenate(([0.0], hops.cumsum()))
-        bounds = _hop_start(np.arange(first, first + len(hops) + 1), self._rate)
+        powers = np.empty(new)  # of the windows that end with each new hop
         for count, loud in self._loud.items():
-            energies = np.maximum(sums[count:] - sums[:-count], 0.0)[-new:]
-            powers = energies / (bounds[count:] - bounds[:-count])[-new:]
-            self._loudest[count] = max(self._loudest[count], float(np.maximum.reduce(powers, initial=0.0)))
+            loudest = kernel.window_loudness(hops, first, count, self._rate, powers)
+            self._loudest[count] = max(self._loudest[count], loudest)
             start = first + len(hops) - count + 1 - new  # of the first window
             skipped = -start % self._gate_hops if start >= 0 else -start
             gated = powers[skipped : new - ends : self._gate_hops]
             loud.append(gated[gated >= GATE_POWER])
         self._kept = hops[-SHORT_TERM_HOPS:]
         self._pending = []
-
-
-def _hop_start(number: NDArray[np.int64], rate: int) -> NDArray[np.int64]:
-    """Return the frame that a hop begins with, to the nearest."""
-    return (2 * number * rate + HOPS_PER_S) // (2 * HOPS_PER_S)
 
 
 def _lufs(power: float) -> float:

@@ -59,8 +59,9 @@ class Room(NamedTuple):
         The frame of them that the first one becomes; six stand before it at least.
     maxima : ndarray, shape (channels, rows)
         For the highest magnitude of each 32 frames.
-    cells : ndarray, shape (5 * channels, count), or None
-        For the figures of so many cells from `first` on; see `measure.cells`.
+    cells : ndarray, shape (5 * channels, count) or (2 * channels, count), or None
+        For the figures of so many cells from `first` on, see `measure.cells`; or for the sums and squares alone, of
+        cells of four frames or more.
     cell_frames : int
         Of each cell.
     """

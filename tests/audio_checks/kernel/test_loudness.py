@@ -105,3 +105,35 @@ def test_room_for_every_hop_is_wanted(room: int, hop: int, rate: int):
         kernel.hop_energies(
             np.zeros((1, 4_800)), recursion(48_000), np.ones(2), np.zeros(12), np.zeros(2), np.zeros(room), rate, 0, hop
         )
+
+
+def window_powers(hops: np.ndarray, first: int, length: int, rate: int, windows: int) -> np.ndarray:
+    """Mean power of the last windows, between the differences of running sums."""
+    sums = np.concatenate(([0.0], np.cumsum(hops)))
+    bounds = (2 * np.arange(first, first + len(hops) + 1) * rate + 100) // 200
+    return (np.maximum(sums[length:] - sums[:-length], 0.0) / (bounds[length:] - bounds[:-length]))[-windows:]
+
+
+@given(
+    st.integers(1, 700),
+    st.sampled_from([1, 2, 40, 300]),
+    st.sampled_from([1_000, 11_025, 22_050, 44_100, 48_000, 192_000]),
+    st.integers(-300, 10_000_000),
+    st.integers(0, 99),
+)
+def test_windows_of_hops_to_the_last_bit(windows: int, length: int, rate: int, first: int, seed: int):
+    rng = np.random.default_rng(seed)
+    hops = rng.uniform(0, 1, windows + length - 1 + seed) ** 9
+    hops[: len(hops) // 3] = 0.0
+    powers = np.full(windows, np.nan)
+    highest = kernel.window_loudness(hops, first, length, rate, powers)
+    assert powers.tobytes() == window_powers(hops, first, length, rate, windows).tobytes()
+    assert highest == powers.max()
+
+
+@pytest.mark.parametrize(
+    ("hops", "length", "rate", "windows"), [(10, 0, 48_000, 4), (10, 8, 48_000, 4), (10, 4, 99, 4)]
+)
+def test_windows_that_do_not_fit_are_refused(hops, length, rate, windows):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.window_loudness(np.ones(hops), 0, length, rate, np.empty(windows))

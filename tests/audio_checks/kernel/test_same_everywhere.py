@@ -56,6 +56,8 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     whole = np.empty_like(rows), np.zeros((channels, 3)), np.empty((5 * channels, frames // 22))
     kernel.survey(raw, 16, False, sixteen, 6, *whole, 22, *((hops, 997, 5) if channels == 2 else (None, 1, 0)))
     kernel.products(samples, products)
+    sums_of_cells = np.empty((2 * channels, frames // 22))
+    kernel.survey(raw, 16, False, np.zeros_like(decoded), 6, *whole[:2], sums_of_cells, 22, None, 1, 0)
     cells = [np.empty((5 * channels, (frames - 6) // size)) for size in (1, 3, 22, 24, 48)]
     for figures, size in zip(cells, (1, 3, 22, 24, 48), strict=True):
         kernel.cells(samples, 6, size, figures)
@@ -84,14 +86,16 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     kernel.hop_energies(
         samples, _recursion(rate), np.ones(even), np.zeros(6 * even), np.zeros(even), energies, rate, 0, 0
     )
+    of_windows = np.empty(len(energies) - 39)
+    kernel.window_loudness(np.abs(samples[0, : len(energies)]), -300, 40, rate, of_windows)
     again, standing, bent = np.zeros((64, 3), np.int64), np.zeros((frames, 5)), np.empty(frames - 2)
     kernel.recurrences(samples[0], 0, 1e-3, 64, 2_000, 4.5, 4, again)
     kernel.bends(samples[-1], bent)
     squares = np.square(samples[-1])
     beside = 0.0, squares, squares, 4, 0.0, 30.0
     kernel.outstanding_amid(np.abs(samples[-1:]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
-    found_in_doubles = [rows, sums, *surveyed, decoded, products, *cells, stereo, unforeseen]
-    return [*found_in_doubles, *whole, sixteen, hops, energies, again, untold, standing, bent]
+    found_in_doubles = [rows, sums, *surveyed, decoded, products, *cells, sums_of_cells, stereo, unforeseen]
+    return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, untold, standing, bent]
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3])

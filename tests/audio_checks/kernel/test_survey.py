@@ -92,6 +92,21 @@ def test_whole_numbers_give_the_same_bits_as_doubles(samples: Whole, size: int, 
         assert hops.tobytes() == compared.tobytes()
 
 
+@given(signals(most_frames=5_000, most_channels=3), sixteen_bits(), st.integers(4, 60))
+def test_the_sums_of_cells_alone_have_the_same_bits(samples: Samples, sixteen: Whole, size: int):
+    sounds = ((samples * 2**24).astype("<i4"), 32), (samples.astype("<f8"), 64), (sixteen.astype("<i2"), 16)
+    for sound, bits in sounds:
+        channels, frames = sound.shape[1], len(sound)
+        wanted, alone = np.empty((5 * channels, frames // size)), np.empty((2 * channels, frames // size))
+        for cells in (wanted, alone):
+            whole, maxima = np.zeros((channels, HISTORY + frames)), np.empty((channels, -(-frames // 32)))
+            given_cells = cells, size, None, 1, 0
+            kernel.survey(
+                sound.tobytes(), bits, bits == 64, whole, HISTORY, maxima, np.zeros((channels, 3)), *given_cells
+            )
+        assert alone.tobytes() == wanted[: 2 * channels].tobytes()
+
+
 HOPS = np.zeros((2, 4))
 
 
@@ -103,6 +118,7 @@ HOPS = np.zeros((2, 4))
         (80, 16, False, 27, 1, 10, 10, None),
         (80, 16, False, 6, 1, 10, 5, None),
         (80, 16, False, 6, 1, 9, 10, None),
+        (80, 16, False, 6, 1, 4, 3, None),
         (80, 12, False, 6, 1, 10, 10, None),
         (80, 16, True, 6, 1, 10, 10, None),
         (80, 16, False, 6, 0, 10, 10, None),
