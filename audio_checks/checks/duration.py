@@ -10,6 +10,7 @@ Source: the delivery spec, `[accept] duration_s`; the sound list, `duration_s` a
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from audio_checks.findings import Finding
@@ -83,6 +84,7 @@ def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterat
         )
 
 
+@lru_cache(maxsize=64)
 def _exact(value: float) -> Fraction:
     """Return the decimal as it was written: 0.1 s means a tenth, not the float nearest to it."""
     return Fraction(repr(value))

@@ -47,20 +47,23 @@ class Seam:
 
         Above 0 dB the seam moves faster than the sound around it. -inf where it does not move at all.
         """
-        before, after = self._sides
-        across = np.concatenate((before, after))
-        least = np.maximum(INAUDIBLE, SHARE * np.abs(across).max(axis=0))
+        width = self._sides.shape[1]
+        across = np.ascontiguousarray(self._sides.reshape(2 * width, -1).T)  # channel by channel
+        steps = across[:, 1:] - across[:, :-1]
+        slopes = steps[:, 1:] - steps[:, :-1]
+        least = np.maximum(INAUDIBLE, SHARE * np.abs(across).max(axis=1))
         return {
-            "seam_step_db": _excess(np.diff(across, axis=0), len(before) - 1, 1, least),
-            "seam_slope_db": _excess(np.diff(across, n=2, axis=0), len(before) - 2, 2, least),
+            "seam_step_db": _excess(steps, width - 1, 1, least),
+            "seam_slope_db": _excess(slopes, width - 2, 2, least),
         }
 
 
 def _excess(changes: NDArray[np.float64], first: int, count: int, least: NDArray[np.float64]) -> float:
     """Return the largest change at the seam over the largest elsewhere, in dB."""
     sizes = np.abs(changes)
-    at_seam = slice(max(first, 0), first + count)
-    elsewhere = np.maximum(np.delete(sizes, at_seam, axis=0).max(axis=0, initial=0.0), least)
-    if not len(sizes[at_seam]):
+    at_seam = sizes[:, max(first, 0) : first + count].copy()
+    if not at_seam.size:
         return decibels(0.0)
-    return decibels(float((sizes[at_seam].max(axis=0) / elsewhere).max()))
+    sizes[:, max(first, 0) : first + count] = 0.0
+    elsewhere = np.maximum(sizes.max(axis=1), least)
+    return decibels(float((at_seam.max(axis=1) / elsewhere).max()))

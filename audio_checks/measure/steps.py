@@ -90,20 +90,22 @@ def step_of(values: NDArray[np.float64]) -> float | None:
     if np.count_nonzero(gaps) < LEAST_VALUES - 1:
         return None
     gaps = gaps[gaps > 2 * MOST_OFF]  # what lies closer is one step and its dither
-    if len(gaps) < LEAST_VALUES - 1 or gaps.min() < LEAST_STEP - MOST_OFF:
+    if len(gaps) < LEAST_VALUES - 1 or (nearest := float(gaps.min())) < LEAST_STEP - MOST_OFF:
         return 1.0
-    nearest = float(gaps.min())
+    widest = float(gaps.max())
     for parts in range(1, MOST_PARTS + 1):
-        step = _fitted(nearest / parts, gaps, ordered)
+        step = _fitted(nearest / parts, gaps, nearest, widest, ordered)
         most_off = max(ROUNDING, min(MOST_OFF, SHARE_OFF * step))
         if step >= LEAST_STEP and float(np.abs(ordered - step * np.rint(ordered / step)).max()) <= most_off:
             return step
     return 1.0
 
 
-def _fitted(step: float, gaps: NDArray[np.float64], values: NDArray[np.float64]) -> float:
+def _fitted(
+    step: float, gaps: NDArray[np.float64], nearest: float, widest: float, values: NDArray[np.float64]
+) -> float:
     """Return a step fitted to the gaps in which it is known well enough to be counted, then to the values."""
-    reach, widest = max(step * step / 8, float(gaps.min())), float(gaps.max())
+    reach = max(step * step / 8, nearest)
     while True:
         near = gaps[gaps <= reach]
         counts = np.rint(near / step)
