@@ -238,6 +238,8 @@ class AudioFile:
     def close(self) -> None:
         """Close the file; what was measured stays."""
         self._sound.close()
+        for ring in ("facts", "measurements"):  # both lead back to the file, which would wait for the garbage collector
+            self.__dict__.pop(ring, None)
 
     @property
     def stem(self) -> str:

@@ -276,6 +276,7 @@ def _judge(
                 file.prepare(figure for check in selected for figure in check.figures)
                 file.prepare(figure for name in asked for figure in judgements.figures_of(name))
             facts, measurements = file.facts.to_dict(), file.measurements.to_dict()
+            likeness_print = file.measurements.likeness_print
             found, crashed = _found(selected, file, spec, task.cue)
             judged, broken = _judged(asked, file, spec.kind)
     except Unreadable as error:
@@ -298,7 +299,7 @@ def _judge(
         measurements=measurements,
         judgements=judged,
         findings=ordered(findings),
-        likeness_print=file.measurements.likeness_print,
+        likeness_print=likeness_print,
     )
 
 

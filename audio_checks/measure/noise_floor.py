@@ -77,8 +77,10 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
         return 0.0
     ordered = sorted(pause.tolist())
     lower, upper = ordered[PAUSE // 4], ordered[-1 - PAUSE // 4]
+    if upper > lower * 10 ** (STEADY_DB / 10):
+        return None
     quieter, louder = sorted((mean_of(pause[: PAUSE // 2]), mean_of(pause[PAUSE // 2 :])))
-    if upper > lower * 10 ** (STEADY_DB / 10) or louder > quieter * 10 ** (LEVEL_DB / 10):
+    if louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
     beside = [means[place] for place in (quietest - PAUSE, quietest + PAUSE) if 0 <= place < len(means)]
     if min(beside) <= floor * 10 ** (PLATEAU_DB / 10) or not _dies_away(means, quietest):

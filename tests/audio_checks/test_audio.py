@@ -1,9 +1,11 @@
 """AudioFile: facts, one pass, hashes; and no input that breaks it."""
 
+import gc
 import hashlib
 import math
 import subprocess
 import sys
+import weakref
 
 import numpy as np
 import pytest
@@ -268,3 +270,20 @@ print(open("/proc/self/status").read().partition("VmHWM:")[2].split()[0])
         taken_kib.append(int(done.stdout))
     assert taken_kib[1] < taken_kib[0] + 8 * 1_024
     assert taken_kib[1] < 120 * 1_024  # the interpreter and numpy alone take 40 MiB
+
+
+def test_a_file_that_was_closed_is_gone_when_nobody_holds_it(tmp_path):
+    # A ring of references would keep its arrays until the garbage collector comes by.
+    path = write_wav(tmp_path / "laser.wav", sine(hz=997, dbfs=-6))
+    with AudioFile(path) as file:
+        assert file.facts.to_dict()["frames"] == file.layout.frames
+        assert file.measurements.sample_peak_dbfs < 0
+    left = weakref.ref(file)
+    assert file.facts.frames == file.layout.frames  # what was measured stays
+    file.close()
+    gc.disable()
+    try:
+        del file
+        assert left() is None
+    finally:
+        gc.enable()
