@@ -4,9 +4,11 @@ Why: a computer that came too late while it recorded or exported leaves a buffer
 sample, or plays the buffer before again. It is heard as a stutter.
 How to fix: export again with a larger buffer, or offline; a recording needs another take, or the
 place painted over. A rhythm of holes that are alike is taken for a gate that is meant.
-Source: practice in the field. A hole is a millisecond or more without movement, with sound up to
-both its edges; a repeat is a buffer of 64 to 2048 frames that comes again bit by bit, at once or after
-up to three others, as a ring of buffers gives it that is not filled in time.
+Source: practice in the field. A hole is a millisecond or more without movement, or in which nothing moves
+but a last value that leaks away or a straight line, or one and a half of hiss 25 dB or more under the sound,
+with sound up to both its edges; a repeat is a buffer of 64 to 2048 frames that comes again bit by bit, at
+once or after up to three others, as a ring of buffers gives it that is not filled in time. A hole that
+hisses louder, or that fades of 10 ms lead into and out of, is not told from a pause of the sound itself.
 """
 
 from collections.abc import Iterator

@@ -51,6 +51,29 @@ def hop_energies(
 ) -> int: ...
 def hush(stream: _Floats, out: _Floats, first: NDArray[np.int64], last: NDArray[np.int64], /) -> None: ...
 def loud_frames(block: _Floats, maxima: _Floats, level: float, /) -> tuple[int, int]: ...
+def low_runs(
+    figures: _Floats,
+    low: float,
+    beside: float,
+    shortest: int,
+    longest: int,
+    starts_after: int,
+    ends_after: int,
+    ends_by: int,
+    out: NDArray[np.int64],
+    /,
+) -> int: ...
+def lulls(
+    squares: _Floats,
+    deep: float,
+    level: float,
+    longest: int,
+    starts_after: int,
+    ends_after: int,
+    ends_by: int,
+    out: NDArray[np.int64],
+    /,
+) -> int: ...
 def made_from() -> str: ...
 def maxima(block: _Floats, rows: _Floats, /) -> None: ...
 def outstanding_amid(
@@ -112,17 +135,6 @@ def silent_runs(samples: _Floats, margin: int, run: int, out: NDArray[np.uint8],
 def steady_segments(
     sharpness: _Floats, powers: _Floats, size: int, without: int, least: float, most: float, flags: NDArray[np.bool_], /
 ) -> None: ...
-def still_runs(
-    steps: _Floats,
-    still: float,
-    shortest: int,
-    longest: int,
-    starts_after: int,
-    ends_after: int,
-    ends_by: int,
-    out: NDArray[np.int64],
-    /,
-) -> int: ...
 def stereo_products(block: _Floats, at: int, hop: int, hops: _Floats, /) -> None: ...
 def sums(block: _Floats, figures: _Floats, /) -> None: ...
 def survey(

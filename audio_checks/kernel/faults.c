@@ -1,4 +1,4 @@
-/* What detectors of short faults look at: cells, runs that stand still, crests, and stretches that come twice. */
+/* What detectors of short faults look at: cells, crests, and stretches that come twice. */
 #include "kernel.h"
 #include "short_faults.h"
 
@@ -54,38 +54,6 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_END_ALLOW_THREADS
     let_go(&held);
     Py_RETURN_NONE;
-}
-
-/* steps of cells, the largest that is no movement, fewest and most cells of a run, the cells that it starts after, that it
- * ends after and that it ends at the latest, runs to fill (first cell, the one after the last) -> how many */
-PyObject *still_runs(PyObject *module, PyObject *const *args, Py_ssize_t count) {
-    (void)module;
-    holding held = {.count = 0};
-    const double *steps;
-    int64_t *out;
-    if (arguments("still_runs", count, 8) < 0) return NULL;
-    const double still = PyFloat_AsDouble(args[1]);
-    const Py_ssize_t shortest = PyLong_AsSsize_t(args[2]), longest = PyLong_AsSsize_t(args[3]);
-    const Py_ssize_t starts_after = PyLong_AsSsize_t(args[4]), ends_after = PyLong_AsSsize_t(args[5]);
-    const Py_ssize_t ends_by = PyLong_AsSsize_t(args[6]);
-    if (PyErr_Occurred() || !(steps = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(out = take_row(&held, args[7], -1, sizeof(int64_t), 1))) {
-        let_go(&held);
-        return NULL;
-    }
-    const Py_ssize_t cells = held.views[0].len / (Py_ssize_t)sizeof(double);
-    const Py_ssize_t most = held.views[1].len / (Py_ssize_t)sizeof(int64_t) / 2;
-    Py_ssize_t found = 0;
-    for (Py_ssize_t at = 0; at < cells && found < most; at++) {
-        if (steps[at] > still) continue;
-        const Py_ssize_t start = at;
-        while (at < cells && steps[at] <= still) at++;
-        if (at - start < shortest || at - start > longest || start <= starts_after || at <= ends_after || at > ends_by) continue;
-        out[2 * found] = start, out[2 * found + 1] = at;
-        found++;
-    }
-    let_go(&held);
-    return PyLong_FromSsize_t(found);
 }
 
 /* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */

@@ -180,6 +180,8 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
     EACH(loud_frames, "Find the first and the last frame above a level; both -1 where there is none.") \
+    EACH(low_runs, "Find runs of cells whose figures are low; return how many there are.") \
+    EACH(lulls, "Find where a sound falls at once to something faint and level, and comes back; return how many there are.") \
     EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(bends, "Tell how far each sum lies off the middle between those beside it.") \
@@ -193,7 +195,6 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
     EACH(silent_runs, "Mark the zeros that stand in long runs.") \
     EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
-    EACH(still_runs, "Find runs of cells in which next to nothing moves; return how many there are.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \

@@ -1,4 +1,4 @@
-"""Dropouts: holes in a sound, where samples are zero or held while it goes on before and after."""
+"""Dropouts: holes in a sound that goes on before and after: zeros, a value that is held or leaks away, or hiss."""
 
 from __future__ import annotations
 
@@ -9,18 +9,24 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.cells import Cells
+from audio_checks.measure.lulls import LEVEL, UNDER_NEAREST, is_hole
 
 STILL = 1.4e-4  # steps up to 4.5 units of 16 bit, dither in the hole included, are no movement
+SMOOTH, SMOOTH_STEPS = 1e-6, 40.0  # sixth differences of what glides by itself, and in steps of the bit depth: dither
 COARSE_STEP = 2.0**-14  # with fewer bits than 15 only samples that are exactly equal stand still
+FINE_STEP = 2.0**-20  # coarser ones let two cells fall alike by chance, but not three
 SHORTEST, LONGEST = 2, 500  # cells that are still from end to end: 1 ms to 250 ms
 REACH = 20  # cells on either side in which the sound must go on: 10 ms
 LIVELY = 0.08  # of the side's median step: what the quietest quarter of its cells must reach
 ABRUPT = 0.25  # of the side's median step, or level: what the two cells next to the hole must reach; a fade does not
-LOUDER = 10.0  # times: the sides' median step over the largest in the hole
+LOUDER = 10.0  # times: the sides' median step over the largest in the hole; or so of their sixth differences
+LEAK = 0.98  # of one cell's sum the next one's at most, and
+LEAK_ALIKE = 0.002  # so near its steps' and its squares' shares: an exponential alone falls like that
+BETWEEN = 4  # cells of sound at least between two holes of a row
 ALIKE = 16.0  # power of the sides may differ by 12 dB
 CREST = 0.9  # of the file's peak: what is held so high is a crest that was cut off
-SOUND_BELOW_PEAK = 1e-4  # in power, 40 dB under the file's peak: quieter holes count for nothing
-BEAT = 2  # cells by which holes of one rhythm may differ
+SOUND_BELOW_PEAK = 3e-5  # in power, 45 dB under the file's peak: quieter holes count for nothing
+BEAT = 1  # cells by which holes of one rhythm may differ
 MAX_KEPT = 1_000
 
 
@@ -59,6 +65,8 @@ class Dropouts:
     def __init__(self, channels: int, cells_per_s: float, step: float) -> None:
         self._per_s = cells_per_s
         self._still = STILL if step < COARSE_STEP else 0.0
+        self._step = step
+        self._smooth = max(SMOOTH, SMOOTH_STEPS * step)
         self._channels = channels
         self._seen = 0  # cells
         self._searched = 0  # holes that end up to here are known
@@ -76,42 +84,125 @@ class Dropouts:
     def result(self, peak: float, cell_frames: int) -> dict[str, Any]:
         """Return `dropouts`, how many there are, and `dropout_places`; `peak` is the file's largest sample."""
         sound, crest = peak**2 * SOUND_BELOW_PEAK * cell_frames, (CREST * peak) ** 2 * cell_frames
-        holes = [hole for hole in sorted(self._found) if hole.around >= sound and hole.held < crest]
+        holes = [hole for hole in _as_one(self._found) if hole.around >= sound and hole.held < crest]
         if _rhythmic(holes):
             holes = []
         places = [Dropout(hole.start / self._per_s, hole.end / self._per_s, hole.channel + 1) for hole in holes]
         return {"dropouts": len(places), "dropout_places": tuple(places)}
 
     def _search(self, channel: int, cells: Cells, until: int) -> None:
-        steps, squares = cells.steps[channel], cells.squares[channel]
+        squares, steps, sharpness = cells.squares[channel], cells.steps[channel], cells.sharpness[channel]
         first = self._seen - len(steps)  # the cell that the first of these is
         if len(self._runs) < len(steps) // 2 + 1:
             self._runs = np.empty((len(steps) // 2 + 1, 2), np.int64)
-        ends_by = min(until - first, len(steps) - REACH - 1)
-        count = kernel.still_runs(
-            steps, self._still, SHORTEST, LONGEST, REACH - first, self._searched - first, ends_by, self._runs
-        )
+        where = REACH - first, self._searched - first, min(until - first, len(steps) - REACH - 1), self._runs
+        found: list[tuple[int, int]] = []
+        count = kernel.low_runs(steps, self._still, 0.0, SHORTEST, LONGEST, *where)
         for start, end in self._runs[:count].tolist():
-            before, after = slice(start - REACH, start - 1), slice(end + 1, end + REACH)
-            least = LOUDER * max(float(steps[start:end].max()), 1e-6)
-            if not _goes_on(steps[before][::-1], squares[before][::-1], least):
-                continue
-            if not _goes_on(steps[after], squares[after], least):
-                continue
-            quieter, louder = sorted((float(squares[before].mean()), float(squares[after].mean())))
-            if louder <= quieter * ALIKE and len(self._found) < MAX_KEPT:
+            if _goes_on_beside(steps, steps, squares, start, end):
+                found.append((start, end))
+            else:
+                found.extend(self._held(steps, squares, start, end))
+        count = kernel.low_runs(sharpness, self._smooth, LOUDER * self._smooth, SHORTEST, LONGEST, *where)
+        for start, end in self._runs[:count].tolist():
+            if _goes_on_beside(sharpness, steps, squares, start, end) and self._leaks(cells, channel, start, end):
+                found.append((start, end))
+        count = kernel.lulls(squares, UNDER_NEAREST, LEVEL, LONGEST, *where)
+        for start, end in self._runs[:count].tolist():
+            if is_hole(squares, sharpness, start, end, REACH):
+                found.append((start, end))
+        for start, end in found[: MAX_KEPT - len(self._found)]:
+            quieter, louder = sorted(self._power(steps[side], squares[side]) for side in _sides(start, end))
+            if louder <= quieter * ALIKE:
                 held = float(squares[start])
                 self._found.append(_Hole(first + start, first + end, channel, quieter, held))
 
+    def _held(
+        self, steps: NDArray[np.float64], squares: NDArray[np.float64], start: int, end: int
+    ) -> list[tuple[int, int]]:
+        """Return the longest stretch of a run in which a value is held, if a sound that moves little is beside it."""
+        turns = np.flatnonzero(np.diff(np.concatenate(([False], steps[start:end] == 0.0, [False]))))
+        runs = turns.reshape(-1, 2) + start
+        lengths = runs[:, 1] - runs[:, 0]
+        if not len(runs) or not SHORTEST <= lengths.max() < end - start:
+            return []
+        first, last = runs[lengths.argmax()].tolist()
+        return [(first, last)] if _goes_on_beside(steps, steps, squares, first, last, self._step) else []
 
-def _goes_on(steps: NDArray[np.float64], squares: NDArray[np.float64], least: float) -> bool:
-    """Tell whether there is sound on one side of a hole, up to its very edge; the nearest cell comes first."""
-    ranked = np.sort(steps)
-    median = float(ranked[len(ranked) // 2])
-    if median <= least or ranked[len(ranked) // 4] < LIVELY * median:
-        return False
-    level = float(np.sort(squares)[len(squares) // 2]) * ABRUPT**2
-    return bool(steps[:2].max() >= ABRUPT * median or squares[:2].max() >= level)
+    def _leaks(self, cells: Cells, channel: int, start: int, end: int) -> bool:
+        """Tell whether all that moves in a smooth stretch is one value that leaks away, or a straight line."""
+        sums, steps, squares = (figures[channel, start:end] for figures in (cells.sums, cells.steps, cells.squares))
+        grain = 2 * self._step
+        at = np.flatnonzero(steps[:-1] > self._still + grain)
+        if not len(at):
+            return True
+        if len(steps) > SHORTEST and np.ptp(steps) <= LEAK_ALIKE * steps[0] + grain:
+            return True
+        if len(at) == 1 and self._step > FINE_STEP:
+            return False
+        share: NDArray[np.float64] = sums[at + 1] / np.where(sums[at], sums[at], np.inf)
+        alike = (share > 0) & (share <= LEAK)
+        alike &= np.abs(steps[at + 1] - share * steps[at]) <= LEAK_ALIKE * steps[at] + grain
+        alike &= np.abs(squares[at + 1] - share**2 * squares[at]) <= 4 * LEAK_ALIKE * squares[at]
+        return bool(alike.all())
+
+    def _power(self, steps: NDArray[np.float64], squares: NDArray[np.float64]) -> float:
+        """Return the mean power of cells, but for those of the next hole of a row."""
+        moving = squares[steps > self._still]
+        return float((moving if len(moving) else squares).mean())
+
+
+def _sides(start: int, end: int) -> tuple[slice, slice]:
+    """Return where the sound is on either side of a hole, the nearest cell first; a cell of both is left out."""
+    return slice(start - 2, start - REACH - 1, -1), slice(end + 1, end + REACH)
+
+
+def _goes_on_beside(
+    figures: NDArray[np.float64],
+    steps: NDArray[np.float64],
+    squares: NDArray[np.float64],
+    start: int,
+    end: int,
+    grain: float = 0.0,
+) -> bool:
+    """Tell whether there is sound on either side of a hole throughout, up to its edges.
+
+    `figures` of cells, steps or sixth differences, are what the hole has little of: `grain` at least. On one side the
+    next hole of a row may be near.
+    """
+    most = max(float(figures[start:end].max()), grain, 1e-6)
+    short = 0
+    for side in _sides(start, end):
+        sound = figures[side]
+        still = np.flatnonzero(sound <= most)
+        if len(still) and still[0] >= BETWEEN:
+            sound = sound[: still[0]]
+            short += 1
+        ranked = np.sort(sound)
+        median = ranked[len(ranked) // 2]
+        if short == 2 or median <= LOUDER * most or ranked[len(ranked) // 4] < LIVELY * median:
+            return False
+        if _reaches(steps[side], ABRUPT) or _reaches(squares[side], ABRUPT**2):
+            continue
+        if figures is steps or sound[:2].min() < ABRUPT * median:  # noise goes on where a wave passes zero
+            return False
+    return True
+
+
+def _reaches(side: NDArray[np.float64], share: float) -> bool:
+    """Tell whether one of the two nearest cells has such a share of the median."""
+    return bool(side[:2].max() >= share * np.sort(side)[len(side) // 2])
+
+
+def _as_one(found: list[_Hole]) -> list[_Hole]:
+    """Return holes in order, those of a channel that overlap as one: they were found in two ways."""
+    apart: list[_Hole] = []
+    for hole in sorted(found, key=lambda one: (one.channel, one.start)):
+        if apart and apart[-1].channel == hole.channel and hole.start < apart[-1].end:
+            apart[-1] = apart[-1]._replace(end=max(hole.end, apart[-1].end))
+        else:
+            apart.append(hole)
+    return sorted(apart)
 
 
 def _rhythmic(holes: list[_Hole]) -> bool:

@@ -23,6 +23,91 @@ def test_a_hole_is_found_where_it_is(found_by, channels, held):
     assert finding.end_s == pytest.approx(0.52, abs=0.001)
 
 
+def replaced(frames, stretch, *, seed=3):
+    """Noise in which a stretch stands instead of its own samples."""
+    samples = noise(dbfs=-12, seed=seed)
+    samples[AT : AT + frames] = stretch
+    return samples
+
+
+@pytest.mark.parametrize("tau_s", [0.0003, 0.001, 0.003])
+@pytest.mark.parametrize(("frames", "bits"), [(96, 24), (960, 24), (2_880, 24), (480, 16)])
+def test_a_last_value_that_leaks_away_is_a_hole(found_by, tau_s, frames, bits):
+    samples = noise(dbfs=-12, seed=3)
+    last = AT - 20 + int(np.abs(samples[AT - 20 : AT, 0]).argmax())
+    leak = np.exp(-np.arange(1, frames + 1) / (tau_s * 48_000))
+    samples[last + 1 : last + 1 + frames, 0] = samples[last, 0] * leak
+    (finding,) = found_by("dropout", samples, bits=bits)
+    assert (finding.code, finding.measured) == ("dropout:hole", 1)
+    assert finding.start_s == pytest.approx(last / 48_000, abs=0.001)
+    assert finding.end_s == pytest.approx((last + frames) / 48_000, abs=0.001)
+
+
+def test_a_straight_line_across_is_a_hole(codes_of):
+    assert codes_of("dropout", replaced(240, np.linspace(0.2, -0.3, 240)[:, np.newaxis])) == ["dropout:hole"]
+
+
+def test_a_smooth_stretch_of_another_shape_is_no_hole(codes_of):
+    for shape in (np.cos(np.linspace(0, 1.5, 240)), np.hanning(480)[240:], np.sin(np.linspace(0, 40, 240))):
+        assert codes_of("dropout", replaced(240, 0.5 * shape[:, np.newaxis])) == []
+    times = np.arange(48_000)[:, np.newaxis] / 48_000
+    assert codes_of("dropout", sine(hz=60) * np.exp(-(times % 0.1) / 0.003)) == []
+
+
+@pytest.mark.parametrize("frames", [96, 480, 5_760])
+@pytest.mark.parametrize("dbfs", [-45, -60])
+def test_hiss_instead_of_the_sound_is_a_hole(found_by, frames, dbfs):
+    hiss = noise(dbfs=dbfs, seconds=frames / 48_000, seed=5)
+    for sound in (noise(dbfs=-12, seed=3), sine(hz=70, dbfs=-6) + sine(hz=550, dbfs=-20)):
+        samples = sound.copy()
+        samples[AT : AT + frames] = hiss
+        (finding,) = found_by("dropout", samples)
+        assert (finding.code, finding.measured) == ("dropout:hole", 1)
+        assert finding.start_s == pytest.approx(0.5, abs=0.001)
+        assert finding.end_s == pytest.approx(0.5 + frames / 48_000, abs=0.001)
+
+
+def test_a_quieter_stretch_is_a_hole_only_where_it_is_cut_out_and_level(codes_of):
+    hiss = noise(dbfs=-50, seconds=0.05, seed=5)
+    fall = 10 ** (np.linspace(0, -1, 2_400) / 2)[:, np.newaxis]
+    assert codes_of("dropout", replaced(2_400, hiss)) == ["dropout:hole"]
+    assert codes_of("dropout", replaced(2_400, 10 * hiss)) == []  # no more than 18 dB down
+    assert codes_of("dropout", replaced(2_400, hiss * fall)) == []  # a pause in which something dies away
+    faded = replaced(2_400, hiss)
+    faded[AT - 480 : AT] *= np.linspace(1, 0.01, 480)[:, np.newaxis]
+    assert codes_of("dropout", faded) == []
+
+
+def test_a_rhythm_of_hiss_is_meant(codes_of):
+    gate = np.tile(np.concatenate((np.ones((4_800, 1)), np.full((2_400, 1), 0.01))), (6, 1))
+    assert codes_of("dropout", join(noise(seconds=0.9) * gate, noise(seconds=0.1))) == []
+
+
+def test_beats_of_low_tones_have_no_holes(codes_of):
+    times = np.arange(48_000)[:, np.newaxis] / 48_000
+    growl = sine(hz=90, dbfs=-6) * np.sin(np.pi * 45 * times) ** 8
+    assert codes_of("dropout", growl + noise(dbfs=-60)) == []
+    assert codes_of("dropout", sine(hz=31, dbfs=-6) + noise(dbfs=-60)) == []
+
+
+@pytest.mark.parametrize("between", [(200,), (250, 350), (250, 700, 450)])
+@pytest.mark.parametrize("frames", [96, 960])
+def test_several_holes_in_a_row(found_by, between, frames):
+    samples, at = noise(), AT
+    for pause in (*between, 0):
+        samples[at : at + frames] = 0.0
+        at += frames + pause
+    (finding,) = found_by("dropout", samples)
+    assert (finding.code, finding.measured >= 2) == ("dropout:hole", True)  # the first and the last at least
+    assert 0.499 < finding.start_s < finding.end_s < at / 48_000 + 0.001
+
+
+def test_a_value_that_is_held_shows_in_a_sound_that_moves_little(codes_of):
+    samples = sine(hz=100, dbfs=-36, phase=0.3) + sine(hz=170, dbfs=-40)
+    assert codes_of("dropout", samples) == []
+    assert codes_of("dropout", hole(samples, 240, held=True)) == ["dropout:hole"]
+
+
 def test_one_channel_is_enough(codes_of):
     assert codes_of("dropout", hole(noise(channels=2), 480, channels=1)) == ["dropout:hole"]
 

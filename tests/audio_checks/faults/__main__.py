@@ -227,7 +227,11 @@ def _thresholds() -> str:
         f" after is looked at so too, and {clicks.GLIDE_HARDER:g} times as badly as the sound on either side is enough."
         f" What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
-        f" {dropouts.STILL * 2**15:.1f} units of 16 bit, with sound up to both its edges; a repeat is a buffer of"
+        f" {dropouts.STILL * 2**15:.1f} units of 16 bit, or nothing but a value that leaks away or a straight"
+        f" line, or that lie {power_decibels(lulls.UNDER):.0f} dB under the sound and are level, within"
+        f" {power_decibels(lulls.HALVES):.0f} dB from half to half; with sound up to both its edges, as loud within"
+        f" {power_decibels(dropouts.ALIKE):.0f} dB; holes that are alike and come on a beat are a gate; a repeat is a"
+        f" buffer of"
         f" {1000 * repeats.SHORTEST_S:g} to {1000 * repeats.LONGEST_S:g} ms that comes again, bit by bit, up to"
         f" {repeats.MOST_TIMES:g} times, or"
         f" once after no more than {repeats.RING - 1} others.",

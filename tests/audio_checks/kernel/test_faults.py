@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -473,33 +473,3 @@ def test_silence_is_foretold():
 def test_what_would_reach_beyond_the_samples_is_refused(wrong):
     with pytest.raises(ValueError, match="wanted"):
         wrong()
-
-
-def runs_of(still: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Where each run of True starts, and where it has ended."""
-    turns = np.flatnonzero(np.diff(np.concatenate(([False], still, [False])).astype(np.int8))).tolist()
-    return list(zip(turns[::2], turns[1::2], strict=True))
-
-
-@given(
-    st.lists(st.sampled_from([0.0, 1e-4, 0.5]), max_size=40),
-    st.sampled_from([0.0, 1e-4]),
-    st.tuples(st.integers(0, 3), st.integers(1, 6), st.integers(-2, 8), st.integers(-2, 12), st.integers(-2, 41)),
-)
-@example([0.0, 1.0, 0.0, 0.0, 1.0, 0.0], 0.0, (1, 2, 2, 0, 6))  # that starts there is too early
-@example([0.0, 1.0, 0.0, 0.0, 1.0, 0.0], 0.0, (1, 2, -1, 1, 4))  # that ends there is known
-@example([0.0, 1.0, 0.0, 0.0, 1.0, 0.0], 0.0, (2, 2, -1, 0, 4))
-@example([0.0, 1.0, 0.0, 0.0, 1.0, 0.0], 0.0, (1, 1, -1, 0, 3))
-def test_runs_of_cells_that_are_still(steps: list[float], still: float, bounds: tuple[int, ...]):
-    shortest, longest, starts_after, ends_after, ends_by = bounds
-    row, out = np.array(steps), np.empty((len(steps) // 2 + 1, 2), np.int64)
-    found = kernel.still_runs(row, still, shortest, longest, starts_after, ends_after, ends_by, out)
-    assert [tuple(run) for run in out[:found].tolist()] == [
-        (start, end)
-        for start, end in runs_of(row <= still)
-        if shortest <= end - start <= longest and start > starts_after and ends_after < end <= ends_by
-    ]
-
-
-def test_no_more_runs_are_told_than_there_is_room_for():
-    assert kernel.still_runs(np.array([0.0, 1.0, 0.0, 1.0, 0.0]), 0.0, 1, 9, -1, 0, 9, np.empty((2, 2), np.int64)) == 2
