@@ -12,7 +12,7 @@ from concurrent.futures import ProcessPoolExecutor
 from datetime import UTC, datetime
 from pathlib import Path
 
-from audio_checks.measure import clicks, cuts, dropouts, flat_tops, hum, in_phase, noise_floor, repeats
+from audio_checks.measure import clicks, cuts, dropouts, flat_tops, hum, in_phase, lulls, noise_floor, repeats
 from audio_checks.measure.decibels import decibels, power_decibels
 from tests.audio_checks.faults import known as known_half
 from tests.audio_checks.faults import (
