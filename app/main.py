@@ -55,7 +55,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     )
     app.state.runtime = runtime
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
-    events.connect(rooms.SUBSCRIBERS)
+    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
     http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE))
     for router in rooms.ROUTERS:
         app.include_router(router)

@@ -4,6 +4,7 @@ from fastapi import APIRouter
 
 from app.accounts.endpoints import router as accounts
 from app.builds.endpoints import router as builds
+from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
 from app.contracts.endpoints import router as contracts
 from app.contracts.money_endpoints import router as money
@@ -29,6 +30,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     renders,
     reviews,
     builds,
+    manifests,
     dashboards,
     notifications,
     operations,
@@ -55,6 +57,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
     "placeholders.asked": ("builds.make_stand_ins",),
     "pack.asked": ("builds.seal_pack",),
+    "manifest.asked": ("builds.hear_pack",),
     "batch.asked": ("renders.plan_batch",),
     "reel.asked": ("renders.make_reel",),
     "master_export.asked": ("renders.export_master",),
@@ -62,7 +65,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "question.asked": ("notifications.tell_question",),
     "question.answered": ("notifications.tell_answer",),
     "changes.sent": ("notifications.tell_changes",),
-    "take.approved": ("notifications.tell_approval",),
+    "take.approved": ("notifications.tell_approval", "builds.hear_take"),
     "cue.cut": ("notifications.tell_cut",),
     "contract.sent": ("notifications.tell_contract",),
     "contract.change_asked": ("notifications.tell_contract",),
@@ -75,3 +78,4 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "password.reset_asked": ("notifications.mail_link",),
     "mail.written": ("notifications.send_mail",),
 }
+PATIENT_JOBS = frozenset({"builds.hear_take"})

@@ -56,7 +56,7 @@ def start_worker(runtime: Runtime) -> Worker:
     wanted = {name for names in rooms.SUBSCRIBERS.values() for name in names}
     if missing := wanted - job_names():
         raise RuntimeError(f"nobody does the jobs {', '.join(sorted(missing))}")
-    events.connect(rooms.SUBSCRIBERS)
+    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
     settings = runtime.settings
     worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
     worker.start()

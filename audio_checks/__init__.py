@@ -15,8 +15,9 @@ from audio_checks.version import TOOL_VERSION
 if TYPE_CHECKING:
     from audio_checks.audio import AudioFile
     from audio_checks.audit.build import audit_build, listen_to
+    from audio_checks.audit.fingerprint import FINGERPRINT_VERSION
     from audio_checks.audit.heard import Heard
-    from audio_checks.audit.manifest import read_manifest, write_manifest
+    from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
     from audio_checks.audit.report import Audit
     from audio_checks.beside import DryStem, reverb_beside
     from audio_checks.errors import (
@@ -65,6 +66,7 @@ if TYPE_CHECKING:
     from audio_checks.versions import reverb_between
 
 __all__ = [
+    "FINGERPRINT_VERSION",
     "MENDER_VERSION",
     "RENDERER_VERSION",
     "TARGET_PRESETS",
@@ -117,6 +119,8 @@ __all__ = [
     "load_spec",
     "make_placeholder",
     "make_placeholders",
+    "manifest_entry",
+    "manifest_of",
     "measure_file",
     "memory_use",
     "mend_in_words",
@@ -152,8 +156,9 @@ __all__ = [
 _HOMES = {
     "audio_checks.audio": ("AudioFile",),
     "audio_checks.audit.build": ("audit_build", "listen_to"),
+    "audio_checks.audit.fingerprint": ("FINGERPRINT_VERSION",),
     "audio_checks.audit.heard": ("Heard",),
-    "audio_checks.audit.manifest": ("read_manifest", "write_manifest"),
+    "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
     "audio_checks.audit.report": ("Audit",),
     "audio_checks.beside": ("DryStem", "reverb_beside"),
     "audio_checks.errors": (

@@ -84,7 +84,7 @@ def main() -> None:
     parser.add_argument("--postgres", action="store_true", help="on PostgreSQL in place of SQLite")
     parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
     options = parser.parse_args()
-    events.connect(rooms.SUBSCRIBERS)
+    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
     kind = "PostgreSQL" if options.postgres else "SQLite"
     sounds = [sound(seed) for seed in range(options.takes + 2 * max(options.workers))]
     rows: list[list[str]] = []

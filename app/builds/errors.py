@@ -35,3 +35,9 @@ class PackNotSealed(Conflict):
 
 class PlaceholderAccepted(Conflict):
     """An accepted sound is a stand-in, and nobody asked for a pack with stand-ins."""
+
+
+class ManifestNotReady(Conflict):
+    """Some of the approved sounds have not been listened to yet."""
+
+    retry_after_s = 5

@@ -1,17 +1,28 @@
-"""The jobs of this room: packs put together, stand-ins made."""
+"""The jobs of this room: packs put together, stand-ins made, game files listened to."""
 
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from uuid import UUID
 
-from app.builds import packs, placeholders, queries, sealing
+import structlog
+
+from app.builds import manifests, packs, placeholders, queries, sealing
 from app.builds.rules import FileKind, PackState
+from app.conformance import checking
 from app.kit import kill
 from app.kit.errors import Refused
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
+from app.kit.storage import BlobAltered, BlobMissing
 from app.projects.models import Project
-from audio_checks import RenderRefused, make_placeholder
+from audio_checks import Heard, RenderRefused, SandboxFailed, listen_to, make_placeholder, manifest_entry
+
+log = structlog.get_logger(__name__)
+
+
+class SoundUnheard(Exception):
+    """A game file could not be listened to, though we made it ourselves."""
 
 
 @job("builds.seal_pack")
@@ -63,3 +74,50 @@ def make_stand_ins(runtime: Runtime, payload: Payload) -> None:
         kill.point("builds.before_stand_in")
         with runtime.database.writing() as session:
             placeholders.keep(session, project, target, slot, blob, is_spoken=is_spoken, refusal=refusal)
+
+
+@job("builds.hear_take")
+def hear_take(runtime: Runtime, payload: Payload) -> None:
+    """Listen to the game files of an approved take, for manifests."""
+    with runtime.database.reading() as session:
+        unheard = manifests.unheard_of_take(session, UUID(payload["take_id"]))
+    _hear(runtime, UUID(payload["studio_id"]), unheard)
+
+
+@job("builds.hear_pack")
+def hear_pack(runtime: Runtime, payload: Payload) -> None:
+    """Listen to what a manifest was asked for and lacks, each on record before the next."""
+    pack_id = UUID(payload["pack_id"]) if payload["pack_id"] else None
+    with runtime.database.reading() as session:
+        unheard = manifests.unheard_of_pack(session, UUID(payload["project_id"]), payload["target"], pack_id)
+    _hear(runtime, UUID(payload["studio_id"]), unheard)
+
+
+def _hear(runtime: Runtime, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> None:
+    """Listen to sounds, each in a child of its own; one that fails holds up no other, and fails the job at its end."""
+    failure: Exception | None = None
+    for sha256, size_bytes in sizes_bytes.items():
+        with runtime.database.reading() as session:
+            if manifests.is_heard(session, studio_id, sha256):  # by another job, meanwhile
+                continue
+        try:
+            heard = _heard(runtime, studio_id, sha256, size_bytes)
+        except (SandboxFailed, SoundUnheard, BlobAltered, BlobMissing) as error:
+            log.warning("a game file could not be listened to", sha256=sha256, error=str(error))
+            failure = error
+            continue
+        with runtime.database.writing() as session:
+            manifests.keep_heard(session, studio_id, sha256, manifest_entry(heard))
+    if failure is not None:
+        raise failure
+
+
+def _heard(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> Heard:
+    with (
+        runtime.store.local_copy(studio_id, sha256) as path,
+        checking.sandbox().child(timeout_s=checking.time_for(size_bytes)) as child,
+    ):
+        (heard,) = child.call(listen_to, [(str(path), sha256)])
+    if heard.trouble:
+        raise SoundUnheard(heard.trouble)
+    return heard

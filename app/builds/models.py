@@ -83,6 +83,18 @@ class PackedFile(Base):
     render_id: Mapped[UUID | None] = mapped_column(ForeignKey("renders_renders.id"))
 
 
+class Fingerprint(Base):
+    """What audits of game builds know a stored game file by."""
+
+    __tablename__ = "builds_fingerprints"
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    sound_sha256: Mapped[str] = mapped_column(primary_key=True)
+    fingerprint_version: Mapped[int]  # of audio_checks: what an earlier one heard is no longer of use
+    entry: Mapped[dict[str, Any]]  # of a manifest, but for path, cue and take
+    heard_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
 class StandIn(Base):
     """A placeholder that was made for one variation of a cue and one target, marked as such in the file."""
 

@@ -2,19 +2,21 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import func, select
+from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
-from app.builds.models import Build, PackedFile, SealedPack, StandIn
+from app.builds.models import Build, Fingerprint, PackedFile, SealedPack, StandIn
 from app.builds.rules import FileKind, PackState
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.kit.among import among
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
+from audio_checks import FINGERPRINT_VERSION
 
 IDS_AT_ONCE = 500
 UNDER_WAY = (TakeState.RECEIVED, TakeState.CONFORMING, TakeState.UNJUDGED, TakeState.APPROVED)
@@ -132,6 +134,48 @@ def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
         .order_by(PackedFile.place)
     )
     return {row[0]: row[1] for row in rows}
+
+
+class PackedSoundRow(NamedTuple):
+    """A game file of a sealed pack, and whose it is; its cue is None where its take was taken off it since."""
+
+    path: str
+    sha256: str
+    size_bytes: int
+    take_id: UUID
+    cue_number: int | None
+
+
+def packed_sounds_of(session: Session, pack_id: UUID) -> list[PackedSoundRow]:
+    """Return the game files of a pack in their order."""
+    rows = session.execute(
+        select(PackedFile.path, PackedFile.sha256, PackedFile.size_bytes, Render.take_id, Cue.number)
+        .join(Render, Render.id == PackedFile.render_id)
+        .join(Take, Take.id == Render.take_id)
+        .outerjoin(Cue, Cue.id == Take.cue_id)
+        .where(PackedFile.pack_id == pack_id, PackedFile.kind == FileKind.GAME)
+        .order_by(PackedFile.place)
+    )
+    return [PackedSoundRow._make(row) for row in rows]
+
+
+def heard_sounds(session: Session, studio_id: UUID, sha256s: Collection[str]) -> set[str]:
+    """Return which stored sounds have been listened to as this version does."""
+    return set(session.scalars(select(Fingerprint.sound_sha256).where(*_heard(studio_id, sha256s))))
+
+
+def manifest_entries(session: Session, studio_id: UUID, sha256s: Collection[str]) -> dict[str, dict[str, Any]]:
+    """Return what stored sounds are known by, by their hashes."""
+    rows = session.execute(select(Fingerprint.sound_sha256, Fingerprint.entry).where(*_heard(studio_id, sha256s)))
+    return dict(rows.all())
+
+
+def _heard(studio_id: UUID, sha256s: Collection[str]) -> tuple[ColumnElement[bool], ...]:
+    return (
+        Fingerprint.studio_id == studio_id,
+        among(Fingerprint.sound_sha256, sha256s),
+        Fingerprint.fingerprint_version == FINGERPRINT_VERSION,
+    )
 
 
 def slots_under_way(session: Session, project_id: UUID) -> set[tuple[UUID, int]]:

@@ -183,6 +183,38 @@ class Baseline(Schema):
     waived: list[WaivedSound]
 
 
+class ManifestTool(Schema):
+    """What made the manifest."""
+
+    name: Literal["audio-checks"]
+    version: str
+
+
+class ManifestSound(Schema):
+    """One approved game file, and what it is known by."""
+
+    path: str = Field(description="In the pack, and so in the game.")
+    pcm_sha256: str | None
+    sample_rate_hz: int
+    bit_depth: int | None
+    channels: int
+    frames: int
+    sample_peak_dbfs: float | None = Field(description="Null for silence, like the next.")
+    rms_dbfs: float | None
+    fingerprint: str | None = Field(description="Base64; null where there is nothing to know it by.")
+    cue: str | None = Field(description="The number of its cue.")
+    take: str | None = Field(description="The id of its take.")
+
+
+class Manifest(Schema):
+    """What `audio-checks audit --manifest` reads."""
+
+    schema_version: Literal[1]
+    tool: ManifestTool
+    fingerprint_version: int
+    files: list[ManifestSound]
+
+
 class CiLines(Schema):
     """Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN."""
 

@@ -112,15 +112,20 @@ def packs_in(
 
 def sealed_entries(session: Session, store: Store, pack: SealedPack) -> list[Entry]:
     """Return the files of a sealed pack; raise PackNotSealed, or BlobDamaged where one is lost."""
-    if pack.state is not PackState.SEALED:
-        told = pack.refusal or "it is being put together; try again in a moment"
-        raise PackNotSealed(f"pack {pack.number} for {pack.target} cannot be fetched: {told}")
+    ensure_sealed(pack)
     entries = [
         stored_entry(store, pack.studio_id, file.path, file.sha256, file.size_bytes)
         for file in queries.files_of(session, pack.id)
     ]
     ensure_stored(store, pack.studio_id, entries)
     return entries
+
+
+def ensure_sealed(pack: SealedPack) -> None:
+    """Raise PackNotSealed for a pack that is being put together, or could not be."""
+    if pack.state is not PackState.SEALED:
+        told = pack.refusal or "it is being put together; try again in a moment"
+        raise PackNotSealed(f"pack {pack.number} for {pack.target} cannot be fetched: {told}")
 
 
 def summaries(session: Session, packs: Sequence[SealedPack]) -> list[SealedPackSummary]:

@@ -18,6 +18,7 @@ class Refused(Exception):
     """A request that cannot be granted: says what was found, what was wanted and how to mend it."""
 
     status: ClassVar[int] = 400
+    retry_after_s: int | None = None  # how long to wait, where the same request may be granted later
 
     def __init__(self, message: str, *, errors: Sequence[FieldProblem] = (), fix: str | None = None) -> None:
         super().__init__(message)

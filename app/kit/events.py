@@ -1,25 +1,26 @@
 """Events: what a lower room tells without knowing who listens; one durable job per subscriber."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.kit.db import new_id
-from app.kit.queue import NORMAL, queue_of
+from app.kit.queue import BULK, NORMAL, queue_of
 
 _subscribers: Mapping[str, tuple[str, ...]] = {}
+_patient: Collection[str] = ()
 
 
 class UnknownEvent(Exception):
     """Nobody has said in app/rooms.py who listens to this event."""
 
 
-def connect(subscribers: Mapping[str, tuple[str, ...]]) -> None:
-    """Say which jobs each event starts."""
-    global _subscribers  # noqa: PLW0603  said once, when the process starts
-    _subscribers = subscribers
+def connect(subscribers: Mapping[str, tuple[str, ...]], *, patient: Collection[str] = ()) -> None:
+    """Say which jobs each event starts, and which of them nobody waits for, however urgent the event is."""
+    global _subscribers, _patient  # said once, when the process starts
+    _subscribers, _patient = subscribers, patient
 
 
 def publish(
@@ -50,7 +51,7 @@ def publish(
             payload,
             key=f"{once or event_id}:{subscriber}",
             studio_id=studio_id,
-            priority=priority,
+            priority=BULK if subscriber in _patient else priority,
             delay_s=delay_s,
         )
     return event_id

@@ -327,8 +327,9 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
     @app.exception_handler(Refused)
     def _refused(request: Request, error: Refused) -> JSONResponse:
         answer = _problem(request, error.status, error.code(), error.message, errors=error.errors, fix=error.fix)
-        if error.status == 503:
-            answer.headers["Retry-After"] = str(AWAY_RETRY_S)
+        wait_s = AWAY_RETRY_S if error.status == 503 else error.retry_after_s
+        if wait_s is not None:
+            answer.headers["Retry-After"] = str(wait_s)
         return answer
 
     @app.exception_handler(RequestValidationError)

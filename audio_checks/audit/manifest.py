@@ -31,13 +31,40 @@ MOST_FRAMES = 1 << 40
 
 def write_manifest(path: str | Path, heard: Iterable[Heard]) -> None:
     """Write a manifest in one step; OSError when it cannot be written."""
-    document = {
+    write_whole(path, json.dumps(manifest_of([manifest_entry(one) for one in heard]), indent=1) + "\n")
+
+
+def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
+    """Return the manifest of some approved sounds, as its file holds it.
+
+    Parameters
+    ----------
+    entries : iterable of dict
+        See `manifest_entry`; no two of one path.
+    """
+    return {
         "schema_version": SCHEMA_VERSION,
         "tool": {"name": "audio-checks", "version": TOOL_VERSION},
         "fingerprint_version": FINGERPRINT_VERSION,
-        "files": [_written(one) for one in heard],
+        "files": list(entries),
     }
-    write_whole(path, json.dumps(document, indent=1) + "\n")
+
+
+def manifest_entry(one: Heard) -> dict[str, Any]:
+    """Return what a manifest says of one approved sound, in plain values; None for levels of silence."""
+    return {
+        "path": one.path,
+        "pcm_sha256": one.pcm_sha256,
+        "sample_rate_hz": one.sample_rate_hz,
+        "bit_depth": one.bit_depth,
+        "channels": one.channels,
+        "frames": one.frames,
+        "sample_peak_dbfs": one.sample_peak_dbfs,
+        "rms_dbfs": one.rms_dbfs,
+        "fingerprint": None if one.fingerprint is None else as_text(one.fingerprint),
+        "cue": one.cue,
+        "take": one.take,
+    }
 
 
 def read_manifest(path: str | Path) -> list[Heard]:
@@ -108,22 +135,6 @@ def schema() -> dict[str, Any]:
                 },
             },
         },
-    }
-
-
-def _written(one: Heard) -> dict[str, Any]:
-    return {
-        "path": one.path,
-        "pcm_sha256": one.pcm_sha256,
-        "sample_rate_hz": one.sample_rate_hz,
-        "bit_depth": one.bit_depth,
-        "channels": one.channels,
-        "frames": one.frames,
-        "sample_peak_dbfs": one.sample_peak_dbfs,
-        "rms_dbfs": one.rms_dbfs,
-        "fingerprint": None if one.fingerprint is None else as_text(one.fingerprint),
-        "cue": one.cue,
-        "take": one.take,
     }
 
 

@@ -3193,6 +3193,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/manifest.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Manifest
+         * @description Return what the files of the approved pack are known by, for `audio-checks audit`; 409 until all are listened to.
+         *
+         *     Nothing is in it where nothing is accepted. An accepted stand-in is: the audit tells it from a sound.
+         */
+        get: operations["get_manifest"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/packs/{pack_id}/manifest.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Sealed Manifest
+         * @description Return what the game files of a pack that was handed out are known by, for `audio-checks audit`.
+         */
+        get: operations["get_sealed_manifest"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/sound-list/standing": {
         parameters: {
             query?: never;
@@ -6693,6 +6735,78 @@ export interface components {
             sent_at: string | null;
             /** Failure */
             failure: string | null;
+        };
+        /**
+         * Manifest
+         * @description What `audio-checks audit --manifest` reads.
+         */
+        Manifest: {
+            /**
+             * Schema Version
+             * @constant
+             */
+            schema_version: 1;
+            tool: components["schemas"]["ManifestTool"];
+            /** Fingerprint Version */
+            fingerprint_version: number;
+            /** Files */
+            files: components["schemas"]["ManifestSound"][];
+        };
+        /**
+         * ManifestSound
+         * @description One approved game file, and what it is known by.
+         */
+        ManifestSound: {
+            /**
+             * Path
+             * @description In the pack, and so in the game.
+             */
+            path: string;
+            /** Pcm Sha256 */
+            pcm_sha256: string | null;
+            /** Sample Rate Hz */
+            sample_rate_hz: number;
+            /** Bit Depth */
+            bit_depth: number | null;
+            /** Channels */
+            channels: number;
+            /** Frames */
+            frames: number;
+            /**
+             * Sample Peak Dbfs
+             * @description Null for silence, like the next.
+             */
+            sample_peak_dbfs: number | null;
+            /** Rms Dbfs */
+            rms_dbfs: number | null;
+            /**
+             * Fingerprint
+             * @description Base64; null where there is nothing to know it by.
+             */
+            fingerprint: string | null;
+            /**
+             * Cue
+             * @description The number of its cue.
+             */
+            cue: string | null;
+            /**
+             * Take
+             * @description The id of its take.
+             */
+            take: string | null;
+        };
+        /**
+         * ManifestTool
+         * @description What made the manifest.
+         */
+        ManifestTool: {
+            /**
+             * Name
+             * @constant
+             */
+            name: "audio-checks";
+            /** Version */
+            version: string;
         };
         /**
          * MasterExportRead
@@ -19942,6 +20056,145 @@ export interface operations {
             };
             /** @description `target-unknown` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_manifest: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+                /** @description Leave out accepted sounds that have no game file, as the pack does. */
+                allow_missing?: boolean;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Manifest"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-incomplete`, `manifest-not-ready` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `blob-damaged` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_sealed_manifest: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pack_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Manifest"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-sealed`, `manifest-not-ready` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-damaged` */
+            500: {
                 headers: {
                     [name: string]: unknown;
                 };

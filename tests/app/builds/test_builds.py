@@ -158,7 +158,11 @@ def test_the_baseline_names_master_and_game_files(world: World) -> None:
 
 def test_the_lines_for_ci_do_what_they_say(world: World, tmp_path: Path) -> None:
     accepted_list(world)
-    secret = token(world, "spec:read", "list:read", "checks:write").headers["Authorization"].removeprefix("Bearer ")
+    secret = (
+        token(world, "spec:read", "list:read", "checks:write", "manifest:read")
+        .headers["Authorization"]
+        .removeprefix("Bearer ")
+    )
     pack = tmp_path / "pack.zip"
     pack.write_bytes(world.producer.get(f"/v1/projects/{world.project_id}/pack.zip").content)
     with zipfile.ZipFile(pack) as archive:

@@ -5,6 +5,8 @@ import type { JobCount, JobState, Lane, Scope } from './api'
 
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
+  'builds.hear_pack': 'Listen to what a manifest lacks',
+  'builds.hear_take': 'Listen to an approved version',
   'builds.seal_pack': 'Seal a pack',
   'conformance.check_take': 'Check a version',
   'conformance.recheck_takes': 'Check again what a change touches',

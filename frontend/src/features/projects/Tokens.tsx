@@ -19,7 +19,7 @@ const SCOPE_WORDS: Record<Scope, string> = {
   'spec:read': 'reads the spec',
   'list:read': 'reads the list and waivers',
   'checks:write': 'posts reports',
-  'manifest:read': 'fetches the pack',
+  'manifest:read': 'fetches the pack and what it is compared by',
   'deliveries:write': 'delivers files',
 }
 /** What the lines for CI need, and the pack that a build may fetch. */

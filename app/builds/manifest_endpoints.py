@@ -1,0 +1,79 @@
+"""The endpoints of manifests, which a game's CI compares its build with."""
+
+from typing import Annotated
+from uuid import UUID
+
+from fastapi import Query
+from sqlalchemy.orm import Session
+
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.builds import manifests, packs, sealing
+from app.builds.endpoints import Target
+from app.builds.errors import (
+    BlobDamaged,
+    ManifestNotReady,
+    PackIncomplete,
+    PackNotFound,
+    PackNotSealed,
+)
+from app.builds.manifests import Approved
+from app.builds.schemas import Manifest
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.runtime import Runtime
+from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.renders.errors import TargetUnknown
+
+router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+
+
+@router.get(
+    "/projects/{project_id}/manifest.json",
+    response_model=Manifest,
+    responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown, PackIncomplete, ManifestNotReady, BlobDamaged),
+)
+def get_manifest(
+    project_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    target: Target = None,
+    allow_missing: Annotated[
+        bool, Query(description="Leave out accepted sounds that have no game file, as the pack does.")
+    ] = False,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Manifest:
+    """Return what the files of the approved pack are known by, for `audio-checks audit`; 409 until all are listened to.
+
+    Nothing is in it where nothing is accepted. An accepted stand-in is: the audit tells it from a sound.
+    """
+    pack = packs.pack_in_sight(session, actor, project_id, target)
+    if pack.sounds:
+        packs.ensure_packable(pack, allow_missing=allow_missing, placeholders=True)
+    return _manifest(runtime, session, actor, manifests.approved_now(pack))
+
+
+@router.get(
+    "/packs/{pack_id}/manifest.json",
+    response_model=Manifest,
+    responses=problems(PackNotFound, TeamNeeded, PackNotSealed, ManifestNotReady, BlobDamaged),
+)
+def get_sealed_manifest(
+    pack_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+) -> Manifest:
+    """Return what the game files of a pack that was handed out are known by, for `audio-checks audit`."""
+    pack = sealing.sealed_in_sight(session, actor, pack_id)
+    sealing.ensure_sealed(pack)
+    return _manifest(runtime, session, actor, manifests.approved_then(session, pack))
+
+
+def _manifest(runtime: Runtime, session: Session, actor: Actor, approved: Approved) -> Manifest:
+    try:
+        return manifests.manifest_read(session, runtime.store, approved)
+    except ManifestNotReady:
+        session.close()  # two connections for one request might be one too many
+        with runtime.database.writing(actor.reach) as asking:
+            manifests.ask_to_listen(asking, approved)
+        raise
