@@ -7,7 +7,9 @@ How to fix: export up to the end of the tail, or fade out over its last part.
 Source: practice in the field. The last sample reaches a fifth of the largest one in the 10 ms before
 it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
 zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
-rates that rings after it.
+rates that rings after it, nor a low cut's smooth answer, nor a fade-out of 0.1 ms or so.
+What it does not find: a cut where the wave passes through zero by itself, and one whose answer in a
+low cut is nearly as high as the sound before.
 """
 
 from collections.abc import Iterator
@@ -35,7 +37,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         return
     yield Finding(
         code="cut-tail:mid-wave",
-        message=f"the sound ends in mid-wave: its last sample is at {edge.level_dbfs:.1f} dBFS",
+        message=f"the sound ends in mid-wave, at {edge.level_dbfs:.1f} dBFS",
         fix="export up to the end of the tail, or fade out",
         measured=edge.level_dbfs,
         unit="dBFS",

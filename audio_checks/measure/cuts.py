@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import kernel
+from audio_checks.measure import abrupt
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.survey import Survey
 
 SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
 GRAIN = 2.0  # steps of the bit depth that still are silence
-NEAR_S = 0.01  # of the sound, which its outermost sample is compared with
+KEPT_S = 0.1  # of the sound at either end, for how filters ring there and how the sound goes on; NEAR_S of an end
+FOLLOWED_S = 10.0  # by more than this, so that no more is kept block by block
 EDGE_SHARE = 0.2  # of the largest sample nearby, which an edge in mid-wave reaches and a fade does not
 BELOW_PEAK = 1e-2  # 40 dB: an edge that quiet, under the file's peak, does not matter
 RING_S = 0.005  # the longest that a converter of sample rates rings before an edge,
@@ -59,8 +61,10 @@ class Cuts:
     ) -> None:
         self._rate = sample_rate_hz
         self._survey = survey or Survey()
+        self._step = step
         self._silent = max(SILENT, GRAIN * step)
-        self._length = max(1, round(NEAR_S * sample_rate_hz))
+        self._frames = frames
+        self._near, self._length = (max(1, round(kept_s * sample_rate_hz)) for kept_s in (abrupt.NEAR_S, KEPT_S))
         self._head = np.empty((channels, 0))
         self._head_at = -1  # the frame that the sound starts with
         self._tail = np.empty((channels, 0))  # what the sound ends with, as far as is known
@@ -83,7 +87,8 @@ class Cuts:
         elif self._head.shape[1] < self._length:
             self._head = np.concatenate((self._head, planar[:, : self._length - self._head.shape[1]]), axis=1)
         if last >= 0:
-            start = last + 1 - self._length
+            followed_s = (self._frames - self._seen - len(block)) / self._rate
+            start = last + 1 - (self._near if followed_s > FOLLOWED_S else self._length)
             if start >= 0:
                 self._tail = planar[:, start : last + 1].copy()
             else:
@@ -100,21 +105,27 @@ class Cuts:
         if self._head_at < 0:
             return {"start_edge": None, "end_edge": None}
         return {
-            "start_edge": self._judge(self._head, self._head_at),
-            "end_edge": self._judge(self._tail[:, ::-1], self._tail_end),
+            "start_edge": self._judge(self._head, self._head_at, 1),
+            "end_edge": self._judge(self._tail[:, ::-1], self._tail_end, -1),
         }
 
-    def _judge(self, samples: NDArray[np.float64], at: int) -> Edge:
-        """Return the most conspicuous channel's edge; `samples` run from the edge into the sound."""
+    def _judge(self, kept: NDArray[np.float64], at: int, way: int) -> Edge:
+        """Return the most conspicuous channel's edge; what is `kept` runs from the edge into the sound, that `way`."""
+        samples = kept[:, : self._near]
         sizes = np.abs(samples)
         channel = int(sizes[:, 0].argmax())
         edge, nearby = float(sizes[channel, 0]), float(sizes[channel].max())
         if _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= BELOW_PEAK * self._peak:
             return Edge(at / self._rate, decibels(edge), channel + 1, True)
-        rung = [(_after_ringing(row, self._rate), number) for number, row in enumerate(samples, 1)]
-        height, number = max(rung)
-        if height > 0 and height >= BELOW_PEAK * self._peak:
-            return Edge(at / self._rate, decibels(height), number, True)
+        rung = [(_after_ringing(row, self._rate), 0, number) for number, row in enumerate(samples, 1)]
+        least = BELOW_PEAK * self._peak
+        ramps = [
+            (*abrupt.edge(row, self._rate, self._step, least, start=way > 0), number)
+            for number, row in enumerate(kept, 1)
+        ]
+        height, frames, number = max(rung + ramps)
+        if height > 0 and height >= least:
+            return Edge((at + way * frames) / self._rate, decibels(height), number, True)
         return Edge(at / self._rate, decibels(edge), channel + 1, False)
 
 

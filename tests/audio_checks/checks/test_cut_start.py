@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.signal import butter, sosfilt
 
 from audio_checks.render.resample import resample
 from audio_checks.spec import CueFacts
@@ -83,3 +84,46 @@ def test_what_fades_in_before_it_was_converted_is_no_cut(codes_of):
 def test_a_zero_crossing_is_a_start_after_a_converter_too(codes_of, hz, rate, to_hz):
     whole = join(silence(seconds=0.1, rate=rate), sine(hz=hz, rate=rate))
     assert codes_of("cut-start", resample(whole, rate, to_hz), rate=to_hz) == []
+
+
+def equalised(samples, rate=48_000):
+    """Through a low cut at 40 Hz and highs that fall from 12 kHz on, as a channel strip has them."""
+    low_cut = butter(1, 40, "high", fs=rate, output="sos")
+    return sosfilt(np.vstack((low_cut, butter(1, 12_000, fs=rate, output="sos"))), samples, axis=0)
+
+
+def ramped(samples, frames):
+    samples[:frames] *= (np.arange(frames) / frames)[:, np.newaxis]
+    return samples
+
+
+@pytest.mark.parametrize("rate", [44_100, 96_000])
+def test_an_equaliser_does_not_hide_it(codes_of, rate):
+    cut = join(silence(seconds=0.1, rate=rate), sine(hz=300, phase=0.4, rate=rate))
+    assert codes_of("cut-start", equalised(cut, rate), rate=rate) == MID_WAVE
+
+
+@pytest.mark.parametrize("hz", [100, 500, 997, 2_000])
+def test_a_zero_crossing_is_a_start_after_an_equaliser_too(codes_of, hz):
+    assert codes_of("cut-start", equalised(join(silence(seconds=0.1), sine(hz=hz)))) == []
+
+
+# A twentieth of a millisecond to a seventh, where a fade ought to be ten times as long.
+@pytest.mark.parametrize(("rate", "frames"), [(44_100, 2), (48_000, 6), (96_000, 14)])
+def test_a_fade_that_is_too_short_does_not_hide_it(found_by, rate, frames):
+    for sound in (sine(hz=300, phase=1.2, rate=rate), noise(seed=4, rate=rate)):
+        (finding,) = found_by("cut-start", join(silence(seconds=0.1, rate=rate), ramped(sound, frames)), rate=rate)
+        assert finding.code == "cut-start:mid-wave"
+        assert finding.start_s == pytest.approx(0.1, abs=0.0003)
+
+
+def test_a_fade_of_a_millisecond_is_a_start(codes_of):
+    for sound in (sine(hz=300, phase=1.2), sine(hz=3_000, phase=1.2), noise(seed=4)):
+        assert codes_of("cut-start", ramped(sound, 48)) == []
+
+
+def test_an_attack_is_no_cut(codes_of):
+    times = np.arange(48_000)[:, np.newaxis] / 48_000
+    assert codes_of("cut-start", ramped(noise(seed=4) * np.exp(-times / 0.015), 6)) == []
+    kick = np.sin(2 * np.pi * 60 * times) * np.exp(-times / 0.2)
+    assert codes_of("cut-start", ramped(0.3 * kick + noise(seed=4) * np.exp(-times / 0.003), 6)) == []

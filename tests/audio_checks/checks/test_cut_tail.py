@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.signal import butter, sosfilt
 
 from audio_checks.render.resample import resample
 from audio_checks.spec import CueFacts
@@ -71,3 +72,50 @@ def test_a_cut_that_is_converted_and_quiet_does_not_matter(codes_of):
     assert codes_of("cut-tail", resample(quiet, 48_000, 44_100), rate=44_100) == []
     loud = join(sine(hz=300), 0.02 * ending(0.8, hz=300), silence(seconds=0.1))
     assert codes_of("cut-tail", resample(loud, 48_000, 44_100), rate=44_100) == MID_WAVE
+
+
+def equalised(samples, hz, order=1, rate=48_000):
+    """Through a low cut, and highs that fall from 12 kHz on, as a channel strip has them."""
+    low_cut = butter(order, hz, "high", fs=rate, output="sos")
+    return sosfilt(np.vstack((low_cut, butter(1, 12_000, fs=rate, output="sos"))), samples, axis=0)
+
+
+def ramped(samples, frames):
+    samples[-frames:] *= (np.arange(frames)[::-1] / frames)[:, np.newaxis]
+    return samples
+
+
+# What a low cut makes of an edge goes on for 10 ms and more, slowly, until it is silent or the file ends.
+@pytest.mark.parametrize(("hz", "order"), [(20, 1), (60, 1), (40, 2)])
+@pytest.mark.parametrize("pause_s", [0.005, 0.2])
+def test_a_low_cut_that_answers_does_not_hide_it(found_by, hz, order, pause_s):
+    for sound in (ending(0.8, hz=300), noise(seed=3)):
+        (finding,) = found_by("cut-tail", equalised(join(sound, silence(seconds=pause_s)), hz, order))
+        assert finding.code == "cut-tail:mid-wave"
+        assert finding.end_s == pytest.approx(1.0, abs=0.001)
+
+
+def test_what_fades_out_before_a_low_cut_is_no_cut(codes_of):
+    for sound in (noise(seed=3), sine(hz=100), sine(hz=3_000)):
+        faded = ramped(sound, 96)
+        assert codes_of("cut-tail", equalised(join(faded, silence(seconds=0.1)), 40)) == []
+
+
+def test_a_low_tone_that_dies_away_after_a_hit_is_no_answer(codes_of):
+    times = np.arange(48_000)[:, np.newaxis] / 48_000
+    kick = 0.3 * np.sin(2 * np.pi * 50 * times) * np.exp(-times / 0.03)
+    kick[:480] += noise(seed=3, seconds=0.01)
+    assert codes_of("cut-tail", join(silence(seconds=0.1), ramped(kick, 480))) == []
+
+
+@pytest.mark.parametrize(("rate", "frames"), [(44_100, 2), (48_000, 6), (96_000, 14)])
+@pytest.mark.parametrize("pause_s", [0.0, 0.1])
+def test_a_fade_that_is_too_short_does_not_hide_it(found_by, rate, frames, pause_s):
+    for sound in (sine(hz=300, phase=-1.2, rate=rate), noise(seed=4, rate=rate)):
+        (finding,) = found_by("cut-tail", join(ramped(sound, frames), silence(seconds=pause_s, rate=rate)), rate=rate)
+        assert finding.end_s == pytest.approx(1.0, abs=0.0003)
+
+
+def test_a_fade_of_a_millisecond_is_an_end(codes_of):
+    for sound in (sine(hz=300, phase=1.2), sine(hz=3_000, phase=1.2), noise(seed=4)):
+        assert codes_of("cut-tail", ramped(sound, 48)) == []

@@ -12,7 +12,18 @@ from concurrent.futures import ProcessPoolExecutor
 from datetime import UTC, datetime
 from pathlib import Path
 
-from audio_checks.measure import clicks, cuts, dropouts, flat_tops, hum, in_phase, lulls, noise_floor, repeats
+from audio_checks.measure import (
+    abrupt,
+    clicks,
+    cuts,
+    dropouts,
+    flat_tops,
+    hum,
+    in_phase,
+    lulls,
+    noise_floor,
+    repeats,
+)
 from audio_checks.measure.decibels import decibels, power_decibels
 from tests.audio_checks.faults import known as known_half
 from tests.audio_checks.faults import (
@@ -236,10 +247,15 @@ def _thresholds() -> str:
         f" {repeats.MOST_TIMES:g} times, or"
         f" once after no more than {repeats.RING - 1} others.",
         "cut-start, cut-tail": f"the outermost sample reaches {cuts.EDGE_SHARE:g} of the largest within"
-        f" {1000 * cuts.NEAR_S:g} ms, lies less than {-decibels(cuts.BELOW_PEAK):.0f} dB under the file's peak, and the"
-        f" wave, followed on, does not pass through zero; or so where the sample to which it rises within"
+        f" {1000 * abrupt.NEAR_S:g} ms, lies less than {-decibels(cuts.BELOW_PEAK):.0f} dB under the file's peak, and"
+        f" the wave, followed on, does not pass through zero; or so where the sample to which it rises within"
         f" {cuts.STEP + 1:g} is the outermost, but for what rings at {cuts.RING_HZ:g} of the rate or faster and"
-        f" {cuts.RING_SHARE:g} as high.",
+        f" {cuts.RING_SHARE:g} as high. Or the sound rises from {abrupt.REST:g} of the largest to {abrupt.REACHES:g}"
+        f" within a sample (of 48 kHz) or, by a ramp, {1000 * abrupt.RAMP_S:g} ms, and is as loud there as"
+        f" {abrupt.LOUD:g} of what follows; unless it can be foretold (within {abrupt.FORETOLD:g} of the largest) from"
+        f" what follows, and is there within {abrupt.OTHERWISE:g}. At a start level and slope are, from 10 to 40 ms"
+        f" after it, {abrupt.DIES:g} to {abrupt.GROWS:g} times those of the first 5 ms, or it is an attack; at an end a"
+        f" low cut's smooth answer does not count.",
         "clipping": f"{flat_tops.SHORTEST_RUN} samples in a row at full scale; or {flat_tops.FEWEST} crests at the"
         f" file's own ceiling (within {100 * flat_tops.CEILING:g} %), each with {flat_tops.SHORTEST_RUN} samples or"
         f" more on one level and a corner at both ends; or {100 * flat_tops.SOFT_SHARE:.0f} % of the highest crests of"
