@@ -25,7 +25,7 @@ DIES, GROWS = (
 )  # times the level and the slope of the first 5 ms come 10 to 40 ms after a start that is no attack
 SMOOTH = 0.03  # of the height of a filter's answer: how far it bends within the time of a ramp, at most
 ANSWER = 0.7  # of the largest sample: a low cut answers an edge with no more
-GRAIN = 2e-6  # of full scale: what bends or steps less is smooth, whatever its height
+GRAIN, STEPS = 4e-6, 4.0  # of full scale, and of the bit depth, as dither steps: what steps less is smooth
 
 
 def edge(samples: NDArray[np.float64], rate_hz: int, step: float, least: float, *, start: bool) -> tuple[float, int]:
@@ -78,22 +78,22 @@ def edge(samples: NDArray[np.float64], rate_hz: int, step: float, least: float, 
 
 def _answer(samples: NDArray[np.float64], rate_hz: int, step: float) -> tuple[int, float]:
     """Return how long a low cut's smooth answer goes on after the edge, and how high it is there; else 0 and 0."""
-    ramp, grain = max(1, round(PASSED_S * rate_hz)), max(GRAIN, step)
+    ramp, grain = max(1, round(PASSED_S * rate_hz)), max(GRAIN, STEPS * step)
     outer = samples[: 4 * ramp : ramp].tolist()
     if len(samples) <= 4 * ramp or any(abs(deeper) < abs(one) - grain for one, deeper in pairwise(outer)):
         return 0, 0.0
     first = samples[: 4 * ramp]
-    if np.abs(np.diff(first)).max() > SMOOTH * np.abs(first).max() + 2 * grain:
+    if np.abs(np.diff(first)).max() > SMOOTH * np.abs(first).max() + grain:
         return 0, 0.0
     largest = float(np.abs(samples).max())
-    sharp = np.abs(np.diff(samples, prepend=samples[0])) >= max(3 * grain, REST * largest / ramp)
+    sharp = np.abs(np.diff(samples, prepend=samples[0])) >= max(grain, REST * largest / ramp)
     edge = int(sharp.argmax())
     answer = samples[: max(0, edge - ramp)]
     if len(answer) <= 2 * ramp:
         return 0, 0.0
     bend = float(np.abs(answer[2 * ramp :] - 2 * answer[ramp:-ramp] + answer[: -2 * ramp]).max())
     height = float(1.5 * answer[-1] - 0.5 * answer[-1 - ramp])
-    if abs(height) > ANSWER * largest or bend > SMOOTH * abs(height) + 4 * grain:
+    if abs(height) > ANSWER * largest or bend > SMOOTH * abs(height) + 2 * grain:
         return 0, 0.0
     return edge, height
 
