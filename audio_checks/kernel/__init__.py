@@ -14,6 +14,7 @@ from audio_checks.kernel.sources import digest_of
 try:
     from audio_checks.kernel._kernel import (
         bends,
+        bursts,
         cells,
         convert,
         crests,
@@ -69,6 +70,7 @@ if (_WANTED := digest_of(Path(__file__).parent)) not in (None, made_from()):
 
 __all__ = [
     "bends",
+    "bursts",
     "by_channel",
     "cells",
     "convert",

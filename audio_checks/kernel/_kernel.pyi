@@ -9,6 +9,9 @@ _Floats = NDArray[np.float64]
 _Bytes = bytes | memoryview
 
 def bends(sums: _Floats, out: _Floats, /) -> None: ...
+def bursts(
+    heights: _Floats, reach: int, within: int, times: float, least: float, places: NDArray[np.int64], /
+) -> int: ...
 def cells(block: _Floats, first: int, size: int, out: _Floats, /) -> None: ...
 def convert(
     stream: _Floats,

@@ -184,6 +184,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(lulls, "Find where a sound falls at once to something faint and level, and comes back; return how many there are.") \
     EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
+    EACH(bursts, "Find the cells that stand out of all but those close beside them; return how many there are.") \
     EACH(bends, "Tell how far each sum lies off the middle between those beside it.") \
     EACH(outstanding_amid, "Find where a height stands out amid a sound that goes on; return how many such places there are.") \
     EACH(power_sums, "Add the power of each bin over windows of real signals.") \

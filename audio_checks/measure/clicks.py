@@ -22,7 +22,11 @@ HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound 
 HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
-DOUBTED = 1 + 2 * CORE  # cells that are looked at together where a click may be
+BURST = 8  # cells, 4 ms, in which several clicks are one event: contacts of a plug, both ends of what was overwritten
+BURST_STANDS_OUT = 4.0  # times as sharp as all beyond, within the reach: worth a closer look, against the sound beyond
+BURST_GOES_ON = 8.0  # the power of sixth differences may fall or rise by 9 dB there: strokes and crackle leave a tail
+BURST_HARDER_THAN_BESIDE = 7.0
+BURST_HARDER_THAN_AROUND = 4.7
 BESIDE = 24  # cells of the sound before them, and of that after them, from which they are foretold: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
@@ -51,15 +55,35 @@ class Click(NamedTuple):
     level_dbfs: float
 
 
-class _Doubt(NamedTuple):
-    """A cell where a click may be.
+class _Rule(NamedTuple):
+    """How a click is foretold that may be in a cell: what is looked at there, and how badly it must be foretold.
 
-    `harder` is how many times as badly as the sound beside it a click is foretold there, `stands` how many times as
-    high it is as others, `power` that of the sound around.
+    The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
+    any other place around.
+    """
+
+    before: int
+    cells: int
+    harder_than_beside: float
+    harder_than_around: float
+
+
+SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
+GLIDING = SINGLE._replace(harder_than_beside=GLIDE_HARDER)
+IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last, or between
+    _Rule(before, BURST + 2 * CORE, BURST_HARDER_THAN_BESIDE, BURST_HARDER_THAN_AROUND)
+    for before in (CORE, CORE + BURST // 2, BURST)
+)
+
+
+class _Doubt(NamedTuple):
+    """A cell where a click may be, by which rule it is looked at.
+
+    `stands` is how many times as high it is as others, `power` that of the sound around.
     """
 
     channel: int
-    harder: float
+    rule: _Rule
     cell: int
     stands: float
     power: float
@@ -90,6 +114,7 @@ class Clicks:
         self._doubtful: list[_Doubt] = []
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
+        self._places = np.empty(MAX_DOUBTED, np.int64)
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -189,11 +214,21 @@ class Clicks:
             for _, at, height, power, stands in told:
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful.append(_Doubt(channel, HARDER_THAN_BESIDE, before + place, stands, power))
+                    self._doubtful.append(_Doubt(channel, SINGLE, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
                     self._keep(before + place, channel, _sharpest(sharpness, place), power)
+        self._look_for_bursts(cells, before, channel, first)
+
+    def _look_for_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
+        """Mark what stands out of all but a few cells beside it, where the sound beyond those goes on."""
+        sharpness, places = cells.sharpness[channel], self._places
+        found = kernel.bursts(sharpness[first:], REACH, BURST, BURST_STANDS_OUT, self._lowest * IMPULSE, places)
+        for place in (first + places[:found]).tolist():
+            power = _goes_on_beyond(cells.squares[channel], place, GOES_ON)
+            if power >= self._quietest and _goes_on_beyond(cells.edges[channel], place, BURST_GOES_ON):
+                self._doubtful += [_Doubt(channel, rule, before + place, 1.0, power) for rule in IN_BURSTS]
 
     def _look_at_doubtful(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
@@ -202,24 +237,24 @@ class Clicks:
 
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
-        known = total - CORE - REACH - -(-ORDER // self._cell)
+        known = total - BURST - REACH - -(-ORDER // self._cell)
         ready = _foremost([one for one in self._doubtful if one.cell < known])
         self._doubtful = [one for one in self._doubtful if one.cell >= known]
-        for channel, harder in {(one.channel, one.harder) for one in ready}:
-            doubts = [one for one in ready if (one.channel, one.harder) == (channel, harder)]
-            starts = origin + (np.array([one.cell for one in doubts]) - CORE) * self._cell
+        for channel, rule in {(one.channel, one.rule) for one in ready}:
+            doubts = [one for one in ready if (one.channel, one.rule) == (channel, rule)]
+            starts = origin + (np.array([one.cell for one in doubts]) - rule.before) * self._cell
             late = np.flatnonzero(starts >= REACH * self._cell + ORDER)  # of many channels less is kept
             kept = np.empty(len(late), np.int64)
             found = kernel.unforeseen_both_ways(
                 samples[channel],
                 starts[late],
                 _window(BESIDE * self._cell),
-                _window((DOUBTED + 2 * REACH) * self._cell),
+                _window((rule.cells + 2 * REACH) * self._cell),
                 ORDER,
                 self._cell,
-                DOUBTED,
-                harder,
-                HARDER_THAN_AROUND,
+                rule.cells,
+                rule.harder_than_beside,
+                rule.harder_than_around,
                 kept,
             )
             for place in late[kept[:found]].tolist():
@@ -284,7 +319,7 @@ class Clicks:
         heights, parts = self._unforeseen(samples, parts, origin, GLIDED, GLIDED, GLIDE_DOUBTFUL, self._least)
         told = self._outstanding(cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED)
         for row, at, _, power, stands in told:
-            self._doubtful.append(_Doubt(channel, GLIDE_HARDER, int(parts[int(row)]) + int(at), stands, power))
+            self._doubtful.append(_Doubt(channel, GLIDING, int(parts[int(row)]) + int(at), stands, power))
 
     def _unforeseen(
         self,
@@ -315,11 +350,19 @@ def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
     foremost: list[_Doubt] = []
     for one in sorted(doubts):
         last = foremost[-1] if foremost else None
-        if last is None or one[:2] != last[:2] or one.cell - last.cell >= DOUBTED:
+        if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rule.cells:
             foremost.append(one)
         elif one.stands > last.stands:
             foremost[-1] = one
     return foremost
+
+
+def _goes_on_beyond(powers: NDArray[np.float64], cell: int, times: float) -> float:
+    """Return the lower mean of the cells before a burst and of those after it; 0 where the other is too much higher."""
+    ahead = float(powers[cell - LEVEL_CELLS : cell - BURST].mean())
+    after = float(powers[cell + BURST + 1 : cell + LEVEL_CELLS + 1].mean())
+    lower, higher = sorted((ahead, after))
+    return lower if higher <= lower * times else 0.0
 
 
 def _sharpest(sharpness: NDArray[np.float64], cell: int) -> float:
