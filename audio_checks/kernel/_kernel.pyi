@@ -183,6 +183,7 @@ def unforeseen(
 ) -> int: ...
 def unforeseen_both_ways(
     samples: _Floats,
+    thin: int,
     places: NDArray[np.int64],
     beside: _Floats,
     around: _Floats,

@@ -329,8 +329,14 @@ static int is_click(const doubt *by, const double *place) {
     return surprises(by, following) && is_hardest_to_tell(by, place - by->reach * by->size);
 }
 
-/* samples, where places start, window of the sound on either side, window of all around, coefficients, frames of a cell,
- * cells of a place, times that it is harder to foretell than the sound beside it, and than any other around it, places to
+/* The means of so many samples after one another: what is dull shows better amid them. */
+static const double *thinned(const double *samples, Py_ssize_t count, Py_ssize_t by, double *out) {
+    for (Py_ssize_t at = 0; at < count; at++) out[at] = mean_of(samples + at * by, by);
+    return out;
+}
+
+/* samples, how many of them to take as one, where places start, window of the sound on either side, window of all around,
+ * coefficients, frames of a cell (so taken, as all that follows), cells of a place, times that it is harder to foretell than the sound beside it, and than any other around it, places to
  * fill -> how many of them are */
 PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -339,33 +345,34 @@ PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize
     const int64_t *places;
     int64_t *kept;
     doubt by;
-    if (arguments("unforeseen_both_ways", count, 10) < 0) return NULL;
-    by.order = PyLong_AsSsize_t(args[4]), by.size = PyLong_AsSsize_t(args[5]), by.place = PyLong_AsSsize_t(args[6]);
-    by.times_beside = PyFloat_AsDouble(args[7]), by.times_around = PyFloat_AsDouble(args[8]);
+    if (arguments("unforeseen_both_ways", count, 11) < 0) return NULL;
+    const Py_ssize_t thin = PyLong_AsSsize_t(args[1]);
+    by.order = PyLong_AsSsize_t(args[5]), by.size = PyLong_AsSsize_t(args[6]), by.place = PyLong_AsSsize_t(args[7]);
+    by.times_beside = PyFloat_AsDouble(args[8]), by.times_around = PyFloat_AsDouble(args[9]);
     if (PyErr_Occurred() || !(samples = TAKE_DOUBLES(&held, args[0], -1, 0)) ||
-        !(places = take_row(&held, args[1], -1, sizeof(int64_t), 0)) || !(by.beside = TAKE_DOUBLES(&held, args[2], -1, 0)) ||
-        !(by.around = TAKE_DOUBLES(&held, args[3], -1, 0))) {
+        !(places = take_row(&held, args[2], -1, sizeof(int64_t), 0)) || !(by.beside = TAKE_DOUBLES(&held, args[3], -1, 0)) ||
+        !(by.around = TAKE_DOUBLES(&held, args[4], -1, 0))) {
         goto refused;
     }
     const Py_ssize_t length = held.views[0].len / (Py_ssize_t)sizeof(double);
     const Py_ssize_t asked = held.views[1].len / (Py_ssize_t)sizeof(int64_t);
     const Py_ssize_t beside = held.views[2].len / (Py_ssize_t)sizeof(double);
     const Py_ssize_t around = held.views[3].len / (Py_ssize_t)sizeof(double);
-    int fits = by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.place >= 1;
+    int fits = thin >= 1 && by.order >= 1 && by.order <= MOST_COEFFICIENTS && by.size >= 1 && by.place >= 1;
     if (fits) {
         by.span = beside / by.size, by.reach = (around / by.size - by.place) / 2;
         fits = by.span * by.size == beside && (by.place + 2 * by.reach) * by.size == around && beside > by.order &&
                by.place <= by.span && by.span <= by.reach;
     }
     const Py_ssize_t before = by.reach * by.size + by.order, after = before + by.place * by.size;
-    for (Py_ssize_t at = 0; at < asked && fits; at++) fits = places[at] >= before && places[at] + after <= length;
+    for (Py_ssize_t at = 0; at < asked && fits; at++) fits = places[at] >= before * thin && places[at] + after * thin <= length;
     if (!fits) {
         PyErr_SetString(PyExc_ValueError,
                         "1 to 64 coefficients, whole cells, more frames beside a place and more still around it are wanted");
         goto refused;
     }
-    if (!(kept = take_row(&held, args[9], asked, sizeof(int64_t), 1))) goto refused;
-    by.room = malloc((size_t)(3 * around + by.order) * sizeof *by.room);
+    if (!(kept = take_row(&held, args[10], asked, sizeof(int64_t), 1))) goto refused;
+    by.room = malloc((size_t)(3 * around + by.order + before + after) * sizeof *by.room);
     if (!by.room) {
         PyErr_NoMemory();
         goto refused;
@@ -373,7 +380,9 @@ PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize
     Py_ssize_t found = 0;
     Py_BEGIN_ALLOW_THREADS
     for (Py_ssize_t at = 0; at < asked; at++) {
-        if (is_click(&by, samples + places[at])) kept[found++] = at;
+        const double *place = samples + places[at];
+        if (thin > 1) place = before + thinned(place - before * thin, before + after, thin, by.room + 3 * around + by.order);
+        if (is_click(&by, place)) kept[found++] = at;
     }
     Py_END_ALLOW_THREADS
     free(by.room);

@@ -20,11 +20,14 @@ DOUBTFUL = 1.2  # times as sharp, or a step so many times as large, is worth a c
 BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be foretold neither from the sound before it nor from that
 HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound itself,
 HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
+DULL_HARDER_THAN_BESIDE = 7.0  # where a sound is looked at without what lies over 6 kHz: there a dull click shows
+DULL_HARDER_THAN_AROUND = 2.0  # that the hiss of the sound hides
+DULL_FRAMES = 6  # of a cell that are left there
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
 BURST = 8  # cells, 4 ms, in which several clicks are one event: contacts of a plug, both ends of what was overwritten
 BURST_STANDS_OUT = 4.0  # times as sharp as all beyond, within the reach: worth a closer look, against the sound beyond
-BURST_GOES_ON = 8.0  # the power of sixth differences may fall or rise by 9 dB there: strokes and crackle leave a tail
+BURST_GOES_ON = 2.8  # the power of sixth differences may fall or rise by 4.5 dB there: strokes and crackle leave a tail
 BURST_HARDER_THAN_BESIDE = 7.0
 BURST_HARDER_THAN_AROUND = 4.7
 BESIDE = 24  # cells of the sound before them, and of that after them, from which they are foretold: 12 ms
@@ -59,17 +62,21 @@ class _Rule(NamedTuple):
     """How a click is foretold that may be in a cell: what is looked at there, and how badly it must be foretold.
 
     The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
-    any other place around.
+    any other place around; whether without the highs.
     """
 
     before: int
     cells: int
     harder_than_beside: float
     harder_than_around: float
+    without_highs: bool = False
 
 
 SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
 GLIDING = SINGLE._replace(harder_than_beside=GLIDE_HARDER)
+DULL = SINGLE._replace(
+    harder_than_beside=DULL_HARDER_THAN_BESIDE, harder_than_around=DULL_HARDER_THAN_AROUND, without_highs=True
+)
 IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last, or between
     _Rule(before, BURST + 2 * CORE, BURST_HARDER_THAN_BESIDE, BURST_HARDER_THAN_AROUND)
     for before in (CORE, CORE + BURST // 2, BURST)
@@ -214,7 +221,7 @@ class Clicks:
             for _, at, height, power, stands in told:
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful.append(_Doubt(channel, SINGLE, before + place, stands, power))
+                    self._doubtful += [_Doubt(channel, rule, before + place, stands, power) for rule in (SINGLE, DULL)]
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
@@ -237,21 +244,25 @@ class Clicks:
 
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
-        known = total - BURST - REACH - -(-ORDER // self._cell)
+        dull = max(1, round(self._cell / DULL_FRAMES))  # frames that are taken as one
+        known = total - BURST - 1 - -(-self._around(dull) // self._cell)
         ready = _foremost([one for one in self._doubtful if one.cell < known])
         self._doubtful = [one for one in self._doubtful if one.cell >= known]
         for channel, rule in {(one.channel, one.rule) for one in ready}:
             doubts = [one for one in ready if (one.channel, one.rule) == (channel, rule)]
             starts = origin + (np.array([one.cell for one in doubts]) - rule.before) * self._cell
-            late = np.flatnonzero(starts >= REACH * self._cell + ORDER)  # of many channels less is kept
+            thin = dull if rule.without_highs else 1
+            size = round(self._cell / thin)
+            late = np.flatnonzero(starts >= self._around(thin))  # of many channels less is kept
             kept = np.empty(len(late), np.int64)
             found = kernel.unforeseen_both_ways(
                 samples[channel],
+                thin,
                 starts[late],
-                _window(BESIDE * self._cell),
-                _window((rule.cells + 2 * REACH) * self._cell),
+                _window(BESIDE * size),
+                _window((rule.cells + 2 * REACH) * size),
                 ORDER,
-                self._cell,
+                size,
                 rule.cells,
                 rule.harder_than_beside,
                 rule.harder_than_around,
@@ -260,6 +271,10 @@ class Clicks:
             for place in late[kept[:found]].tolist():
                 cell, power = doubts[place].cell, doubts[place].power
                 self._keep(cell, channel, _sharpest(cells.sharpness[channel], cell - before), power)
+
+    def _around(self, thin: int) -> int:
+        """Return how many frames before a place are looked at, and as many after it, where so many are taken as one."""
+        return (REACH * round(self._cell / thin) + ORDER) * thin
 
     def _look_at_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
         """Look at what cannot be foretold of the next segments, where they are steady or of a tone that glides.
