@@ -2,6 +2,8 @@
 
 Why: a splice between two waves, a lost sample, a plug-in that starts late or a scratched recording
 leave a step of one or a few samples. It is heard as a tick, in a game a thousand times.
+It does not find a click among lone knocks as short and as sharp, as of a coin that spins or a hinge that
+creaks: there none can be told from those that are meant.
 How to fix: go to the named places and draw the samples anew, use a declicker, or move the edit to
 where both waves meet and fade across it. Crackle that is meant may stay: say so, or turn this off.
 Source: Godsill and Rayner, Digital Audio Restoration (1998), chapter 5: what is sudden stands out of

@@ -10,7 +10,20 @@ _Bytes = bytes | memoryview
 
 def bends(sums: _Floats, out: _Floats, /) -> None: ...
 def bursts(
-    heights: _Floats, reach: int, within: int, times: float, least: float, places: NDArray[np.int64], /
+    heights: _Floats,
+    squares: _Floats,
+    edges: _Floats,
+    within: int,
+    reach: int,
+    level: int,
+    times: float,
+    least: float,
+    quietest: float,
+    louder: float,
+    sharper: float,
+    places: NDArray[np.int64],
+    powers: _Floats,
+    /,
 ) -> int: ...
 def cells(block: _Floats, first: int, size: int, out: _Floats, /) -> None: ...
 def convert(

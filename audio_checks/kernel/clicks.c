@@ -118,12 +118,6 @@ refused:
     return NULL;
 }
 
-static double mean_of(const double *values, Py_ssize_t count) {
-    double sum = 0;
-    for (Py_ssize_t at = 0; at < count; at++) sum += values[at];
-    return count > 0 ? sum / (double)count : 0;
-}
-
 /* What is left of a steady sound once each sample is foretold from those before it: linear prediction, with the
  * coefficients that fit the whole stretch best (autocorrelation method, Levinson and Durbin's recursion). */
 enum { MOST_COEFFICIENTS = 64 };
@@ -322,17 +316,31 @@ static int is_hardest_to_tell(const doubt *by, const double *start) {
     return 1;
 }
 
+/* Whether a place that surprises after what leads up to it does so from behind as well, and more than any other. */
 static int is_click(const doubt *by, const double *place) {
     const Py_ssize_t span = by->span * by->size;
-    if (!surprises(by, place - span)) return 0;
     const double *following = turned_round(place, by->place * by->size + span, by->room + span);
     return surprises(by, following) && is_hardest_to_tell(by, place - by->reach * by->size);
 }
 
-/* The means of so many samples after one another: what is dull shows better amid them. */
-static const double *thinned(const double *samples, Py_ssize_t count, Py_ssize_t by, double *out) {
-    for (Py_ssize_t at = 0; at < count; at++) out[at] = mean_of(samples + at * by, by);
-    return out;
+/* The sums of so many samples after one another: what is dull shows better amid them. */
+CLONES static void thin_out(const double *samples, Py_ssize_t count, Py_ssize_t thin, double *out) {
+    for (Py_ssize_t at = 0; at < count; at++) {
+        double sum = samples[at * thin];
+        for (Py_ssize_t more = 1; more < thin; more++) sum += samples[at * thin + more];
+        out[at] = sum;
+    }
+}
+
+/* The same of a place in a thinned sound; most are told well by what leads up to them, and no more is thinned then. */
+static int is_dull_click(const doubt *by, const double *place, Py_ssize_t thin, double *room) {
+    const Py_ssize_t span = by->span * by->size, length = by->place * by->size;
+    const Py_ssize_t reach = by->reach * by->size + by->order;
+    thin_out(place - span * thin, span + length, thin, room + reach - span);
+    if (!surprises(by, room + reach - span)) return 0;
+    thin_out(place - reach * thin, reach - span, thin, room);
+    thin_out(place + length * thin, reach, thin, room + reach + length);
+    return is_click(by, room + reach);
 }
 
 /* samples, how many of them to take as one, where places start, window of the sound on either side, window of all around,
@@ -381,8 +389,9 @@ PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize
     Py_BEGIN_ALLOW_THREADS
     for (Py_ssize_t at = 0; at < asked; at++) {
         const double *place = samples + places[at];
-        if (thin > 1) place = before + thinned(place - before * thin, before + after, thin, by.room + 3 * around + by.order);
-        if (is_click(&by, place)) kept[found++] = at;
+        const int is_one = thin > 1 ? is_dull_click(&by, place, thin, by.room + 3 * around + by.order)
+                                    : surprises(&by, place - beside) && is_click(&by, place);
+        if (is_one) kept[found++] = at;
     }
     Py_END_ALLOW_THREADS
     free(by.room);

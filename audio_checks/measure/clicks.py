@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import groupby
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -72,11 +74,14 @@ class _Rule(NamedTuple):
     without_highs: bool = False
 
 
-SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
-GLIDING = SINGLE._replace(harder_than_beside=GLIDE_HARDER)
-DULL = SINGLE._replace(
-    harder_than_beside=DULL_HARDER_THAN_BESIDE, harder_than_around=DULL_HARDER_THAN_AROUND, without_highs=True
+_SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
+ALONE = (
+    _SINGLE,
+    _SINGLE._replace(
+        harder_than_beside=DULL_HARDER_THAN_BESIDE, harder_than_around=DULL_HARDER_THAN_AROUND, without_highs=True
+    ),
 )
+IN_GLIDES = (_SINGLE._replace(harder_than_beside=GLIDE_HARDER),)
 IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last, or between
     _Rule(before, BURST + 2 * CORE, BURST_HARDER_THAN_BESIDE, BURST_HARDER_THAN_AROUND)
     for before in (CORE, CORE + BURST // 2, BURST)
@@ -84,13 +89,13 @@ IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last
 
 
 class _Doubt(NamedTuple):
-    """A cell where a click may be, by which rule it is looked at.
+    """A cell where a click may be; it is one where any of some rules says so.
 
     `stands` is how many times as high it is as others, `power` that of the sound around.
     """
 
     channel: int
-    rule: _Rule
+    rules: tuple[_Rule, ...]
     cell: int
     stands: float
     power: float
@@ -121,7 +126,7 @@ class Clicks:
         self._doubtful: list[_Doubt] = []
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
-        self._places = np.empty(MAX_DOUBTED, np.int64)
+        self._places, self._powers = np.empty(MAX_DOUBTED, np.int64), np.empty(MAX_DOUBTED)  # the same
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -221,7 +226,7 @@ class Clicks:
             for _, at, height, power, stands in told:
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful += [_Doubt(channel, rule, before + place, stands, power) for rule in (SINGLE, DULL)]
+                    self._doubtful.append(_Doubt(channel, ALONE, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
@@ -230,12 +235,23 @@ class Clicks:
 
     def _look_for_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
         """Mark what stands out of all but a few cells beside it, where the sound beyond those goes on."""
-        sharpness, places = cells.sharpness[channel], self._places
-        found = kernel.bursts(sharpness[first:], REACH, BURST, BURST_STANDS_OUT, self._lowest * IMPULSE, places)
-        for place in (first + places[:found]).tolist():
-            power = _goes_on_beyond(cells.squares[channel], place, GOES_ON)
-            if power >= self._quietest and _goes_on_beyond(cells.edges[channel], place, BURST_GOES_ON):
-                self._doubtful += [_Doubt(channel, rule, before + place, 1.0, power) for rule in IN_BURSTS]
+        found = kernel.bursts(
+            cells.sharpness[channel, first:],
+            cells.squares[channel, first:],
+            cells.edges[channel, first:],
+            BURST,
+            REACH,
+            LEVEL_CELLS,
+            BURST_STANDS_OUT,
+            self._lowest * IMPULSE,
+            self._quietest,
+            GOES_ON,
+            BURST_GOES_ON,
+            self._places,
+            self._powers,
+        )
+        for place, power in zip(self._places[:found].tolist(), self._powers[:found].tolist(), strict=True):
+            self._doubtful.append(_Doubt(channel, IN_BURSTS, before + first + place, 1.0, power))
 
     def _look_at_doubtful(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
@@ -248,29 +264,37 @@ class Clicks:
         known = total - BURST - 1 - -(-self._around(dull) // self._cell)
         ready = _foremost([one for one in self._doubtful if one.cell < known])
         self._doubtful = [one for one in self._doubtful if one.cell >= known]
-        for channel, rule in {(one.channel, one.rule) for one in ready}:
-            doubts = [one for one in ready if (one.channel, one.rule) == (channel, rule)]
-            starts = origin + (np.array([one.cell for one in doubts]) - rule.before) * self._cell
-            thin = dull if rule.without_highs else 1
-            size = round(self._cell / thin)
-            late = np.flatnonzero(starts >= self._around(thin))  # of many channels less is kept
-            kept = np.empty(len(late), np.int64)
-            found = kernel.unforeseen_both_ways(
-                samples[channel],
-                thin,
-                starts[late],
-                _window(BESIDE * size),
-                _window((rule.cells + 2 * REACH) * size),
-                ORDER,
-                size,
-                rule.cells,
-                rule.harder_than_beside,
-                rule.harder_than_around,
-                kept,
-            )
-            for place in late[kept[:found]].tolist():
-                cell, power = doubts[place].cell, doubts[place].power
-                self._keep(cell, channel, _sharpest(cells.sharpness[channel], cell - before), power)
+        for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
+            doubts = list(alike)
+            frames = origin + np.array([one.cell for one in doubts]) * self._cell
+            sharpness = cells.sharpness[channel]
+            for rule in rules:
+                for place in self._clicks_by(rule, samples[channel], frames, dull):
+                    cell, power = doubts[place].cell, doubts[place].power
+                    self._keep(cell, channel, _sharpest(sharpness, cell - before), power)
+
+    def _clicks_by(self, rule: _Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
+        """Return which of the cells that start at some frames are clicks by a rule; `dull` frames are one by such."""
+        thin = dull if rule.without_highs else 1
+        size = round(self._cell / thin)
+        starts = frames - rule.before * self._cell
+        late = np.flatnonzero(starts >= self._around(thin))  # of many channels less is kept
+        kept = np.empty(len(late), np.int64)
+        found = kernel.unforeseen_both_ways(
+            samples,
+            thin,
+            starts[late],
+            _window(BESIDE * size),
+            _window((rule.cells + 2 * REACH) * size),
+            ORDER,
+            size,
+            rule.cells,
+            rule.harder_than_beside,
+            rule.harder_than_around,
+            kept,
+        )
+        places: list[int] = late[kept[:found]].tolist()
+        return places
 
     def _around(self, thin: int) -> int:
         """Return how many frames before a place are looked at, and as many after it, where so many are taken as one."""
@@ -334,7 +358,7 @@ class Clicks:
         heights, parts = self._unforeseen(samples, parts, origin, GLIDED, GLIDED, GLIDE_DOUBTFUL, self._least)
         told = self._outstanding(cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED)
         for row, at, _, power, stands in told:
-            self._doubtful.append(_Doubt(channel, GLIDING, int(parts[int(row)]) + int(at), stands, power))
+            self._doubtful.append(_Doubt(channel, IN_GLIDES, int(parts[int(row)]) + int(at), stands, power))
 
     def _unforeseen(
         self,
@@ -365,19 +389,11 @@ def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
     foremost: list[_Doubt] = []
     for one in sorted(doubts):
         last = foremost[-1] if foremost else None
-        if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rule.cells:
+        if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rules[0].cells:
             foremost.append(one)
         elif one.stands > last.stands:
             foremost[-1] = one
     return foremost
-
-
-def _goes_on_beyond(powers: NDArray[np.float64], cell: int, times: float) -> float:
-    """Return the lower mean of the cells before a burst and of those after it; 0 where the other is too much higher."""
-    ahead = float(powers[cell - LEVEL_CELLS : cell - BURST].mean())
-    after = float(powers[cell + BURST + 1 : cell + LEVEL_CELLS + 1].mean())
-    lower, higher = sorted((ahead, after))
-    return lower if higher <= lower * times else 0.0
 
 
 def _sharpest(sharpness: NDArray[np.float64], cell: int) -> float:

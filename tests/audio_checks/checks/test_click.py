@@ -95,6 +95,50 @@ def test_ticks_that_are_the_sound_itself(codes_of):
     assert codes_of("click", ticks) == []
 
 
+def with_contacts(samples, at):
+    """Three short bands of noise within 2.5 ms, as a plug gives that moves in its socket."""
+    samples = samples.copy()
+    shapes = noise(dbfs=-26, seed=9)[:180].reshape(3, 60, 1)
+    for shape, start in zip(shapes, (at, at + 40, at + 90), strict=True):
+        samples[start : start + 32] += shape[:32] * np.exp(-np.arange(32) / 8)[:, np.newaxis]
+    return samples
+
+
+def test_contacts_of_a_plug(codes_of):
+    # Each has another beside it that is as sharp, but within 20 ms there is nothing else, and the sound goes on.
+    hum = sine(hz=400, dbfs=-10, seconds=0.5) + noise(seconds=0.5, dbfs=-50)
+    assert codes_of("click", hum) == []
+    assert codes_of("click", with_contacts(hum, 12_000)) == ["click:isolated"]
+    rattle = hum
+    for at in range(2_400, 21_600, 672):  # every 14 ms
+        rattle = with_contacts(rattle, at)
+    assert codes_of("click", rattle) == []
+    stroke = with_contacts(hum, 12_000)  # and what was struck goes on to sound
+    stroke[12_130:14_000] += noise(seconds=0.5, dbfs=-38)[:1_870] * np.exp(-np.arange(1_870) / 500)[:, np.newaxis]
+    assert codes_of("click", stroke) == []
+
+
+def test_a_block_from_elsewhere(codes_of):
+    # It is joined twice, 1 ms apart: after the first joint there is another near, and before the second.
+    times = np.arange(24_000) / 48_000
+    whistle = (0.5 * np.sin(2 * np.pi * 1_500 * times) * (1 + 0.5 * np.sin(2 * np.pi * 7 * times)))[:, np.newaxis]
+    whistle += noise(seconds=0.5, dbfs=-50)
+    wrong = whistle.copy()
+    wrong[12_000:12_048] = whistle[5_003:5_051]
+    assert codes_of("click", wrong) == ["click:isolated"]
+
+
+def test_a_dull_pulse_under_hiss(codes_of):
+    # The hiss lies in the highs and hides what cannot be foretold of the pulse; without the highs it is alone.
+    hiss = np.diff(noise(seconds=0.5, dbfs=-40), n=2, axis=0, prepend=np.zeros((2, 1)))
+    hissing = sine(hz=150, dbfs=-10.5, seconds=0.5) + hiss
+    pulse = np.zeros_like(hissing)
+    pulse[12_002:12_026, 0] = 0.25 * np.hanning(24)
+    assert codes_of("click", hissing) == []
+    assert codes_of("click", hissing + pulse) == ["click:isolated"]
+    assert codes_of("click", hissing + pulse / 3) == []
+
+
 def test_a_step_and_a_splice_are_clicks(found_by):
     stepped = tone()
     stepped[AT:] += 0.05

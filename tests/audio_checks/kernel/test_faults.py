@@ -270,7 +270,7 @@ def both_ways(row: NDArray[np.float64], order: int, times_beside: float, times_a
     places, kept = np.array([MIDDLE * SIZE]), np.empty(1, np.int64)
     windows = np.hanning(SPAN * SIZE), np.hanning((PLACE + 2 * AROUND) * SIZE)
     return bool(
-        kernel.unforeseen_both_ways(row, places, *windows, order, SIZE, PLACE, times_beside, times_around, kept)
+        kernel.unforeseen_both_ways(row, 1, places, *windows, order, SIZE, PLACE, times_beside, times_around, kept)
     )
 
 
@@ -320,6 +320,75 @@ def test_what_can_be_foretold_neither_way(seed: int, order: int, click: float, i
     assert not both_ways(row, order, beside * 0.999, around * 1.001)
 
 
+@settings(max_examples=30)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([2, 3, 5]), st.sampled_from([0.0, 0.3, 2.0]))
+def test_what_is_thinned_is_foretold_as_the_sums(seed: int, thin: int, click: float):
+    rng = np.random.default_rng(seed)
+    row = np.sin(0.1 * np.arange((2 * MIDDLE + PLACE) * SIZE)) + 0.05 * rng.standard_normal((2 * MIDDLE + PLACE) * SIZE)
+    row[(MIDDLE + 1) * SIZE] += click
+    windows = np.hanning(SPAN * SIZE), np.hanning((PLACE + 2 * AROUND) * SIZE)
+    limits = 20, SIZE, PLACE, 1.5, 1.1
+    kept = np.empty(1, np.int64)
+    spread = rng.dirichlet(np.ones(thin), len(row))  # thinned, it is the row again, but for rounding
+    thick = (row[:, np.newaxis] * spread).ravel()
+    found = kernel.unforeseen_both_ways(thick, thin, np.array([MIDDLE * SIZE * thin]), *windows, *limits, kept)
+    assert found == kernel.unforeseen_both_ways(row, 1, np.array([MIDDLE * SIZE]), *windows, *limits, kept)
+
+
+WITHIN, COMPARED, LEVEL = 4, 14, 9
+
+
+def bursts(heights: NDArray[np.float64], squares: NDArray[np.float64], edges: NDArray[np.float64]) -> list[list[float]]:
+    """Places, and the power beside each."""
+    places, powers = np.empty(50, np.int64), np.empty(50)
+    limits = 3.0, 0.2, 0.5, 4.0, 2.0
+    found = kernel.bursts(heights, squares, edges, WITHIN, COMPARED, LEVEL, *limits, places, powers)
+    return np.stack((places[:found], powers[:found]), axis=1).tolist()
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_bursts(seed: int):
+    rng = np.random.default_rng(seed)
+    heights = rng.uniform(0.1, 0.3, 300)
+    for at in rng.integers(0, 300, 12):
+        heights[at : at + int(rng.integers(1, 6))] = rng.uniform(0.8, 2.0)
+    heights += rng.uniform(0, 1e-6, 300)  # no two are alike
+    squares, edges = np.sort(rng.uniform(0.3, 5.0, 300)), rng.uniform(0.5, 1.5, 300)
+    wanted = []
+    for at in range(COMPARED, 300 - COMPARED):
+        far = np.r_[at - COMPARED : at - WITHIN, at + WITHIN + 1 : at + COMPARED + 1]
+        if heights[at] < heights[at - WITHIN : at + WITHIN + 1].max() or heights[at] <= 3.0 * heights[far].max():
+            continue
+        lower, higher = zip(*(sorted(sides_beyond(powers, at)) for powers in (squares, edges)), strict=True)
+        if lower[0] >= 0.5 and higher[0] <= 4.0 * lower[0] and higher[1] <= 2.0 * lower[1]:
+            wanted.append([at, lower[0]])
+    found = bursts(heights, squares, edges)
+    np.testing.assert_allclose(np.reshape(found, (-1, 2)), np.reshape(wanted, (-1, 2)), rtol=1e-12)
+
+
+def sides_beyond(powers: NDArray[np.float64], at: int) -> tuple[float, float]:
+    return float(powers[at - LEVEL : at - WITHIN].mean()), float(powers[at + WITHIN + 1 : at + LEVEL + 1].mean())
+
+
+def test_a_burst_among_even_cells_and_none_near_an_end():
+    heights, even = np.full(100, 0.2), np.ones(100)
+    heights[[40, 43]] = 1.0, 0.9
+    heights[[3, 96]] = 9.0
+    assert bursts(heights, even, even) == [[40.0, 1.0]]
+    assert bursts(heights, even * 0.4, even) == []  # too quiet
+    louder = np.where(np.arange(100) < 42, 1.0, 2.5)
+    assert bursts(heights, louder, even) == [[40.0, 1.0]]
+    assert bursts(heights, even, louder) == []  # sharper after it than before
+    assert bursts(heights / 6, even, even) == []  # too low
+
+
+@pytest.mark.parametrize(("within", "reach", "level"), [(0, 14, 9), (3, 14, 9), (4, 11, 9), (4, 14, 4), (4, 14, 15)])
+def test_bursts_refuse_what_does_not_fit(within: int, reach: int, level: int):
+    row, places = np.ones(100), np.empty(5, np.int64)
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.bursts(row, row, row, within, reach, level, 3.0, 0.2, 0.5, 4.0, 2.0, places, np.empty(5))
+
+
 @pytest.mark.parametrize(
     ("at", "beside", "around", "order", "size", "place"),
     [
@@ -339,13 +408,13 @@ def test_what_can_be_foretold_neither_way(seed: int, order: int, click: float, i
 def test_places_that_do_not_fit(at: int, beside: int, around: int, order: int, size: int, place: int):
     windows, kept = (np.ones(beside), np.ones(around)), np.empty(1, np.int64)
     with pytest.raises(ValueError, match="wanted"):
-        kernel.unforeseen_both_ways(np.zeros(300), np.array([at]), *windows, order, size, place, 4.0, 1.3, kept)
+        kernel.unforeseen_both_ways(np.zeros(300), 1, np.array([at]), *windows, order, size, place, 4.0, 1.3, kept)
 
 
 @pytest.mark.parametrize("at", [60, 210])
 def test_the_outermost_places_that_fit(at: int):
     windows, kept = (np.ones(40), np.ones(110)), np.empty(1, np.int64)
-    assert kernel.unforeseen_both_ways(np.zeros(300), np.array([at]), *windows, 20, 10, 3, 4.0, 1.3, kept) == 0
+    assert kernel.unforeseen_both_ways(np.zeros(300), 1, np.array([at]), *windows, 20, 10, 3, 4.0, 1.3, kept) == 0
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(0, 7), st.floats(0.5, 3.0), st.sampled_from([0.0, 1.0]))

@@ -77,10 +77,12 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         unforeseen,
         np.empty(2, np.int64),
     )
-    untold = np.full(40, -1)
+    untold = np.full((2, 40), -1)
     starts = np.linspace(2_000, frames - 4_000, 40).astype(np.int64)
     windows = np.hanning(480), np.hanning(83 * 20)
-    kernel.unforeseen_both_ways(samples[0], starts, *windows, 20, 20, 3, 0.8, 0.8, untold)
+    kernel.unforeseen_both_ways(samples[0], 1, starts, *windows, 20, 20, 3, 0.8, 0.8, untold[0])
+    thinned = np.hanning(144), np.hanning(83 * 6)
+    kernel.unforeseen_both_ways(samples[0], 3, starts, *thinned, 20, 6, 3, 0.8, 0.8, untold[1])
     even = channels + channels % 2
     energies = np.empty(frames * 100 // rate + 2)
     kernel.hop_energies(
@@ -94,8 +96,11 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     squares = np.square(samples[-1])
     beside = 0.0, squares, squares, 4, 0.0, 30.0
     kernel.outstanding_amid(np.abs(samples[-1:]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
+    burst, powers = np.full(frames, -1), np.zeros(frames)
+    kernel.bursts(np.abs(samples[-1]), squares, squares, 2, 6, 4, 1.1, 0.1, 0.0, 30.0, 9.0, burst, powers)
     found_in_doubles = [rows, sums, *surveyed, decoded, products, *cells, sums_of_cells, stereo, unforeseen]
-    return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, untold, standing, bent]
+    by_clicks = [untold, standing, bent, burst, powers]
+    return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, *by_clicks]
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3])
