@@ -22,8 +22,9 @@ DOUBTFUL = 1.2  # times as sharp, or a step so many times as large, is worth a c
 BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be foretold neither from the sound before it nor from that
 HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound itself,
 HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
-DULL_HARDER_THAN_BESIDE = 7.0  # where a sound is looked at without what lies over 6 kHz: there a dull click shows
-DULL_HARDER_THAN_AROUND = 2.0  # that the hiss of the sound hides
+DULL_DOUBTFUL = 1.5  # times as sharp, as steep or as bent is looked at without what lies over 6 kHz, too: there a dull
+DULL_HARDER_THAN_BESIDE = 7.0  # click shows that the hiss of the sound hides
+DULL_HARDER_THAN_AROUND = 2.0
 DULL_FRAMES = 6  # of a cell that are left there
 REACH = 40  # cells on either side that are compared: 20 ms
 CORE = 1  # cells beside a click that may belong to it, one of them at a time
@@ -64,7 +65,7 @@ class _Rule(NamedTuple):
     """How a click is foretold that may be in a cell: what is looked at there, and how badly it must be foretold.
 
     The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
-    any other place around; whether without the highs.
+    any other place around; whether without the highs; and from how many times as high as others on it is looked at.
     """
 
     before: int
@@ -72,13 +73,17 @@ class _Rule(NamedTuple):
     harder_than_beside: float
     harder_than_around: float
     without_highs: bool = False
+    stands: float = 0.0
 
 
 _SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
 ALONE = (
     _SINGLE,
     _SINGLE._replace(
-        harder_than_beside=DULL_HARDER_THAN_BESIDE, harder_than_around=DULL_HARDER_THAN_AROUND, without_highs=True
+        harder_than_beside=DULL_HARDER_THAN_BESIDE,
+        harder_than_around=DULL_HARDER_THAN_AROUND,
+        without_highs=True,
+        stands=DULL_DOUBTFUL,
     ),
 )
 IN_GLIDES = (_SINGLE._replace(harder_than_beside=GLIDE_HARDER),)
@@ -265,12 +270,12 @@ class Clicks:
         ready = _foremost([one for one in self._doubtful if one.cell < known])
         self._doubtful = [one for one in self._doubtful if one.cell >= known]
         for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
-            doubts = list(alike)
-            frames = origin + np.array([one.cell for one in doubts]) * self._cell
-            sharpness = cells.sharpness[channel]
+            doubts, sharpness = list(alike), cells.sharpness[channel]
             for rule in rules:
-                for place in self._clicks_by(rule, samples[channel], frames, dull):
-                    cell, power = doubts[place].cell, doubts[place].power
+                asked = [one for one in doubts if one.stands >= rule.stands]
+                frames = origin + np.array([one.cell for one in asked], np.int64) * self._cell
+                for place in self._clicks_by(rule, samples[channel], frames, dull) if asked else ():
+                    cell, power = asked[place].cell, asked[place].power
                     self._keep(cell, channel, _sharpest(sharpness, cell - before), power)
 
     def _clicks_by(self, rule: _Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
