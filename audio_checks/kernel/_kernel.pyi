@@ -152,6 +152,16 @@ def steady_segments(
     sharpness: _Floats, powers: _Floats, size: int, without: int, least: float, most: float, flags: NDArray[np.bool_], /
 ) -> None: ...
 def stereo_products(block: _Floats, at: int, hop: int, hops: _Floats, /) -> None: ...
+def straight_tops(
+    samples: _Floats,
+    maxima: _Floats,
+    first: int,
+    shape: _Floats,
+    patience: int,
+    counts: _Floats,
+    out: _Floats,
+    /,
+) -> int: ...
 def sums(block: _Floats, figures: _Floats, /) -> None: ...
 def survey(
     raw: _Bytes,

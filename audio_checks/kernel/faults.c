@@ -101,15 +101,6 @@ static void measure_crest(const double *samples, Py_ssize_t start, Py_ssize_t en
     figures[7] = (double)(fall - rise);
 }
 
-/* The next row, from one on, that lies above a level; `rows` where none does. */
-static Py_ssize_t next_above(const double *maxima, Py_ssize_t row, Py_ssize_t rows, double level) {
-    enum { AT_ONCE = 64 };
-    if (row < rows && maxima[row] > level) return row;
-    while (row + AT_ONCE <= rows && in_lanes()->highest(maxima + row, AT_ONCE) <= level) row += AT_ONCE;
-    while (row < rows && maxima[row] <= level) row++;
-    return row;
-}
-
 /* samples, maxima of their rows, first row, (highest, deepest) so far: these rise where a row that may exceed one does */
 PyObject *extremes(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;

@@ -197,6 +197,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(silent_runs, "Mark the zeros that stand in long runs.") \
     EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
+    EACH(straight_tops, "Find crests that are straight between two corners; return how many there are.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \

@@ -22,4 +22,13 @@ static inline int lowest_bit(uint64_t bits) {
 #endif
 }
 
+/* The next row, from one on, that lies above a level; `rows` where none does. */
+static inline Py_ssize_t next_above(const double *maxima, Py_ssize_t row, Py_ssize_t rows, double level) {
+    enum { AT_ONCE = 64 };
+    if (row < rows && maxima[row] > level) return row;
+    while (row + AT_ONCE <= rows && in_lanes()->highest(maxima + row, AT_ONCE) <= level) row += AT_ONCE;
+    while (row < rows && maxima[row] <= level) row++;
+    return row;
+}
+
 #endif

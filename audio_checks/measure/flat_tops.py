@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from audio_checks import kernel
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.maxima import ROW_FRAMES
+from audio_checks.measure.straight_tops import StraightTops
 
 SHORTEST_RUN = 3  # one or two samples on one level are a crest
 FULL_SCALE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-bit sample
@@ -24,6 +25,7 @@ SOFT_WIDE, SOFT_RATIO = 0.8, 1.7  # above this share a round crest is 3.2 times 
 SOFT_S = 1e-4  # a soft top lasts that long, and five samples
 SOFT_FEWEST, SOFT_SHARE = 8, 0.6  # of the highest crests: what happens to fewer of them is not a ceiling
 SQUARE_RUN, SQUARE_EDGE = 8, 2  # a half wave of that many samples, all but so few on top, is a square's
+HIGHEST = 8  # crests of a stretch: where one of them is straight, all are looked at
 MAX_AT_ONCE = 4_096  # crests of one stretch of samples
 MAX_KEPT = 20_000
 MAX_SPANS = 1_000
@@ -60,6 +62,7 @@ class FlatTops:
         self._extremes = np.zeros((channels, 2))  # above and below zero
         self._crests = np.empty((0, FIGURES_KEPT))
         self._found = np.empty((MAX_AT_ONCE, CHANNEL))
+        self._straight = StraightTops(step)
 
     def add(
         self,
@@ -100,9 +103,14 @@ class FlatTops:
         count = self._extremes.size
         share = SOFT_SHARE * np.bincount(sides, minlength=count)
         soft &= (np.bincount(sides, weights=soft, minlength=count) >= np.maximum(SOFT_FEWEST, share))[sides] & ~hard
+        clipped = crests[hard]
+        if not len(clipped):
+            straight = self._straight.result()
+            clipped = np.zeros((len(straight), FIGURES_KEPT))
+            clipped[:, [START, RUN, TOP, SIGN, CHANNEL]] = straight
         return {
-            "clipped_runs": int(hard.sum()),
-            "clipped_spans": self._spans(crests[hard], RUN),
+            "clipped_runs": len(clipped),
+            "clipped_spans": self._spans(clipped, RUN),
             "soft_tops": int(soft.sum()),
             "soft_spans": self._spans(crests[soft], FLAT),
         }
@@ -120,7 +128,11 @@ class FlatTops:
         least = extreme * (1 - SOFT_CEILING)
         shape = np.array([sign, least * SOFT_WIDE, least, self._rail, self._grain, SHARE, SOFT_FLAT, SOFT_WIDE])
         found = kernel.crests(row, maxima, first, shape, self._found)
-        if not found or len(self._crests) >= MAX_KEPT:
+        if not found:
+            return
+        highest = self._found[np.argsort(-self._found[:found, TOP])[:HIGHEST], START]
+        self._straight.add(row, maxima, highest, first, frame, channel, sign, extreme)
+        if len(self._crests) >= MAX_KEPT:
             return
         crests = np.empty((found, FIGURES_KEPT))
         crests[:, :CHANNEL] = self._found[:found]
