@@ -104,8 +104,8 @@ class FlatTops:
         share = SOFT_SHARE * np.bincount(sides, minlength=count)
         soft &= (np.bincount(sides, weights=soft, minlength=count) >= np.maximum(SOFT_FEWEST, share))[sides] & ~hard
         clipped = crests[hard]
-        if not len(clipped):
-            straight = self._straight.result()
+        straight = self._straight.result()
+        if len(straight) > len(clipped):
             clipped = np.zeros((len(straight), FIGURES_KEPT))
             clipped[:, [START, RUN, TOP, SIGN, CHANNEL]] = straight
         return {

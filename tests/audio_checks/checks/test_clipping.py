@@ -32,5 +32,17 @@ def test_one_frame_is_no_run(codes_of):
     assert codes_of("clipping", np.full((1, 1), 1.0)) == []
 
 
+def faded(samples):
+    """Swelling and falling by a third, so that no two crests are as high."""
+    return samples * (0.6 - 0.2 * np.cos(np.linspace(0, 2 * np.pi, len(samples))))[:, np.newaxis]
+
+
+def test_tops_of_many_heights_are_found_and_round_ones_pass(found_by, codes_of):
+    (finding,) = found_by("clipping", faded(driven(6.0)))
+    assert finding.code == "clipping:flat-tops"
+    assert 390 <= finding.measured <= 400
+    assert codes_of("clipping", faded(sine(hz=200, dbfs=-1.0))) == []
+
+
 def test_it_warns_because_flat_tops_can_be_style():
     assert DEFAULT_SEVERITY["clipping"] == "warning"

@@ -23,6 +23,7 @@ from audio_checks.measure import (
     lulls,
     noise_floor,
     repeats,
+    straight_tops,
 )
 from audio_checks.measure.decibels import decibels, power_decibels
 from tests.audio_checks.faults import known as known_half
@@ -268,7 +269,13 @@ def _thresholds() -> str:
         f" file's own ceiling (within {100 * flat_tops.CEILING:g} %), each with {flat_tops.SHORTEST_RUN} samples or"
         f" more on one level and a corner at both ends; or {100 * flat_tops.SOFT_SHARE:.0f} % of the highest crests of"
         f" a channel's side, {flat_tops.SOFT_FEWEST} at least, less than {flat_tops.SOFT_RATIO:g} times as wide"
-        f" at {flat_tops.SOFT_WIDE:g} of their height as at {flat_tops.SOFT_FLAT:g}.",
+        f" at {flat_tops.SOFT_WIDE:g} of their height as at {flat_tops.SOFT_FLAT:g}; or, where one of the"
+        f" {flat_tops.HIGHEST} highest crests of a channel's side is so, {straight_tops.FEWEST} crests or more, over"
+        f" {straight_tops.HIGH:g} of the highest, that are straight between two corners: these bend 16 times as much as"
+        f" anything between them (64 times where two samples lie between, 4096 times where one does); or, seen over two"
+        f" samples, 10 times as much as what lies between, among ripples that bend twice as much as that. They are over"
+        f" {straight_tops.SHARE:g} of all that lie as high near by, and steps are at most"
+        f" {straight_tops.MOST_STEPPED:g} times as many.",
         "dc-offset": "the limit of the spec, here 1 % of full scale.",
         "hum": f"{hum.LINES} multiples of 50 or 60 Hz, within {100 * hum.OFF:g} %, in tune within"
         f" {100 * hum.IN_TUNE:.2g} %"

@@ -10,6 +10,7 @@ MOST = 2  # of the masters that each detector may flag
 NAMED: dict[str, dict[str, str]] = {
     "clipping": {
         "elec_hollow_kick.wav": "the first crest of the kick is cut off at full scale for 16 samples, in both channels",
+        "perc_snap2.wav": "four tops of 6 samples pressed against full scale, with the ripples of a change of rate",
     },
     "click": {
         "glitch_bass_g.wav": "steps of one to three samples in a slow bass wave, some 25 dB over what is around them",
