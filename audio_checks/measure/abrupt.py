@@ -19,10 +19,7 @@ PASSED_S = 0.0002  # from its edge a ramp is over; from what comes then it is fo
 FORETELLS = 8  # samples that foretell the wave beyond them
 FORETOLD = 0.1  # of the largest sample nearby: what errs no more can be foretold,
 OTHERWISE, TIMES = 0.15, 4.0  # and is otherwise by so much, or so many times the usual error, in a ramp
-DIES, GROWS = (
-    0.6,
-    2.0,
-)  # times the level and the slope of the first 5 ms come 10 to 40 ms after a start that is no attack
+DIES, GROWS = 0.8, 1.6  # times level and slope of the first 5 ms come 10 to 40 ms after a start that is no attack
 SMOOTH = 0.03  # of the height of a filter's answer: how far it bends within the time of a ramp, at most
 ANSWER = 0.7  # of the largest sample: a low cut answers an edge with no more
 GRAIN, STEPS = 4e-6, 4.0  # of full scale, and of the bit depth, as dither steps: what steps less is smooth

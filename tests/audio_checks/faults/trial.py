@@ -1,5 +1,6 @@
 """Puts faults into sounds, lets the checks look, and counts what they find."""
 
+import re
 import tempfile
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
@@ -19,6 +20,7 @@ CHECKS = ("clipping", "click", "cut-start", "cut-tail", "dropout", "dc-offset", 
 SPEC = parse_spec("format = 1\nlimits.dc_offset_percent = 1.0\nlimits.noise_floor_dbfs = -60.0\n")
 AUDIBLE = {"click": 20.0}  # from which level on a fault counts as audible; others at every level
 NEAR_S = 0.003  # a click or a hole must be found where it is
+NAMED_PLACE = re.compile(r"[(,] ?(\d+\.\d{3}) s(?=[,)])")
 NO_PLACE = {  # what a sound has by its nature cannot be told from the fault
     "click": {"square", "training chimes", "training debris"},  # partials of the last two begin in mid-wave
     "dropout": {"square", "stutter"},
@@ -89,7 +91,15 @@ def _try(path: Path, fault: Fault, level: float, sound: Samples, rate: int, rng:
     if fault.check not in ("click", "dropout"):
         return bool(found)
     return any(
-        one.start_s - NEAR_S <= injured.end_s and injured.start_s <= one.end_s + NEAR_S
+        start_s - NEAR_S <= injured.end_s and injured.start_s <= end_s + NEAR_S
         for one in found
-        if one.start_s is not None and one.end_s is not None
+        for start_s, end_s in _spans(one)
     )
+
+
+def _spans(finding: Finding) -> Iterator[tuple[float, float]]:
+    """Yield where a finding says that something is: its span, and the places that its message names beside it."""
+    if finding.start_s is not None and finding.end_s is not None:
+        yield finding.start_s, finding.end_s
+    for place in NAMED_PLACE.findall(finding.message):
+        yield float(place), float(place)
