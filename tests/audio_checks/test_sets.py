@@ -63,7 +63,8 @@ def test_only_names_that_are_to_be_portable_are_asked():
 def test_severity_is_each_files_own(tmp_path):
     paths = [write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1)) for name in ("a", "vo_b")]
     spec = parse_spec(
-        'format = 1\nchecks.duplicate = "off"\n[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "warning"'
+        'format = 1\nchecks.duplicate = "off"\nchecks.cut-start = "off"\nchecks.cut-tail = "off"\n'
+        '[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "warning"'
     )
     paths.append(write_wav(tmp_path / "vo_c.wav", noise(seconds=0.1)))
     assert [[one.severity for one in entry.findings] for entry in check_files(paths, spec).files] == [
