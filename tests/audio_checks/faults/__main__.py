@@ -186,6 +186,9 @@ learn from as well: {", ".join(family.removeprefix("training ") for family in tr
 Per cent found of each check's faults, at the levels that count.
 
 {_looks(LOOKS)}
+The look at 20:33 counted the start point of a sampler as well, which fades a start in: the promise, as it was written
+before that look, holds of a start without a fade, so that this way now stands beyond it.
+
 ### The first unseen half
 {", ".join(once_unseen_sounds.FAMILIES).capitalize()}, with the faults that were put into them,
 were the unseen half until they had been looked at {len(_rows(FORMER_LOOKS)) - 1} times. What is looked at so often is
