@@ -1,9 +1,7 @@
 """A take is judged: its report comes out of a child that may crash, hang or eat memory."""
 
-from contextlib import ExitStack
 from functools import cache
-from pathlib import Path
-from typing import Any, Self
+from typing import Any
 from uuid import UUID
 
 import structlog
@@ -11,42 +9,18 @@ from prometheus_client import Counter
 
 import audio_checks
 from app.conformance import mends, service
+from app.conformance.benches import Bench
 from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before, with_stem
 from app.conformance.service import CheckOrder, StemBeside
 from app.kit import kill
 from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing, Store
+from app.kit.storage import BlobAltered, BlobMissing
 
 log = structlog.get_logger(__name__)
 BASE_TIME_S = 60
 BYTES_A_SECOND = 8 << 20  # far slower than any machine that this runs on
 MEMORY_BYTES = 1 << 30
 TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by verdict.", ["verdict"])
-
-
-class Bench:
-    """Where one take is worked on: one child for all of it, and its master, fetched once."""
-
-    def __init__(self, store: Store, sandbox: audio_checks.Sandbox) -> None:
-        self.child = sandbox.child()
-        self._store = store
-        self._held = ExitStack()
-        self._master: Path | None = None
-
-    def __enter__(self) -> Self:
-        """Begin nothing: child and master are there once they are asked for."""
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Have the child ended, and let the master go."""
-        self.child.close()
-        self._held.close()
-
-    def master(self, studio_id: UUID, sha256: str) -> Path:
-        """Return where the take's master lies; raise BlobMissing or BlobAltered where the store has it no longer."""
-        if self._master is None:
-            self._master = self._held.enter_context(self._store.local_copy(studio_id, sha256))
-        return self._master
 
 
 def judge(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
@@ -75,13 +49,13 @@ def _checked(runtime: Runtime, order: CheckOrder, bench: Bench) -> Report:
     Where only the comparison with a dry stem fails, the take is judged without it.
     """
     if order.stem is None:
-        report, why = _tried(order, bench, bench.child)
+        report, why = _tried(order, bench, bench.child(order.delivery_id))
         return report or unjudged(order.name, order.spec.category, why)
     report, why = _beside_stem(runtime, order, order.stem, bench)
     failed = report is None
     if failed:
         log.warning("no comparison with a dry stem", take_id=str(order.take_id), error=why)
-        report, why = _tried(order, bench, bench.child)
+        report, why = _tried(order, bench, bench.child(order.delivery_id))
     return with_stem(report or unjudged(order.name, order.spec.category, why), order.stem.sha256, failed=failed)
 
 

@@ -66,6 +66,7 @@ class CheckOrder:
     """All that a check of one take needs to know, as of one moment."""
 
     take_id: UUID
+    delivery_id: UUID
     edition: int
     studio_id: UUID
     master_sha256: str
@@ -95,6 +96,7 @@ def _order(session: Session, take: Take) -> CheckOrder:
     stem = deliveries.dry_stem_of(session, take)
     return CheckOrder(
         take_id=take.id,
+        delivery_id=take.delivery_id,
         edition=take.edition,
         studio_id=take.studio_id,
         master_sha256=take.master_sha256,

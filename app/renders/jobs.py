@@ -12,7 +12,8 @@ import numpy as np
 import structlog
 from prometheus_client import Counter
 
-from app.conformance.checking import Bench, judge
+from app.conformance.benches import Bench, Children
+from app.conformance.checking import judge
 from app.conformance.queries import mend_by_id
 from app.deliveries.queries import take_with_cue
 from app.kit import kill
@@ -50,6 +51,11 @@ NO_REEL = "the reel could not be made; that is our fault, and the takes are whol
 @cache
 def _sandbox() -> Sandbox:
     return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, rehearsal=drawing.rehearse)
+
+
+@cache
+def _children() -> Children:
+    return Children(_sandbox())
 
 
 @job("renders.draw_mend")
@@ -158,7 +164,7 @@ def hear_palette(runtime: Runtime, payload: Payload) -> None:
 @job("renders.prepare_take")
 def prepare_take(runtime: Runtime, payload: Payload) -> None:
     """Check a received take and record its verdict; then draw it and make its game files, in the same child."""
-    with Bench(runtime.store, _sandbox()) as bench:
+    with Bench(runtime.store, _children()) as bench:
         judge(runtime, UUID(payload["take_id"]), bench)
         _make_renders(runtime, UUID(payload["take_id"]), bench)
 
@@ -170,7 +176,7 @@ job("conformance.check_take")(prepare_take)
 @job("renders.make_renders")
 def make_renders(runtime: Runtime, payload: Payload) -> None:
     """Draw the master of a checked take and, of one that may ship, make the game files that its spec wants."""
-    with Bench(runtime.store, _sandbox()) as bench:
+    with Bench(runtime.store, _children()) as bench:
         _make_renders(runtime, UUID(payload["take_id"]), bench)
 
 
@@ -205,7 +211,7 @@ def _prepared(
     studio_id, sha256 = order.studio_id, order.master_sha256
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
         master = bench.master(studio_id, sha256)
-        found = _outcomes(bench.child, str(master), folder, recipes, loop=order.loop, draws=draws)
+        found = _outcomes(bench.child(order.delivery_id), str(master), folder, recipes, loop=order.loop, draws=draws)
         renders: service.Made = []
         files: dict[str, StoredBlob] = {}
         spectra: dict[str, StoredBlob] = {}
@@ -320,7 +326,7 @@ def make_next_of_batch(runtime: Runtime, payload: Payload) -> None:
     render, picture, fault = None, None, ""
     if order.take is not None and order.recipe is not None:
         try:
-            with Bench(runtime.store, _sandbox()) as bench:
+            with Bench(runtime.store, _children()) as bench:
                 ((render, picture),), _ = _prepared(
                     runtime, order.take, {order.target: order.recipe}, bench, draws=False
                 )

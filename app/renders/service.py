@@ -142,6 +142,7 @@ class RenderOrder:
     draws: bool  # its master
     loop: bool
     take_id: UUID
+    delivery_id: UUID
     edition: int
     studio_id: UUID
     project_id: UUID
@@ -174,6 +175,7 @@ def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
         draws=draws,
         loop=take.cue is not None and take.cue.loop,
         take_id=take.id,
+        delivery_id=take.delivery_id,
         edition=take.edition,
         studio_id=take.studio_id,
         project_id=take.project_id,

@@ -120,8 +120,8 @@ class Sandbox:
 class SandboxChild:
     """Answers calls one after the other in one throw-away child; where that fails, the next call gets a new one.
 
-    What one call does to the child the next one meets, so that they must be about the same stranger's
-    file. One thread at a time.
+    What one call does to the child the next one meets, so that they must be about files of one
+    stranger. One thread at a time.
 
     Parameters
     ----------

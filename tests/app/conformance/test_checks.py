@@ -10,6 +10,7 @@ from sqlalchemy import func, select
 
 import audio_checks
 from app.conformance import checking, queries
+from app.conformance.benches import Children
 from app.conformance.jobs import recheck_takes
 from app.conformance.models import CheckRun
 from app.deliveries.models import Take
@@ -119,7 +120,8 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
 ) -> None:
     monkeypatch.setattr(audio_checks, "check_file", what)
     sandbox = audio_checks.Sandbox(preload=("numpy", "audio_checks", hostile.__name__))
-    monkeypatch.setattr(jobs, "_sandbox", lambda: sandbox)
+    children = Children(sandbox)
+    monkeypatch.setattr(jobs, "_children", lambda: children)
     monkeypatch.setattr(checking, "time_for", lambda _bytes: 1.0)
     take = deliver(world, "laser.wav", tone(hz=200 + len(what.__name__)))
     found = checked(world, take["id"])

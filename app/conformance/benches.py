@@ -1,0 +1,120 @@
+"""Where a take is worked on: its master, and a child of the sandbox that goes from take to take of one delivery."""
+
+import threading
+import time
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+from uuid import UUID
+
+from app.kit.storage import Store
+from audio_checks import Sandbox, SandboxChild
+
+IDLE_S = 3.0  # a child that waits for its delivery's next take holds memory; it waits for twice as long at most
+MOST_IDLE = 8
+MOST_TAKES = 100
+LARGE_BYTES = 64 << 20  # behind a larger master a child holds more than a new one costs
+
+
+@dataclass
+class _Lent:
+    child: SandboxChild
+    delivery_id: UUID
+    takes: int = 0
+    idle_since_s: float = 0.0
+
+
+class Children:
+    """Lends children of one sandbox; what served a take of a delivery serves more of it, and nothing else."""
+
+    def __init__(self, sandbox: Sandbox) -> None:
+        self._sandbox = sandbox
+        self._lock = threading.Lock()
+        self._idle: list[_Lent] = []  # who waits longest comes first
+        self._sweeping = False
+
+    def lend(self, delivery_id: UUID) -> _Lent:
+        """Return a child that served this delivery and waits, or a new one."""
+        with self._lock:
+            for lent in reversed(self._idle):
+                if lent.delivery_id == delivery_id:
+                    self._idle.remove(lent)
+                    return lent
+        return _Lent(self._sandbox.child(), delivery_id)
+
+    def take_back(self, lent: _Lent) -> None:
+        """Keep a child for some seconds, for the next take of its delivery."""
+        lent.takes += 1
+        if lent.takes >= MOST_TAKES:
+            lent.child.close()
+            return
+        lent.idle_since_s = time.monotonic()
+        with self._lock:
+            self._idle.append(lent)
+            ended, self._idle = self._idle[:-MOST_IDLE], self._idle[-MOST_IDLE:]
+            if not self._sweeping:
+                self._sweep_later()
+        _end(ended)
+
+    def _sweep_later(self) -> None:
+        self._sweeping = True
+        timer = threading.Timer(IDLE_S, self._sweep)
+        timer.daemon = True
+        timer.start()
+
+    def _sweep(self) -> None:
+        before_s = time.monotonic() - IDLE_S
+        with self._lock:
+            ended = [lent for lent in self._idle if lent.idle_since_s <= before_s]
+            self._idle = [lent for lent in self._idle if lent.idle_since_s > before_s]
+            self._sweeping = False
+            if self._idle:
+                self._sweep_later()
+        _end(ended)
+
+
+def _end(ended: list[_Lent]) -> None:
+    for lent in ended:
+        lent.child.close()
+
+
+class Bench:
+    """Where one take is worked on: one child for all of it, and its master, fetched once."""
+
+    def __init__(self, store: Store, children: Children) -> None:
+        self._store = store
+        self._children = children
+        self._held = ExitStack()
+        self._lent: _Lent | None = None
+        self._master: Path | None = None
+        self._may_keep = True
+
+    def __enter__(self) -> Self:
+        """Begin nothing: child and master are there once they are asked for."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, _error: BaseException | None, _at: TracebackType | None
+    ) -> None:
+        """Give the child back, or have it ended where it may hold much or the work broke off; let the master go."""
+        self._held.close()
+        if self._lent is not None:
+            if kind is None and self._may_keep:
+                self._children.take_back(self._lent)
+            else:
+                self._lent.child.close()
+
+    def child(self, delivery_id: UUID) -> SandboxChild:
+        """Return the child for the take, which is of this delivery."""
+        if self._lent is None:
+            self._lent = self._children.lend(delivery_id)
+        return self._lent.child
+
+    def master(self, studio_id: UUID, sha256: str) -> Path:
+        """Return where the take's master lies; raise BlobMissing or BlobAltered where the store has it no longer."""
+        if self._master is None:
+            self._master = self._held.enter_context(self._store.local_copy(studio_id, sha256))
+            self._may_keep = self._master.stat().st_size <= LARGE_BYTES
+        return self._master
