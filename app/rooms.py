@@ -3,6 +3,7 @@
 from fastapi import APIRouter
 
 from app.accounts.endpoints import router as accounts
+from app.accounts.studio_endpoints import router as studios
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
@@ -20,6 +21,7 @@ from app.sound_lists.endpoints import router as sound_lists
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
+    studios,
     projects,
     sound_lists,
     money,

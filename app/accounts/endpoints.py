@@ -1,6 +1,6 @@
 """Who comes in, and the endpoints of accounts."""
 
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Coroutine
 from typing import Any
 from uuid import UUID
 
@@ -12,49 +12,32 @@ from app.accounts import doors, people, queries, rate_limits, service
 from app.accounts.doors import CSRF_HEADER, DEMO_PARTS, SESSION_COOKIE, Arrival, Visit, csrf_token, sha256_of
 from app.accounts.errors import (
     AddressTaken,
-    AlreadyMember,
     BadAddress,
     CsrfMismatch,
     DemoDoorClosed,
-    LastProducer,
-    MemberNotFound,
-    NameNeeded,
     NotInDemo,
     NotSignedIn,
     PasswordTooWeak,
     PersonNeeded,
-    ProducerNeeded,
     ResetNotFound,
     ScopeMissing,
-    SignInNeeded,
-    StudioInvitationNotFound,
-    StudioNotFound,
     TooManyTries,
     WrongPassword,
     WrongSignIn,
 )
-from app.accounts.models import Membership, Person, Studio, StudioInvitation
+from app.accounts.models import Person
 from app.accounts.rules import Actor, Policy, Scope, Sight, normalised_email
 from app.accounts.schemas import (
     DemoPart,
-    InvitationAccept,
-    JoinedStudio,
-    MemberRead,
     NameChange,
     NewPassword,
     PasswordChange,
     PersonBrief,
     PersonRead,
     ResetAdd,
-    RolesChange,
     SessionRead,
     SignInAdd,
     SignUpAdd,
-    StudioAdd,
-    StudioBrief,
-    StudioInvitationAdd,
-    StudioInvitationRead,
-    StudioInvitationShown,
 )
 from app.kit.db import Database
 from app.kit.http import (
@@ -226,7 +209,7 @@ class SecretRoute(APIRoute):
 
 
 router = Router(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
-_secret_router = APIRouter(tags=["accounts"], route_class=SecretRoute)
+_secret_router = APIRouter(route_class=SecretRoute)
 
 
 @router.get("/session")
@@ -356,137 +339,6 @@ def play_demo_part(part: str, request: Request, response: Response, _actor: Acto
         raise DemoDoorClosed(f"no demo part {part} here")
     response.set_cookie(doors.DEMO_COOKIE, part, httponly=True, samesite="lax")
     return DemoPart(part=part, parts=list(DEMO_PARTS))
-
-
-@router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo))
-def open_studio(body: StudioAdd, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Studio:
-    """Open a further studio, with the caller as its producer."""
-    person = session.get_one(Person, actor.person)
-    if person.demo_part is not None:
-        raise NotInDemo("the people of the demo have the demo's studio only")
-    return service.open_studio(session, body.name, person)
-
-
-def _member(membership: Membership) -> MemberRead:
-    return MemberRead.model_validate(
-        {
-            "person": PersonBrief.model_validate(membership.person),
-            "email": membership.person.email,
-            "roles": membership.roles,
-            "since": membership.created_at,
-        }
-    )
-
-
-@router.get("/studios/{studio_id}/people", responses=problems(StudioNotFound))
-def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.STUDIO)) -> list[MemberRead]:
-    """Return the people of the studio."""
-    return [_member(membership) for membership in service.people_of(session, actor, studio_id)]
-
-
-@router.put(
-    "/studios/{studio_id}/people/{person_id}",
-    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
-)
-def change_member_roles(
-    studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> MemberRead:
-    """Change what somebody does in the studio; it always keeps a producer."""
-    return _member(service.change_roles(session, actor, studio_id, person_id, body.roles))
-
-
-@router.delete(
-    "/studios/{studio_id}/people/{person_id}",
-    status_code=204,
-    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
-)
-def remove_member(studio_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> None:
-    """Take somebody's place in the studio away; it always keeps a producer."""
-    service.remove_member(session, actor, studio_id, person_id)
-
-
-@router.post(
-    "/studios/{studio_id}/invitations",
-    status_code=201,
-    response_model=StudioInvitationRead,
-    responses=problems(StudioNotFound, ProducerNeeded, AlreadyMember, BadAddress, TooManyTries),
-)
-def invite_member(
-    studio_id: UUID,
-    body: StudioInvitationAdd,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    actor: Actor = allows(Sight.PRODUCER),
-) -> StudioInvitation:
-    """Mail somebody a link into the studio; whether the address has an account is not said."""
-    service.ensure_producer_of(session, actor, studio_id)
-    ensure_may_invite_more(actor)
-    return service.invite_member(
-        session, actor, studio_id, email=body.email, roles=body.roles, base_url=runtime.settings.base_url
-    )
-
-
-@router.get(
-    "/studios/{studio_id}/invitations",
-    response_model=list[StudioInvitationRead],
-    responses=problems(StudioNotFound, ProducerNeeded),
-)
-def list_studio_invitations(
-    studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> Sequence[StudioInvitation]:
-    """Return the invitations that wait for an answer."""
-    return service.open_invitations(session, actor, studio_id)
-
-
-@router.delete(
-    "/studios/{studio_id}/invitations/{studio_invitation_id}",
-    status_code=204,
-    responses=problems(StudioNotFound, ProducerNeeded, StudioInvitationNotFound),
-)
-def revoke_studio_invitation(
-    studio_id: UUID, studio_invitation_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
-) -> None:
-    """Withdraw an invitation into the studio."""
-    service.revoke_studio_invitation(session, actor, studio_id, studio_invitation_id)
-
-
-@router.get("/studio-invitations/{secret}", responses=problems(StudioInvitationNotFound))
-def read_studio_invitation(
-    secret: str, session: DbSession, _actor: Actor = allows(Sight.ANYONE)
-) -> StudioInvitationShown:
-    """Show the holder of a link what they are invited to."""
-    invitation = service.studio_invitation_by_secret(session, secret)
-    return StudioInvitationShown.model_validate(
-        {
-            "studio_name": invitation.studio.name,
-            "email": invitation.email,
-            "roles": invitation.roles,
-            "invited_by_name": invitation.inviter.name,
-            "has_account": queries.has_account(session, invitation.email),
-            "expires_at": invitation.expires_at,
-        }
-    )
-
-
-@_secret_router.post(
-    "/studio-invitations/{secret}/accept",
-    responses=problems(StudioInvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyTries),
-)
-def accept_studio_invitation(
-    secret: str,
-    body: InvitationAccept,
-    request: Request,
-    response: Response,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    actor: Actor = allows(Sight.ANYONE),
-) -> JoinedStudio:
-    """Join the studio with the invited address's account, made now if there is none, and sign in."""
-    ensure_may_try_password(request, sha256_of(secret))
-    person, studio = service.accept_studio_invitation(session, actor, secret, name=body.name, password=body.password)
-    if actor.person_id != person.id:
-        sign_in_browser(session, runtime.settings, response, person.id)
-    return JoinedStudio(person=PersonRead.model_validate(person), studio=StudioBrief.model_validate(studio))
 
 
 router.include_router(_secret_router)

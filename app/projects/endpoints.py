@@ -49,7 +49,7 @@ from app.projects.models import DeciderChange, Engagement, ProjectInvitation, Sp
 
 PAGE_ROWS = 50
 router = Router(prefix="/v1", tags=["projects"], route_class=PatientRoute)
-_secret_router = APIRouter(tags=["projects"], route_class=SecretRoute)
+_secret_router = APIRouter(route_class=SecretRoute)
 
 
 def _project(view: service.ProjectOverview) -> schemas.ProjectRead:

@@ -17,7 +17,7 @@ from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import invitation_by_secret, standing_in
 from app.projects.specs import read_spec
-from app.sound_lists import queries, questions, revisions, service
+from app.sound_lists import export, queries, questions, revisions, service
 from app.sound_lists.errors import (
     ColumnUnknown,
     CueEditedMeanwhile,
@@ -90,7 +90,7 @@ def export_sound_list(
 ) -> Response:
     """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
     project = standing_in(session, actor, project_id).project
-    text = service.sound_list_csv(queries.cues_of(session, project.id), project.cue_prefix)
+    text = export.sound_list_csv(queries.cues_of(session, project.id), project.cue_prefix)
     headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
     return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
 

@@ -15,8 +15,8 @@ from app.sound_lists.columns import Head, head_of, looks_like, read_cell
 from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_line, tidy_text, typed_text
+from app.sound_lists.saving import Edit, RowFault, row_faults, save, whole_facts
 from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportField, ImportRead, ImportRow
-from app.sound_lists.service import Edit, RowFault, row_faults, save, whole_facts
 from app.sound_lists.sheets import Sheet
 
 SAMPLES = 3

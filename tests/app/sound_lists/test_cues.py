@@ -8,7 +8,7 @@ from fastapi.testclient import TestClient
 
 import audio_checks
 from app.kit import events
-from app.sound_lists import service
+from app.sound_lists import saving, service
 from tests.app.sound_lists.lists import add, cut, page_of, the_list
 from tests.support.server import World
 
@@ -143,7 +143,7 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
         told.append((event, facts))
         return events.publish(session, event, **facts)
 
-    monkeypatch.setattr(service, "publish", publish)
+    monkeypatch.setattr(saving, "publish", publish)
     (cue,) = add(world, {"name": "Door"})
     studio = {"studio_id": world.studio_id, "project_id": world.project_id}
     whole = {**studio, "actor_id": world.producer_id}
