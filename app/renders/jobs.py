@@ -70,17 +70,14 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
         studio_id, sha256 = mend.studio_id, mend.sha256
         take = take_with_cue(session, mend.take_id)
         loop = take is not None and take.cue is not None and take.cue.loop
-    with (
-        runtime.store.local_copy(studio_id, sha256) as master,
-        tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
-    ):
+    with runtime.store.local_copy(studio_id, sha256) as master, runtime.store.making() as folder:
         try:
-            drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), folder, loop=loop))
+            drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), str(folder), loop=loop))
         except (Unreadable, RenderRefused, SandboxFailed) as error:
             log.info("a sound could not be drawn", sha256=sha256, error=str(error))
             picture = Picture(studio_id=studio_id, sound_sha256=sha256)
         else:
-            picture = _stored_picture(runtime, studio_id, sha256, Path(folder), drawn)
+            picture = _stored_picture(runtime, studio_id, sha256, folder, drawn)
     with runtime.database.writing() as session:
         service.keep_made(session, [], picture)
 
@@ -105,10 +102,10 @@ def _stored_picture(
     spectrum: StoredBlob | None = None,
 ) -> Picture:
     """Store what was drawn of a sound, but for what is stored already: what plays it, and what that looks like."""
-    peaks = runtime.store.put_file(studio_id, folder / drawing.PEAKS)
-    spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
+    peaks = runtime.store.keep_made(studio_id, folder / drawing.PEAKS)
+    spectrum = spectrum or runtime.store.keep_made(studio_id, folder / drawing.SPECTRUM)
     if preview is None and not drawn["plays_itself"]:
-        preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
+        preview = runtime.store.keep_made(studio_id, folder / drawing.PREVIEW)
     return Picture(
         studio_id=studio_id,
         sound_sha256=sound_sha256,
@@ -209,7 +206,7 @@ def _prepared(
     if not recipes and not draws:
         return [], None
     studio_id, sha256 = order.studio_id, order.master_sha256
-    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+    with runtime.store.making() as folder:
         master = bench.master(studio_id, sha256)
         found = _outcomes(bench.child(order.delivery_id), str(master), folder, recipes, loop=order.loop, draws=draws)
         renders: service.Made = []
@@ -229,9 +226,9 @@ def _prepared(
                 render.refusal = _refusal(order, target, outcome)
                 renders.append((render, None))
                 continue
-            files[target] = blob = runtime.store.put_file(studio_id, place / drawing.GAME_FILE)
+            files[target] = blob = runtime.store.keep_made(studio_id, place / drawing.GAME_FILE)
             _describe(render, blob, outcome["rendered"])
-            spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)
+            spectra[target] = spectrum = runtime.store.keep_made(studio_id, place / drawing.SPECTRUM)
             drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], spectrum=spectrum)
             renders.append((render, drawn))
         if not draws:
@@ -245,7 +242,7 @@ def _prepared(
 
 
 def _outcomes(
-    child: SandboxChild, master: str, folder: str, recipes: dict[str, Recipe], *, loop: bool, draws: bool
+    child: SandboxChild, master: str, folder: Path, recipes: dict[str, Recipe], *, loop: bool, draws: bool
 ) -> dict[str, tuple[Outcome, Path]]:
     """Return what a child made of a master, and where; what fails together is tried by itself, in children anew."""
     child.timeout_s = TIMEOUT_S
@@ -267,7 +264,7 @@ def _outcomes(
         try:
             found |= _tried(partial(made, some, draws_it))
         except SandboxFailed as error:
-            found[next(iter(some), drawing.MASTER)] = error, Path(folder)
+            found[next(iter(some), drawing.MASTER)] = error, folder
     return found
 
 

@@ -7,6 +7,7 @@ from app.kit.storage.multipart import MultipartGone
 from app.kit.storage.signing import Key
 from app.kit.storage.store import (
     COPY_PREFIX,
+    MAKING_PREFIX,
     PUT_PREFIX,
     READ_BYTES,
     BlobAltered,
@@ -34,6 +35,7 @@ def open_store(settings: Settings) -> Store:
 
 __all__ = [
     "COPY_PREFIX",
+    "MAKING_PREFIX",
     "PUT_PREFIX",
     "READ_BYTES",
     "BlobAltered",

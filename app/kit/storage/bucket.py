@@ -76,9 +76,7 @@ class BucketStore(Store):
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
         """Store a copy of a file, without copying it on this machine first."""
-        with source.open("rb") as file:
-            sha256 = hashlib.file_digest(file, "sha256").hexdigest()
-        return self.keep(studio_id, source, sha256)
+        return self.keep_made(studio_id, source)
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
         """Return how long a blob is; raise BlobMissing where there is none."""

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 READ_BYTES = 1 << 20
 Pieces = Generator[bytes, None, None]
-PUT_PREFIX, COPY_PREFIX = ".put-", ".copy-"  # files of a process that died at it are found by these
+# What a process left that died at it is found by these.
+PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX = ".put-", ".copy-", ".making-"
 
 
 class BlobMissing(Refused):
@@ -119,6 +120,21 @@ class Store(ABC):
         """Store a copy of a file."""
         with source.open("rb") as file:
             return self.put(studio_id, iter(lambda: file.read(READ_BYTES), b""))
+
+    @contextmanager
+    def making(self) -> Iterator[Path]:
+        """Give a folder below the staging root for files that are made to be stored; it is gone afterwards."""
+        with self._in_words():
+            self.staging_root.mkdir(parents=True, exist_ok=True)
+            folder = tempfile.TemporaryDirectory(prefix=MAKING_PREFIX, dir=self.staging_root)
+        with folder as name:
+            yield Path(name)
+
+    def keep_made(self, studio_id: UUID, source: Path) -> StoredBlob:
+        """Store a file of such a folder that nobody will write to any more, without copying it first."""
+        with source.open("rb", buffering=0) as file:
+            sha256 = hashlib.file_digest(file, "sha256").hexdigest()
+        return self.keep(studio_id, source, sha256)
 
     def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
         """Return how long each of many blobs is; those that are missing are left out."""

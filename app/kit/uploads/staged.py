@@ -23,7 +23,7 @@ from app.kit import clock, kill, metrics
 from app.kit.db import Database
 from app.kit.errors import Conflict
 from app.kit.seats import seats
-from app.kit.storage import COPY_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
+from app.kit.storage import COPY_PREFIX, MAKING_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
 from app.kit.uploads.errors import (
     ChecksumMismatch,
     OffsetMismatch,
@@ -42,6 +42,7 @@ CHECKSUMS = ("sha256", "sha1")
 KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
 ROWS_KEPT_FOR = timedelta(days=28)  # of unfinished uploads whose file is on no disk that this process sees
 LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
+LEFT_OVER_PREFIXES = (PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX)
 SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
@@ -201,7 +202,7 @@ class Uploads:
         """Delete what expired unfinished and what dead processes left over; return how many files went."""
         staged = list(self._store.staging_root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
         gone = sum(self._swept(staging) for staging in staged)
-        left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in (PUT_PREFIX, COPY_PREFIX)]
+        left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in LEFT_OVER_PREFIXES]
         for left_over in itertools.chain(*left_overs):
             if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
                 if left_over.is_dir():

@@ -75,6 +75,19 @@ def test_a_file_is_stored_and_stays(store: Store, tmp_path: Path):
     assert source.read_bytes() == store.read(STUDIO, SHA256) == CONTENT
 
 
+@pytest.mark.parametrize("content", [b"", CONTENT, LARGE], ids=["nothing", "5 MB", "6 MB"])
+def test_what_is_made_in_a_folder_of_the_store_is_kept_when_that_is_gone(store: Store, content: bytes):
+    with store.making() as folder:
+        made = folder / "render.wav"
+        made.write_bytes(content)
+        stored = store.keep_made(STUDIO, made)
+        assert store.keep_made(STUDIO, made) == stored == StoredBlob(hashlib.sha256(content).hexdigest(), len(content))
+        assert made.read_bytes() == content
+        assert list(store.blobs()) == [(STUDIO, stored)]
+    assert store.read(STUDIO, stored.sha256) == content
+    assert list(store.staging_root.glob(".*")) == []
+
+
 @pytest.mark.parametrize("content", [CONTENT, LARGE], ids=["5 MB", "6 MB"])
 def test_the_same_bytes_twice_are_stored_once(store: Store, content: bytes):
     assert store.put(STUDIO, [content]) == store.put(STUDIO, pieces(content))

@@ -317,12 +317,19 @@ def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store:
     grow_old(paths[str(busy.id)], week_s + 60)
     crashed_put = store.root / ".put-crashed"
     crashed_put.write_bytes(b"half")
-    grow_old(crashed_put, uploads.LEFT_OVER_AFTER.total_seconds() + 60)
+    half_made, being_made = store.root / ".making-crashed", store.root / ".making-now"
+    for folder in (half_made, being_made):
+        folder.mkdir()
+        (folder / "render.wav").write_bytes(b"half")
+    for left_over in (crashed_put, half_made):
+        grow_old(left_over, uploads.LEFT_OVER_AFTER.total_seconds() + 60)
     with paths[str(busy.id)].open("rb") as held:
         fcntl.flock(held, fcntl.LOCK_EX)
-        assert incoming.sweep() == 2
+        assert incoming.sweep() == 3
     assert {path.name for path in staged(store)} == {str(fresh.id), str(busy.id)}
     assert not crashed_put.exists()
+    assert not half_made.exists()
+    assert (being_made / "render.wav").exists()
     with pytest.raises(UploadNotFound):
         find(incoming, expired)
     assert find(incoming, finished).sha256 == SHA256
