@@ -28,11 +28,11 @@ from sqlalchemy.sql.functions import aggregate_strings
 import audio_checks
 from app.conformance.models import CheckRun, Mend, Waiver
 from app.conformance.rules import MENDABLE_STATES
-from app.deliveries.models import Take
+from app.deliveries.models import DryStem, Take
 from app.deliveries.rules import CHECKABLE, TakeState
 from app.kit.among import among
 from app.projects.models import Spec
-from app.sound_lists.models import Cue
+from app.sound_lists.models import Cue, Stem
 
 STANDING = (TakeState.CONFORMING, TakeState.RETURNED, TakeState.APPROVED)  # in a set: neither refused nor set aside
 
@@ -53,6 +53,51 @@ def run_with_key(session: Session, studio_id: UUID, key: str) -> CheckRun | None
 def _run_with_key() -> Select[CheckRun]:
     of_key = (CheckRun.studio_id == bindparam("studio_id"), CheckRun.key == bindparam("key"))
     return select(CheckRun).where(*of_key, CheckRun.verdict != "unjudged").order_by(CheckRun.id.desc()).limit(1)
+
+
+class ToCheck(NamedTuple):
+    """A take with its cue, and what its check depends on, as of one moment."""
+
+    take: Take
+    spec: Spec
+    stem: str | None  # that the list gives it
+    has_dry_stems: bool  # its delivery, of whatever name
+
+
+def take_to_check(session: Session, take_id: UUID) -> ToCheck | None:
+    """Return a take, the newest spec of its project and what the list calls it."""
+    row = session.execute(_to_check(), {"take_id": take_id}).one_or_none()
+    return ToCheck._make(row) if row else None
+
+
+@cache
+def _to_check() -> Select[Take, Spec, str, bool]:
+    later = aliased(Spec)
+    newest = select(later.id).where(later.project_id == Take.project_id).order_by(later.version.desc()).limit(1)
+    stems = exists().where(DryStem.delivery_id == Take.delivery_id)
+    return (
+        select(Take, Spec, Stem.stem, stems)
+        .join(Spec, Spec.id == newest.scalar_subquery())
+        .outerjoin(Stem, and_(Stem.cue_id == Take.cue_id, Stem.variation == Take.variation))
+        .where(Take.id == bindparam("take_id"))
+        .options(joinedload(Take.cue))
+    )
+
+
+def take_to_judge(session: Session, take_id: UUID) -> tuple[Take, bool] | None:
+    """Return a take by itself, locked, and whether it was checked before.
+
+    Whoever checked it while we waited for the lock has changed its state or its edition too.
+    """
+    row = session.execute(_to_judge(), {"take_id": take_id}).one_or_none()
+    return (row[0], row[1]) if row else None
+
+
+@cache
+def _to_judge() -> Select[Take, bool]:
+    checked = exists().where(CheckRun.take_id == Take.id, CheckRun.is_current)
+    locked = select(Take, checked).where(Take.id == bindparam("take_id")).with_for_update(of=Take, key_share=True)
+    return locked.execution_options(populate_existing=True)
 
 
 def retire_runs(session: Session, take_id: UUID) -> None:

@@ -13,6 +13,7 @@ from app.accounts.schemas import PersonBrief
 from app.conformance import queries
 from app.conformance.errors import CheckNotFound, NothingToWaive
 from app.conformance.models import CheckRun, Waiver
+from app.conformance.queries import ToCheck
 from app.conformance.rules import (
     Report,
     asked_of,
@@ -30,7 +31,7 @@ from app.conformance.sets import same_sounds, with_set_word, words_on_sets
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
-from app.deliveries.service import change_state, check_again, check_name, take_for
+from app.deliveries.service import change_state, check_again, name_checked, take_for
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK
@@ -82,18 +83,16 @@ class CheckOrder:
 
 def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
     """Return what is to be checked; None where the take waits for no check."""
-    take = deliveries.take_with_cue(session, take_id)
-    if take is None or take.state is not TakeState.RECEIVED:
-        return None
-    return _order(session, take)
+    found = queries.take_to_check(session, take_id)
+    return _order(session, found) if found is not None and found.take.state is TakeState.RECEIVED else None
 
 
-def _order(session: Session, take: Take) -> CheckOrder:
-    spec = current_spec(session, take.project_id)
+def _order(session: Session, found: ToCheck) -> CheckOrder:
+    take, spec, stem_named, has_dry_stems = found
     cue = cue_facts(take.cue) if take.cue else None
     resolved = resolved_spec(spec, take)
-    name = check_name(session, take)
-    stem = deliveries.dry_stem_of(session, take)
+    name = name_checked(take, stem_named)
+    stem = deliveries.dry_stem_of(session, take) if has_dry_stems else None
     return CheckOrder(
         take_id=take.id,
         delivery_id=take.delivery_id,
@@ -133,12 +132,13 @@ def known_report(session: Session, order: CheckOrder) -> Report | None:
     return run.report if run and not has_failed_comparison(run.report) else None
 
 
-def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
-    """Write a report and what it makes of its take, unless the take has moved on; return whether it was written."""
-    take = deliveries.take_to_judge(session, order.take_id)
+def record_check(session: Session, order: CheckOrder, report: Report) -> TakeState | None:
+    """Write a report and what it makes of its take, and return that; None, and nothing, where the take moved on."""
+    take, was_checked = queries.take_to_judge(session, order.take_id) or (None, False)
     if take is None or take.state is not TakeState.RECEIVED or take.edition != order.edition:
-        return False
-    queries.retire_runs(session, take.id)
+        return None
+    if was_checked:
+        queries.retire_runs(session, take.id)
     session.add(
         CheckRun(
             studio_id=take.studio_id,
@@ -156,7 +156,7 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> bool:
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
     change_state(session, take, state_after(report, waived))
     ask_to_tell(session, take)
-    return True
+    return take.state
 
 
 def ask_to_tell(session: Session, take: Take) -> None:
@@ -189,7 +189,9 @@ def recheck_if_changed(session: Session, take_id: UUID, *, priority: int = BULK)
     take = deliveries.take_by_id(session, take_id, locked=True)
     if take is None or take.state not in CHECKABLE:
         return
-    order = _order(session, take)
+    if (found := queries.take_to_check(session, take_id)) is None:
+        return
+    order = _order(session, found)
     run = queries.current_run(session, take.id)
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take

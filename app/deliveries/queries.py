@@ -109,11 +109,6 @@ def take_with_cue(session: Session, take_id: UUID) -> Take | None:
     return session.scalar(_with_cue(), {"take_id": take_id})
 
 
-def take_to_judge(session: Session, take_id: UUID) -> Take | None:
-    """Return a take by itself, locked, for a job that is going to change it."""
-    return session.scalar(_to_judge(), {"take_id": take_id})
-
-
 @cache
 def _by_id(*, locked: bool) -> Select[Take]:
     query = _of_id().options(*_WITH_CUE_AND_DESIGNER)
@@ -123,11 +118,6 @@ def _by_id(*, locked: bool) -> Select[Take]:
 @cache
 def _with_cue() -> Select[Take]:
     return _of_id().options(joinedload(Take.cue))
-
-
-@cache
-def _to_judge() -> Select[Take]:
-    return _locked(_of_id())
 
 
 def _of_id() -> Select[Take]:

@@ -301,7 +301,11 @@ def put_back(session: Session, take: Take, state: TakeState, since: datetime) ->
 
 def check_name(session: Session, take: Take) -> str:
     """Return the name that a take is checked under: its cue's, for a file dropped on a cue is named for it."""
-    stem = queries.stem_of(session, take)
+    return name_checked(take, queries.stem_of(session, take))
+
+
+def name_checked(take: Take, stem: str | None) -> str:
+    """Return the name that a take is checked under, where it is known what the list calls it."""
     if stem is None:
         return take.file_name
     _, dot, ending = take.file_name.rpartition(".")
