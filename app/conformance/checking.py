@@ -1,21 +1,27 @@
 """A take is judged: its report comes out of a child that may crash, hang or eat memory."""
 
+from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 from uuid import UUID
 
 import structlog
 from prometheus_client import Counter
+from sqlalchemy.orm import Session
 
 import audio_checks
-from app.conformance import mends, service
+from app.conformance import mends, queries, service
 from app.conformance.benches import Bench
 from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before, with_stem
 from app.conformance.service import CheckOrder, StemBeside
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.kit import kill
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
+from app.projects.models import Spec
 
+Seen = TypeVar("Seen")
 log = structlog.get_logger(__name__)
 BASE_TIME_S = 60
 BYTES_A_SECOND = 8 << 20  # far slower than any machine that this runs on
@@ -23,24 +29,32 @@ MEMORY_BYTES = 1 << 30
 TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by verdict.", ["verdict"])
 
 
-def judge(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
-    """Check a received take against the newest spec and record its verdict, once; one that waits for none is left."""
+def judge(
+    runtime: Runtime, take_id: UUID, bench: Bench, beside: Callable[[Session, Take, Spec], Seen]
+) -> tuple[TakeState, Seen] | None:
+    """Check a received take against the newest spec and record its verdict, once; one that waits for none is left.
+
+    Return what the verdict made of the take, and what `beside` saw of it before, in the moment of the check's order.
+    """
     with runtime.database.reading() as session:
-        order = service.order_check(session, take_id)
-        report = service.known_report(session, order) if order else None
-    if order is None:
-        return
+        found = queries.take_to_check(session, take_id)
+        if found is None or found.take.state is not TakeState.RECEIVED:
+            return None
+        order = service.order_check(session, found)
+        report = service.known_report(session, order)
+        seen = beside(session, found.take, found.spec)
     kill.point("conformance.before_check")
     report = with_reverb_before(report or _checked(runtime, order, bench), _beside_before(runtime, order, bench))
     kill.point("conformance.after_check")
     with runtime.database.writing() as session:
-        is_news = service.record_check(session, order, report)
-        if is_news and report["verdict"] != "conforming":
+        state = service.record_check(session, order, report)
+        if state is not None and report["verdict"] != "conforming":
             mends.make_ready(session, order.take_id)
         kill.point("conformance.before_commit")
-    if is_news:
+    if state is not None:
         TAKES_CHECKED.labels(report["verdict"]).inc()
     kill.point("conformance.after_commit")
+    return None if state is None else (state, seen)
 
 
 def _checked(runtime: Runtime, order: CheckOrder, bench: Bench) -> Report:

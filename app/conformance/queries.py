@@ -77,6 +77,7 @@ def _to_check() -> Select[Take, Spec, str, bool]:
     stems = exists().where(DryStem.delivery_id == Take.delivery_id)
     return (
         select(Take, Spec, Stem.stem, stems)
+        .select_from(Take)
         .join(Spec, Spec.id == newest.scalar_subquery())
         .outerjoin(Stem, and_(Stem.cue_id == Take.cue_id, Stem.variation == Take.variation))
         .where(Take.id == bindparam("take_id"))

@@ -81,13 +81,8 @@ class CheckOrder:
     key: str
 
 
-def order_check(session: Session, take_id: UUID) -> CheckOrder | None:
-    """Return what is to be checked; None where the take waits for no check."""
-    found = queries.take_to_check(session, take_id)
-    return _order(session, found) if found is not None and found.take.state is TakeState.RECEIVED else None
-
-
-def _order(session: Session, found: ToCheck) -> CheckOrder:
+def order_check(session: Session, found: ToCheck) -> CheckOrder:
+    """Return what is to be checked of a take."""
     take, spec, stem_named, has_dry_stems = found
     cue = cue_facts(take.cue) if take.cue else None
     resolved = resolved_spec(spec, take)
@@ -191,7 +186,7 @@ def recheck_if_changed(session: Session, take_id: UUID, *, priority: int = BULK)
         return
     if (found := queries.take_to_check(session, take_id)) is None:
         return
-    order = _order(session, found)
+    order = order_check(session, found)
     run = queries.current_run(session, take.id)
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take

@@ -162,8 +162,15 @@ def hear_palette(runtime: Runtime, payload: Payload) -> None:
 def prepare_take(runtime: Runtime, payload: Payload) -> None:
     """Check a received take and record its verdict; then draw it and make its game files, in the same child."""
     with Bench(runtime.store, _children()) as bench:
-        judge(runtime, UUID(payload["take_id"]), bench)
-        _make_renders(runtime, UUID(payload["take_id"]), bench)
+        take_id = UUID(payload["take_id"])
+        judged = judge(runtime, take_id, bench, service.foresee)
+        if judged is None:
+            _make_renders(runtime, take_id, bench)
+            return
+        state, foreseen = judged
+        if (order := service.settled(foreseen, state)) and not _made(runtime, order, bench):
+            # Spec or cue moved on before the verdict was there for others to see: nobody else asks for what they want.
+            _make_renders(runtime, take_id, bench)
 
 
 # Earlier versions had a job for the check alone; such a job, come again after its verdict, makes what is not made yet.
@@ -184,19 +191,23 @@ job("renders.draw_take")(make_renders)
 def _make_renders(runtime: Runtime, take_id: UUID, bench: Bench) -> None:
     with runtime.database.reading() as session:
         order = service.order_making(session, take_id)
-    if order is None:
-        return
+    if order is not None:
+        _made(runtime, order, bench)
+
+
+def _made(runtime: Runtime, order: service.RenderOrder, bench: Bench) -> bool:
+    """Make what is ordered and put it on record; return False where what was ordered moved on meanwhile."""
     kill.point("renders.before_render")
     renders, picture = _prepared(runtime, order, order.missing, bench, draws=order.draws)
     kill.point("renders.after_render")
     with runtime.database.writing() as session:
         service.keep_made(session, renders, picture)
-        if order.may_ship:
-            service.complete(session, order)
+        holds = not order.may_ship or service.complete(session, order)
         kill.point("renders.before_commit")
     kill.point("renders.after_commit")
     for render, _ in renders:
         RENDERS.labels(render.state.value).inc()
+    return holds
 
 
 def _prepared(

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, func, or_, select
-from sqlalchemy.orm import Session, contains_eager, defer, joinedload, load_only
+from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eager, defer, joinedload, load_only
 from sqlalchemy.sql.base import ExecutableOption
 
 import audio_checks
@@ -104,11 +104,24 @@ def timbre_of(session: Session, studio_id: UUID, sha256: str) -> Timbre | None:
 
 def has_palette(session: Session, project_id: UUID) -> bool:
     """Whether a project's list marks any cue as its palette."""
-    return bool(session.scalar(select(_marks_a_palette(Cue.project_id == project_id))))
+    return bool(session.scalar(select(_marks_a_palette(Cue, project_id))))
 
 
-def _marks_a_palette(in_project: ColumnElement[bool]) -> ColumnElement[bool]:
-    return exists().where(in_project, Cue.palette, Cue.state != CueState.CUT)
+def _marks_a_palette(cue: type[Cue], project_id: UUID | InstrumentedAttribute[UUID]) -> ColumnElement[bool]:
+    return exists().where(cue.project_id == project_id, cue.palette, cue.state != CueState.CUT)
+
+
+def what_stands(session: Session, take: Take) -> tuple[bool, bool]:
+    """Return whether a take's master is drawn, and whether any game file was made of it or refused."""
+    sought = {"studio_id": take.studio_id, "sha256": take.master_sha256, "take_id": take.id}
+    is_drawn, has_renders = session.execute(_what_stands(), sought).one()
+    return is_drawn, has_renders
+
+
+@cache
+def _what_stands() -> Select[bool, bool]:
+    of_sound = (Picture.studio_id == bindparam("studio_id"), Picture.sound_sha256 == bindparam("sha256"))
+    return select(exists().where(*of_sound), exists().where(Render.take_id == bindparam("take_id")))
 
 
 class TakeNow(NamedTuple):
@@ -116,20 +129,23 @@ class TakeNow(NamedTuple):
 
     edition: int
     spec_id: UUID
+    category: str
+    loop: bool
     has_palette: bool
 
 
 def take_now(session: Session, take_id: UUID) -> TakeNow | None:
-    """Return how a take and the newest spec of its project stand at this moment."""
+    """Return how a matched take, its cue and the newest spec of its project stand at this moment."""
     row = session.execute(_take_now(), {"take_id": take_id}).one_or_none()
     return TakeNow._make(row) if row else None
 
 
 @cache
-def _take_now() -> Select[int, UUID, bool]:
+def _take_now() -> Select[int, UUID, str, bool, bool]:
     newest = select(Spec.id).where(Spec.project_id == Take.project_id).order_by(Spec.version.desc()).limit(1)
-    found = select(Take.edition, newest.scalar_subquery(), _marks_a_palette(Cue.project_id == Take.project_id))
-    return found.where(Take.id == bindparam("take_id"))
+    palette = _marks_a_palette(aliased(Cue), Take.project_id)
+    found = select(Take.edition, newest.scalar_subquery(), Cue.category, Cue.loop, palette)
+    return found.select_from(Take).join(Cue, Cue.id == Take.cue_id).where(Take.id == bindparam("take_id"))
 
 
 def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:

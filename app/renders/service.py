@@ -1,6 +1,6 @@
 """Renders and pictures: what a caller sees of them, and how they are put on record."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from uuid import UUID
 
@@ -11,10 +11,12 @@ from app.conformance.models import Mend
 from app.conformance.queries import made_mend_of
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_with_cue
+from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
 from app.kit.db import insert_unless_there, row_of
 from app.kit.events import publish
 from app.kit.queue import BULK
+from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
@@ -141,6 +143,7 @@ class RenderOrder:
     may_ship: bool
     draws: bool  # its master
     loop: bool
+    category: str  # of its cue, "" for none
     take_id: UUID
     delivery_id: UUID
     edition: int
@@ -161,19 +164,27 @@ def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
 def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return what is to be made of a take that may ship, and whether its master is to be drawn; None for neither."""
     take = take_with_cue(session, take_id)
-    if take is None:
+    return settled(foresee(session, take, current_spec(session, take.project_id)), take.state) if take else None
+
+
+def settled(order: RenderOrder, state: TakeState) -> RenderOrder | None:
+    """Return what is to be made of a take in this state; None where nothing is."""
+    may_ship = order.may_ship and state in RENDERED_STATES
+    if not may_ship and not order.draws:
         return None
-    may_ship = take.cue is not None and take.state in RENDERED_STATES
-    draws = queries.picture_of(session, take.studio_id, take.master_sha256) is None
-    if not may_ship and not draws:
-        return None
-    spec = current_spec(session, take.project_id)
-    made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id]
-    recipes = queries.wanted_recipes(spec, take) if may_ship else {}
+    return order if may_ship else replace(order, may_ship=False, missing={})
+
+
+def foresee(session: Session, take: Take, spec: Spec) -> RenderOrder:
+    """Return what is to be made of a take (its cue loaded) by this spec, its newest, once its state lets it ship."""
+    is_drawn, has_renders = queries.what_stands(session, take)
+    recipes = queries.wanted_recipes(spec, take)
+    made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id] if has_renders else {}
     return RenderOrder(
-        may_ship=may_ship,
-        draws=draws,
+        may_ship=take.cue is not None,
+        draws=not is_drawn,
         loop=take.cue is not None and take.cue.loop,
+        category=take.cue.category if take.cue is not None else "",
         take_id=take.id,
         delivery_id=take.delivery_id,
         edition=take.edition,
@@ -181,7 +192,7 @@ def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
         project_id=take.project_id,
         master_sha256=take.master_sha256,
         spec_id=spec.id,
-        missing={target: recipe for target, recipe in recipes.items() if made[target] is None},
+        missing={target: recipe for target, recipe in recipes.items() if made.get(target) is None},
         there={target: render for target, render in made.items() if render is not None},
     )
 
@@ -195,16 +206,18 @@ def keep_made(session: Session, renders: Made, picture: Picture | None = None) -
         insert_unless_there(session, Render, row_of(render), unique=("take_id", "target", "key"))
 
 
-def complete(session: Session, order: RenderOrder) -> None:
-    """Say that every render of a take is made or refused, unless take or spec moved on meanwhile."""
+def complete(session: Session, order: RenderOrder) -> bool:
+    """Say that every render of a take is made or refused; return False where take, spec or cue moved on meanwhile."""
     now = queries.take_now(session, order.take_id)
-    if now is None or (now.edition, now.spec_id) != (order.edition, order.spec_id):
-        return
+    asked = (order.edition, order.spec_id, order.category, order.loop)
+    if now is None or (now.edition, now.spec_id, now.category, now.loop) != asked:
+        return False
     whole = {"studio_id": order.studio_id, "spec_id": order.spec_id, "edition": order.edition}
     if not insert_unless_there(session, RenderSet, {"take_id": order.take_id, **whole}, unique=("take_id",)):
         session.merge(RenderSet(take_id=order.take_id, **whole))
     if now.has_palette:
         publish(session, "take.rendered", studio_id=order.studio_id, priority=BULK, take_id=order.take_id)
+    return True
 
 
 def keep_timbre(session: Session, timbre: Timbre) -> None:
