@@ -5,19 +5,24 @@ It is worked out when the transaction ends, once for each cue, so that many take
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
+from dataclasses import fields
 from functools import cache
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import Select, event, select
+from sqlalchemy import Select, Table, bindparam, delete, event, insert, select, update
 from sqlalchemy.orm import Session
 
 from app.deliveries.models import CueSums, Take
 from app.deliveries.sum_rules import SummedTake, Sums, sums_of
 from app.kit.among import among
+from app.kit.db import Base
 from app.sound_lists.models import Cue
 
+SUMS: Table = Base.metadata.tables[CueSums.__tablename__]
+_ONE = (SUMS.c.cue_id == bindparam("of_cue"), SUMS.c.viewer_id == bindparam("viewer"))
+_NEW, _GONE = insert(SUMS), delete(SUMS).where(*_ONE)
+_CHANGED = update(SUMS).where(*_ONE).values({each.name: bindparam(each.name) for each in fields(Sums)})
 TOUCHED = "cues whose takes changed"  # key in a session's info
 
 
@@ -44,22 +49,28 @@ def _sum_up(session: Session) -> None:
     if not cue_ids:
         return
     # Each cue by one transaction at a time: whoever waited here reads what the others wrote.
-    cues = session.execute(_locked(), {"cue_ids": cue_ids}).all()
+    of_cues = {"cue_ids": cue_ids}
+    cues = session.execute(_locked(), of_cues).all()
     takes: dict[UUID, list[SummedTake]] = defaultdict(list)
-    for take in session.execute(_summed(), {"cue_ids": cue_ids}):
+    for take in session.execute(_summed(), of_cues):
         takes[take.cue_id].append(SummedTake._make(take[1:]))
-    kept = {(row.cue_id, row.viewer_id): row for row in session.scalars(_kept(), {"cue_ids": cue_ids})}
+    kept = {(cue_id, viewer_id): Sums(*sums) for cue_id, viewer_id, *sums in session.execute(_kept(), of_cues)}
+    new, changed = [], []
     for cue in cues:
         if not takes[cue.cue_id]:
             continue
         for viewer_id, sums in views_of(cue.studio_id, takes[cue.cue_id]):
-            if (row := kept.pop((cue.cue_id, viewer_id), None)) is None:
-                row = CueSums(**cue._mapping, viewer_id=viewer_id)
-                session.add(row)
-            for name, value in asdict(sums).items():
-                setattr(row, name, value)
-    for row in kept.values():  # their takes are for another cue now
-        session.delete(row)
+            before = kept.pop((cue.cue_id, viewer_id), None)
+            if before is None:
+                new.append({**cue._mapping, "viewer_id": viewer_id, **vars(sums)})
+            elif before != sums:
+                changed.append({"of_cue": cue.cue_id, "viewer": viewer_id, **vars(sums)})
+    if new:
+        session.execute(_NEW, new)
+    if changed:
+        session.execute(_CHANGED, changed)
+    if kept:  # their takes are for another cue now
+        session.execute(_GONE, [{"of_cue": cue_id, "viewer": viewer} for cue_id, viewer in kept])
 
 
 @cache
@@ -75,5 +86,6 @@ def _summed() -> Select[*tuple[Any, ...]]:
 
 
 @cache
-def _kept() -> Select[CueSums]:
-    return select(CueSums).where(among(CueSums.cue_id, "cue_ids")).execution_options(populate_existing=True)
+def _kept() -> Select[*tuple[Any, ...]]:
+    said = (getattr(CueSums, each.name) for each in fields(Sums))
+    return select(CueSums.cue_id, CueSums.viewer_id, *said).where(among(CueSums.cue_id, "cue_ids"))

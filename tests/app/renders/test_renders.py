@@ -4,6 +4,7 @@ import hashlib
 import io
 import time
 import wave
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ClassVar
 from uuid import UUID
@@ -11,6 +12,7 @@ from uuid import UUID
 import numpy as np
 import pytest
 from sqlalchemy import func, select, update
+from sqlalchemy.orm import Session, joinedload
 
 import audio_checks
 from app.conformance.models import CheckRun
@@ -20,8 +22,10 @@ from app.kit import kill
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
-from app.renders import drawing, jobs, service
+from app.projects.queries import current_spec
+from app.renders import drawing, jobs, queries, service
 from app.renders.models import Picture, Render, RenderSet
+from app.sound_lists.models import Cue
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import RunningServer, World
 from tests.support.waves import join, silence, sine, wav_bytes
@@ -228,6 +232,48 @@ def test_the_same_master_gives_the_same_bytes(world: World) -> None:
     assert files[0] == files[1]
 
 
+def add_newer_spec(session: Session, world: World) -> None:
+    toml = audio_checks.new_spec("48k", name="newer")
+    session.add(
+        Spec(
+            studio_id=world.studio_id,
+            project_id=world.project_id,
+            version=2,
+            toml=toml,
+            sha256=audio_checks.parse_spec(toml).sha256,
+            created_by=world.producer_id,
+        )
+    )
+
+
+def make_it_loop(session: Session, world: World) -> None:
+    session.execute(update(Cue).where(Cue.project_id == world.project_id).values(loop=True))
+
+
+@pytest.mark.parametrize("move_on", [add_newer_spec, make_it_loop])
+def test_what_moves_on_between_check_and_game_files_is_followed(
+    world: World, monkeypatch: pytest.MonkeyPatch, move_on: Callable[[Session, World], None]
+) -> None:
+    add_cue(world, "beep")
+    moved: list[str] = []
+
+    def move(point: str) -> None:
+        if point == "conformance.after_check" and not moved:
+            moved.append(point)
+            world.server.in_database(lambda session: move_on(session, world))
+
+    monkeypatch.setattr(kill, "point", move)
+    take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
+    assert moved
+    with world.server.runtime.database.reading() as session:
+        take = session.get_one(Take, take_id, options=[joinedload(Take.cue)])
+        spec = current_spec(session, world.project_id)
+        stands = queries.current_renders(session, {world.project_id: spec}, [take])[take_id]
+        assert stands
+        assert all(stands.values())
+        assert session.get_one(RenderSet, take_id).spec_id == spec.id
+
+
 def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> None:
     add_cue(world, "beep")
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
@@ -238,21 +284,8 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     jobs.make_renders(server.runtime, {"take_id": str(take_id)})
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 7
 
-    def newer(session: Any) -> None:
-        toml = audio_checks.new_spec("48k", name="newer")
-        session.add(
-            Spec(
-                studio_id=world.studio_id,
-                project_id=world.project_id,
-                version=2,
-                toml=toml,
-                sha256=audio_checks.parse_spec(toml).sha256,
-                created_by=world.producer_id,
-            )
-        )
-
     order = server.in_database(lambda session: service.order_renders(session, take_id))
-    server.in_database(newer)
+    server.in_database(lambda session: add_newer_spec(session, world))
     server.in_database(
         lambda session: session.execute(update(RenderSet).where(RenderSet.take_id == take_id).values(edition=0))
     )
