@@ -2,7 +2,8 @@
 
 import select
 import sqlite3
-from collections.abc import Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from enum import StrEnum
@@ -241,6 +242,19 @@ def insert_unless_there(
     session.flush()  # rows that it refers to
     insert = _insert_unless_there(session.get_bind().dialect.name, table, unique, where)
     return session.scalar(insert, dict(values)) is not None
+
+
+def insert_all_unless_there(
+    session: Session, table: type[Base], rows: Sequence[Mapping[str, Any]], *, unique: tuple[str, ...]
+) -> None:
+    """Insert rows, those of the same columns by one statement, each unless another has its unique columns."""
+    session.flush()
+    insert = _insert_unless_there(session.get_bind().dialect.name, table, unique, None)
+    alike: dict[frozenset[str], list[Mapping[str, Any]]] = defaultdict(list)
+    for row in rows:
+        alike[frozenset(row)].append(row)
+    for some in alike.values():
+        session.execute(insert, some)
 
 
 @cache  # to build the statement takes longer than to run it

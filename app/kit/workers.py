@@ -210,6 +210,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "max_executor_threads": max(8, jobs_at_once * 4),
         "log_level": "WARNING",
         "notification_listener_polling_interval_sec": 1.0,
+        "notification_coalesce_sec": 1.0,  # nothing of ours waits for a notification: it would look 100 times a second
     }
 
 

@@ -13,7 +13,7 @@ from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_with_cue
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
-from app.kit.db import insert_unless_there, row_of
+from app.kit.db import insert_all_unless_there, insert_unless_there, row_of
 from app.kit.events import publish
 from app.kit.queue import BULK
 from app.projects.models import Spec
@@ -199,11 +199,10 @@ def foresee(session: Session, take: Take, spec: Spec) -> RenderOrder:
 
 def keep_made(session: Session, renders: Made, picture: Picture | None = None) -> None:
     """Put game files with their pictures, and the picture of another sound, on record, each once."""
-    for one in [drawn for _, drawn in renders] + [picture]:
-        if one is not None:
-            insert_unless_there(session, Picture, row_of(one), unique=("studio_id", "sound_sha256"))
-    for render, _ in renders:
-        insert_unless_there(session, Render, row_of(render), unique=("take_id", "target", "key"))
+    pictures = [row_of(one) for one in (*(drawn for _, drawn in renders), picture) if one is not None]
+    insert_all_unless_there(session, Picture, pictures, unique=("studio_id", "sound_sha256"))
+    made = [row_of(render) for render, _ in renders]
+    insert_all_unless_there(session, Render, made, unique=("take_id", "target", "key"))
 
 
 def complete(session: Session, order: RenderOrder) -> bool:
