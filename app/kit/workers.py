@@ -196,6 +196,11 @@ def _sync_later(connection: Any, _record: Any) -> None:
     connection.execute("PRAGMA synchronous=NORMAL")
 
 
+def _prepare_soon(connection: Any, _record: Any) -> None:
+    """Have PostgreSQL keep the plan of a statement that is sent a second time, as our own connections do."""
+    connection.prepare_threshold = 1
+
+
 def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
     return {
         "name": queue.APPLICATION,
@@ -205,7 +210,10 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "sys_db_pool_size": 5 + jobs_at_once,
         "db_engine_kwargs": {
             "pool_pre_ping": False,
-            "pool_events": [(_sync_later, "connect") if database.is_sqlite else (ensure_open, "checkout")],
+            "pool_use_lifo": True,  # the connection that was used last has its statements prepared
+            "pool_events": [(_sync_later, "connect")]
+            if database.is_sqlite
+            else [(ensure_open, "checkout"), (_prepare_soon, "connect")],
         },
         "max_executor_threads": max(8, jobs_at_once * 4),
         "log_level": "WARNING",
