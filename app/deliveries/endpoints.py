@@ -1,5 +1,6 @@
 """The endpoints of this room."""
 
+import asyncio
 from typing import Annotated, Any
 from uuid import UUID
 
@@ -37,7 +38,19 @@ from app.deliveries.schemas import (
 )
 from app.deliveries.upload_endpoints import router as uploads_router
 from app.kit.blob_answer import blob_answer
-from app.kit.http import BackSession, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import (
+    BackSeat,
+    BackSession,
+    CurrentRuntime,
+    DbSession,
+    Page,
+    Route,
+    Router,
+    cursor_of,
+    problems,
+    transaction,
+    uuid_cursor,
+)
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.projects.errors import DesignerNeeded, ProjectNotFound
@@ -152,14 +165,24 @@ def change_delivery(
         VariationUnknown,
     ),
 )  # fmt: skip
-def add_take(
+async def add_take(
+    request: Request,
+    _seat: BackSeat,
     delivery_id: UUID,
     body: TakeAdd,
-    response: Response,
-    session: BackSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
-) -> TakeAdded | Response:
+) -> Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
+    return await asyncio.to_thread(_added_take, request, actor, delivery_id, body)  # all of it in one thread
+
+
+def _added_take(request: Request, actor: Actor, delivery_id: UUID, body: TakeAdd) -> Response:
+    with transaction(request) as session:
+        status, answer = _take_of(session, actor, delivery_id, body)
+    return Response(answer.model_dump_json(), status, media_type="application/json")
+
+
+def _take_of(session: Session, actor: Actor, delivery_id: UUID, body: TakeAdd) -> tuple[int, TakeAdded | DryStemRead]:
     delivery, standing = service.own_delivery(session, actor, delivery_id)
     upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
     stem = dry_stems.stem_meant(session, delivery, body.file_name)
@@ -167,8 +190,7 @@ def add_take(
         kept = dry_stems.receive_dry_stem(
             session, actor, delivery_id, upload=upload, file_name=body.file_name, stem=stem
         )
-        beside = dry_stems.read_dry_stem(session, kept)
-        return Response(beside.model_dump_json(), 202, media_type="application/json")
+        return 202, dry_stems.read_dry_stem(session, kept)
     take, already_here = service.receive_take(
         session,
         standing,
@@ -179,8 +201,8 @@ def add_take(
         variation=body.variation,
         note=body.note,
     )
-    response.status_code = 200 if already_here else 201
-    return service.added_take(standing.project, take, already_here=already_here)
+    status = 200 if already_here else 201
+    return status, service.added_take(standing.project, take, already_here=already_here)
 
 
 @router.post(

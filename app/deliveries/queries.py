@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Sequence
 from functools import cache
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, bindparam, func, select
@@ -12,6 +13,7 @@ from app.deliveries.rules import TakeState
 from app.deliveries.rules import stem_of as stem_of_name
 from app.kit.among import among
 from app.projects.models import Engagement, Project
+from app.projects.queries import StandingFacts, facts_of_standing
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue, Stem
 
@@ -24,6 +26,18 @@ _OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).option
 def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:
     """Return a delivery with its designer, without asking who looks."""
     return session.scalar(_DELIVERY, {"delivery_id": delivery_id})
+
+
+def delivery_with_facts(session: Session, delivery_id: UUID, person_id: UUID) -> tuple[Delivery, StandingFacts] | None:
+    """Return a delivery with its designer and what a person's standing in its project depends on, all at once."""
+    row = session.execute(_with_facts(), {"delivery_id": delivery_id, "person_id": person_id}).one_or_none()
+    return (row[-1], StandingFacts._make(row[:-1])) if row else None
+
+
+@cache
+def _with_facts() -> Select[*tuple[Any, ...]]:
+    found = facts_of_standing().join(Delivery, Delivery.project_id == Project.id).add_columns(Delivery)
+    return found.where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
 
 
 def deliveries_of(
@@ -135,7 +149,7 @@ def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
 
 def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None:
     """Return the take that a file of a ZIP became."""
-    return _one(session, Take.archive_id == archive_id, Take.archive_entry == place)
+    return session.scalar(_newest(Take.archive_id == archive_id, Take.archive_entry == place))
 
 
 def dry_stem_of(session: Session, take: Take) -> DryStem | None:
@@ -185,20 +199,29 @@ def takes_beside(session: Session, delivery_id: UUID, stem: str) -> list[UUID]:
 
 def same_take(session: Session, delivery: Delivery, sha256: str, cue_id: UUID | None, variation: int) -> Take | None:
     """Return the designer's take of the same bytes for the same cue and variation, or in the tray."""
-    return _one(
-        session,
-        Take.project_id == delivery.project_id,
-        Take.designer_id == delivery.designer_id,
-        Take.master_sha256 == sha256,
-        Take.cue_id == cue_id if cue_id else Take.cue_id.is_(None),
-        Take.variation == variation,
+    facts = {
+        "project_id": delivery.project_id,
+        "designer_id": delivery.designer_id,
+        "sha256": sha256,
+        "variation": variation,
+        **({"cue_id": cue_id} if cue_id else {}),
+    }
+    return session.scalar(_same(is_matched=cue_id is not None), facts)
+
+
+@cache
+def _same(*, is_matched: bool) -> Select[Take]:
+    return _newest(
+        Take.project_id == bindparam("project_id"),
+        Take.designer_id == bindparam("designer_id"),
+        Take.master_sha256 == bindparam("sha256"),
+        Take.cue_id == bindparam("cue_id") if is_matched else Take.cue_id.is_(None),
+        Take.variation == bindparam("variation"),
     )
 
 
-def _one(session: Session, *conditions: ColumnElement[bool]) -> Take | None:
-    return session.scalar(
-        select(Take).where(*conditions).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id.desc()).limit(1)
-    )
+def _newest(*conditions: ColumnElement[bool]) -> Select[Take]:
+    return select(Take).where(*conditions).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id.desc()).limit(1)
 
 
 def takes_of(

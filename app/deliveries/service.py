@@ -30,7 +30,7 @@ from app.kit.queue import NORMAL
 from app.kit.uploads import FinishedUpload
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
-from app.projects.service import Standing, standing_in
+from app.projects.service import Standing, standing_in, standing_of
 from app.sound_lists import rules as list_rules
 from app.sound_lists import service as sound_lists
 from app.sound_lists.models import Cue
@@ -57,16 +57,24 @@ class Origin:
 
 def delivery_for(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing]:
     """Return a delivery within the caller's sight, and what the caller is in its project."""
-    delivery = queries.delivery_by_id(session, delivery_id)
-    if delivery is None:
-        raise DeliveryNotFound(f"no delivery {delivery_id}")
     try:
-        standing = standing_in(session, actor, delivery.project_id)
+        found = _found_by(session, actor, delivery_id)
     except ProjectNotFound:
-        raise DeliveryNotFound(f"no delivery {delivery_id}") from None
+        found = None
+    if found is None:
+        raise DeliveryNotFound(f"no delivery {delivery_id}")
+    delivery, standing = found
     if standing.only_designer_id not in (None, delivery.designer_id):
         raise DeliveryNotFound(f"no delivery {delivery_id}")
     return delivery, standing
+
+
+def _found_by(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing] | None:
+    if actor.is_build:
+        delivery = queries.delivery_by_id(session, delivery_id)
+        return (delivery, standing_in(session, actor, delivery.project_id)) if delivery else None
+    found = queries.delivery_with_facts(session, delivery_id, actor.person_id) if actor.person_id else None
+    return (found[0], standing_of(actor, found[1])) if found else None
 
 
 def own_delivery(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, Standing]:

@@ -5,11 +5,9 @@ Idempotency-Key: an upload has its own.
 """
 
 import asyncio
-import base64
-import binascii
-import re
 from collections.abc import AsyncIterator, Callable, Coroutine
 from email.utils import format_datetime
+from functools import partial
 from typing import Annotated, Any
 from uuid import UUID
 
@@ -31,13 +29,20 @@ from app.deliveries.errors import (
 )
 from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
 from app.deliveries.schemas import PartsAsk, PartsRead, UploadRead
+from app.deliveries.upload_headers import (
+    checksum_of,
+    named_values,
+    number_of_bytes,
+    sha256_in_hex,
+    sha256_of_digest,
+    uuid_in,
+)
 from app.kit.errors import Refused
 from app.kit.http import BackSeat, CurrentRuntime, problems
 from app.kit.runtime import Runtime
 from app.kit.storage import StoreUnavailable
 from app.kit.uploads import (
     CHECKSUMS,
-    Checksum,
     ChecksumMismatch,
     OffsetMismatch,
     PartsNotTaken,
@@ -59,8 +64,6 @@ TUS_VERSION = "1.0.0"
 EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
 PARTS_EXTENSION = "soundlist-parts"  # ours: what was created may be sent to the store in parts
 BODY_TYPE = "application/offset+octet-stream"
-MOST_METADATA = 8_192  # characters; the name of a file may be long
-HEX_SHA256 = re.compile(r"[0-9a-f]{64}")
 
 UploadsActor = Annotated[Actor, allows(Sight.PERSON, build=Scope.DELIVERIES_WRITE)]
 Tus = Annotated[str | None, Header(alias="Tus-Resumable", description="1.0.0")]
@@ -135,22 +138,24 @@ async def begin_upload(
 ) -> Response:
     """Make room for a file in a delivery; bytes may come along."""
     _ensure_tus(tus_resumable)
-    length = _number("Upload-Length", upload_length)
-    metadata = _metadata(upload_metadata)
+    length = number_of_bytes("Upload-Length", upload_length)
+    metadata = named_values(upload_metadata)
     has_body = request.headers.get("content-type") == BODY_TYPE
     if not has_body and request.headers.get("content-length", "0") != "0":
         raise WrongContentType(f"the bytes of an upload come as {BODY_TYPE}")
-    checksum = _checksum(upload_checksum)
+    checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(
-        _permitted, runtime, actor, _uuid("delivery_id", metadata.get("delivery_id", "")),
-        metadata.get("file_name", ""), length, _sha256(metadata.get("sha256")),
-        _uuid("take_id", metadata["take_id"]) if "take_id" in metadata else None,
+    begin = partial(
+        _permitted, runtime, actor, uuid_in("delivery_id", metadata.get("delivery_id", "")),
+        metadata.get("file_name", ""), length, sha256_in_hex(metadata.get("sha256")),
+        uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None,
     )  # fmt: skip
-    if has_body:
-        seat.leave()  # bytes come as slowly as they like
-        upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
-    return await asyncio.to_thread(_standing, uploads, upload, 201)
+    if not has_body:
+        return await asyncio.to_thread(lambda: _standing(uploads, begin(), 201))
+    upload = await asyncio.to_thread(begin)
+    seat.leave()  # bytes come as slowly as they like
+    upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
+    return await _after(uploads, upload, 201)
 
 
 @router.head(
@@ -192,13 +197,13 @@ async def continue_upload(
     _ensure_tus(tus_resumable)
     if request.headers.get("content-type") != BODY_TYPE:
         raise WrongContentType(f"the bytes of an upload come as {BODY_TYPE}")
-    offset = _number("Upload-Offset", upload_offset)
-    checksum = _checksum(upload_checksum)
+    offset = number_of_bytes("Upload-Offset", upload_offset)
+    checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_own, runtime, actor, upload_id)
     seat.leave()
     upload = await uploads.receive(upload, offset, _body(request), announced=_announced(request), checksum=checksum)
-    return await asyncio.to_thread(_standing, uploads, upload, 204)
+    return await _after(uploads, upload, 204)
 
 
 @router.delete(
@@ -267,7 +272,7 @@ async def put_upload(
     length = _announced(request)
     if length is None:
         raise LengthRequired("say how long the file is: Content-Length is missing")
-    expected = _sha256(x_content_sha256) or _repr_digest(repr_digest)
+    expected = sha256_in_hex(x_content_sha256) or sha256_of_digest(repr_digest)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected, take_id)
     seat.leave()
@@ -341,77 +346,18 @@ def _standing(uploads: Uploads, upload: Upload, status: int) -> Response:
     return Response(status_code=status, headers=headers)
 
 
+async def _after(uploads: Uploads, upload: Upload, status: int) -> Response:
+    """Answer with where the upload stands after bytes came; a thread is sent only where its file is to be asked."""
+    if upload.sha256 is not None:
+        return _standing(uploads, upload, status)
+    return await asyncio.to_thread(_standing, uploads, upload, status)
+
+
 def _ensure_tus(version: str | None) -> None:
     if version != TUS_VERSION:
         raise UnknownTusVersion(f"Tus-Resumable is {version or 'missing'}; this server speaks {TUS_VERSION}")
 
 
-def _number(name: str, value: str | None) -> int:
-    if value is None or not re.fullmatch("[0-9]{1,18}", value):
-        raise BadUploadHeader(f"{name} is {value!r}; it must be a number of bytes")
-    return int(value)
-
-
 def _announced(request: Request) -> int | None:
     value = request.headers.get("content-length")
-    return None if value is None else _number("Content-Length", value)
-
-
-def _metadata(header: str | None) -> dict[str, str]:
-    if header is None or len(header) > 4 * MOST_METADATA:
-        raise BadUploadHeader("Upload-Metadata must name delivery_id and file_name, in at most 32 KiB")
-    pairs: dict[str, str] = {}
-    for pair in header.split(","):
-        name, _, value = pair.strip().partition(" ")
-        pairs[name] = _text(name, value)
-    return pairs
-
-
-def _text(name: str, value: str) -> str:
-    try:
-        return base64.b64decode(value.strip(), validate=True).decode()
-    except (binascii.Error, UnicodeDecodeError):
-        raise BadUploadHeader(f"the value of {name!r} in Upload-Metadata is not UTF-8 in Base64") from None
-
-
-def _uuid(name: str, value: str) -> UUID:
-    try:
-        return UUID(value)
-    except ValueError:
-        kind = name.removesuffix("_id")
-        raise BadUploadHeader(f"{name} in Upload-Metadata is {value!r}; it must be the id of a {kind}") from None
-
-
-def _checksum(header: str | None) -> Checksum | None:
-    if header is None:
-        return None
-    algorithm, _, value = header.strip().partition(" ")
-    try:
-        digest = base64.b64decode(value, validate=True)
-    except binascii.Error:
-        digest = b""
-    if algorithm not in CHECKSUMS or not digest:
-        raise BadUploadHeader("Upload-Checksum must be sha256 or sha1, a space and the digest in Base64")
-    return Checksum(algorithm, digest)
-
-
-def _sha256(value: str | None) -> str | None:
-    if value is None:
-        return None
-    if not HEX_SHA256.fullmatch(value.strip().lower()):
-        raise BadUploadHeader("a SHA-256 has 64 hexadecimal digits")
-    return value.strip().lower()
-
-
-def _repr_digest(header: str | None) -> str | None:
-    """Read Repr-Digest; algorithms other than SHA-256 are the sender's business."""
-    found = re.search(r"(?:^|,)\s*sha-256=:([A-Za-z0-9+/=]+):", header or "")
-    if found is None:
-        return None
-    try:
-        digest = base64.b64decode(found[1], validate=True)
-    except binascii.Error:
-        digest = b""
-    if len(digest) != 32:
-        raise BadUploadHeader("Repr-Digest must hold the 32 bytes of a SHA-256 in Base64")
-    return digest.hex()
+    return None if value is None else number_of_bytes("Content-Length", value)

@@ -158,6 +158,7 @@ class Database:
         self._reader = self.engine.execution_options(**{BEGIN: self._read})
         self._writer = self.engine.execution_options(**{BEGIN: self._write})
         self._plain = self.engine if self.is_sqlite else self.engine.execution_options(**{BEGIN: ""})
+        self._alone = self._writer if self.is_sqlite else self._plain
 
     @contextmanager
     def reading(self, reach: Reach | None = None) -> Iterator[Session]:
@@ -183,6 +184,13 @@ class Database:
         """Give a session whose work is committed when the block ends, and undone when it raises."""
         with self._session(self._writer, self._write, reach) as session, session.begin():
             yield session
+
+    def write_alone(self, statement: sa.Insert | sa.Update, values: Mapping[str, Any]) -> int:
+        """Run one statement of the server's own, which PostgreSQL is not asked to begin and to end; count its rows."""
+        with self._alone.connect() as connection:
+            written = connection.execute(statement, values)
+            connection.commit()
+            return written.rowcount
 
     def _session(self, engine: sa.Engine, begins: str, reach: Reach | None) -> Session:
         if reach is None:

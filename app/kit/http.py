@@ -4,6 +4,7 @@ import hashlib
 import re
 import time
 from collections.abc import AsyncIterator, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import datetime
 from functools import cached_property
 from typing import Annotated, Any, Generic, TypeVar
@@ -133,14 +134,18 @@ BackSeat = Annotated[Seat, Depends(_back_seat, scope="function")]
 
 
 def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Iterator[Session]:
-    yield from _transaction(request)
+    with transaction(request) as session:
+        yield session
 
 
 def _back_session(request: Request, _seat: BackSeat) -> Iterator[Session]:
-    yield from _transaction(request)
+    with transaction(request) as session:
+        yield session
 
 
-def _transaction(request: Request) -> Iterator[Session]:
+@contextmanager
+def transaction(request: Request) -> Iterator[Session]:
+    """Give the transaction of a request, for an endpoint that has a thread of its own; others depend on a session."""
     database = database_of(request)
     reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:

@@ -19,11 +19,12 @@ def project_by_id(session: Session, project_id: UUID) -> Project | None:
     return session.get(Project, project_id)
 
 
-def _facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
-    project_id, person_id = bindparam("project_id", type_=Uuid()), bindparam("person_id", type_=Uuid())
+def facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
+    """Return the statement for the fields of StandingFacts, of `person_id`, in whichever projects the caller adds."""
+    person_id = bindparam("person_id", type_=Uuid())
     named = (
         select(DeciderChange.person_id)
-        .where(DeciderChange.project_id == project_id)
+        .where(DeciderChange.project_id == Project.id)
         .order_by(DeciderChange.id.desc())
         .limit(1)
         .scalar_subquery()
@@ -31,15 +32,12 @@ def _facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
     running = and_(
         Engagement.project_id == Project.id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None)
     )
-    speaks = exists().where(Liaison.project_id == project_id, Liaison.person_id == person_id)
-    return (
-        select(Project, Engagement, speaks, named)
-        .join(Engagement, running, isouter=True)
-        .where(Project.id == project_id)
-    )
+    speaks = exists().where(Liaison.project_id == Project.id, Liaison.person_id == person_id)
+    return select(Project, Engagement, speaks, named).join(Engagement, running, isouter=True)
 
 
-_STANDING = _facts_of_standing()  # built once: nearly every request asks for it
+# Built once: nearly every request asks for it.
+_STANDING = facts_of_standing().where(Project.id == bindparam("project_id", type_=Uuid()))
 
 
 class StandingFacts(NamedTuple):

@@ -112,10 +112,15 @@ def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda:
     facts = queries.standing_facts(session, project_id, actor.person_id) if actor.person_id else None
     if facts is None:
         raise ProjectNotFound(f"no project {project_id}")
+    return standing_of(actor, facts, before_nda=before_nda)
+
+
+def standing_of(actor: Actor, facts: queries.StandingFacts, *, before_nda: bool = False) -> Standing:
+    """Return what a person is in a project by these facts of theirs; raise as `standing_in` does."""
     project, engagement = facts.project, facts.engagement
     roles = actor.roles_in(project.studio_id)
     if not roles and engagement is None:
-        raise ProjectNotFound(f"no project {project_id}")
+        raise ProjectNotFound(f"no project {project.id}")
     if not roles and not before_nda and engagement is not None and nda_is_open(project, engagement):
         raise NdaNeeded(
             "this project shows its brief, list and spec once its non-disclosure agreement is accepted",

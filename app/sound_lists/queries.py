@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from functools import cache
 from uuid import UUID
 
-from sqlalchemy import Row, Select, func, select, tuple_
+from sqlalchemy import Row, Select, bindparam, func, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.kit.among import among
@@ -82,12 +82,15 @@ def guessable_cues(session: Session, project_id: UUID) -> Sequence[Row[UUID, int
 
 def slot_of_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, int] | None:
     """Return the cue and variation that own a stem, which is in NFC."""
-    row = session.execute(
-        select(Cue, Stem.variation)
-        .join(Stem, Stem.cue_id == Cue.id)
-        .where(Stem.project_id == project_id, Stem.folded == folded(stem), Stem.stem == stem)
-    ).first()
+    row = session.execute(_of_stem(), {"project_id": project_id, "folded": folded(stem), "stem": stem}).first()
     return (row[0], row[1]) if row else None
+
+
+@cache  # asked for with each upload: to build the statement takes as long as to run it
+def _of_stem() -> Select[Cue, int]:
+    of_stem = (Stem.project_id == bindparam("project_id"), Stem.folded == bindparam("folded"))
+    found = select(Cue, Stem.variation).join(Stem, Stem.cue_id == Cue.id)
+    return found.where(*of_stem, Stem.stem == bindparam("stem"))
 
 
 def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> dict[str, tuple[UUID, int, str]]:

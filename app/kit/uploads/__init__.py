@@ -1,5 +1,6 @@
 """Files on their way in, through this process or straight to the store; what is finished is in the store."""
 
+from app.kit.uploads.checksum import CHECKSUMS, Checksum
 from app.kit.uploads.errors import (
     ChecksumMismatch,
     OffsetMismatch,
@@ -16,7 +17,7 @@ from app.kit.uploads.errors import (
 )
 from app.kit.uploads.model import FinishedUpload, Upload, finished_upload
 from app.kit.uploads.parts import PartsStanding
-from app.kit.uploads.staged import CHECKSUMS, Checksum, Uploads
+from app.kit.uploads.staged import Uploads
 
 __all__ = [
     "CHECKSUMS",

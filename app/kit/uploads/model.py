@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, select
+from sqlalchemy import BigInteger, CheckConstraint, bindparam, insert, select, update
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.kit import clock
@@ -34,6 +34,17 @@ class Upload(Base):
     finished_at: Mapped[datetime | None]
 
 
+# To build a statement takes longer than to run it.
+OF_ID = select(Upload).where(Upload.id == bindparam("upload_id"))
+_OF_ID_LOCKED = OF_ID.with_for_update()
+BEGIN = insert(Upload)
+FINISH = (
+    update(Upload)
+    .where(Upload.id == bindparam("upload_id"))
+    .values(sha256=bindparam("found_sha256"), finished_at=bindparam("then"))
+)
+
+
 @dataclass(frozen=True)
 class FinishedUpload:
     """A file that is wholly here and in the store."""
@@ -49,7 +60,7 @@ def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope:
 
     Raises UploadNotFound where it is somebody else's, UploadUnfinished where bytes are missing.
     """
-    upload = session.scalar(select(Upload).where(Upload.id == upload_id).with_for_update())
+    upload = session.scalar(_OF_ID_LOCKED, {"upload_id": upload_id})
     if upload is None or upload.owner_id != owner_id or upload.scope != scope:
         raise UploadNotFound(f"no upload {upload_id}")
     if upload.sha256 is None:

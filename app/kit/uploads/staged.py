@@ -11,7 +11,6 @@ import itertools
 import os
 import shutil
 from collections.abc import AsyncIterator, Callable, Iterator, Mapping
-from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from uuid import UUID
@@ -20,10 +19,11 @@ from anyio import to_thread
 from sqlalchemy import select
 
 from app.kit import clock, kill, metrics
-from app.kit.db import Database
+from app.kit.db import Database, new_id, row_of
 from app.kit.errors import Conflict
 from app.kit.seats import seats
 from app.kit.storage import COPY_PREFIX, MAKING_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
+from app.kit.uploads.checksum import Checksum
 from app.kit.uploads.errors import (
     ChecksumMismatch,
     OffsetMismatch,
@@ -35,10 +35,9 @@ from app.kit.uploads.errors import (
     UploadStalled,
     UploadTooLong,
 )
-from app.kit.uploads.model import Upload
+from app.kit.uploads.model import BEGIN, FINISH, OF_ID, Upload
 from app.kit.uploads.parts import PartsStanding, UploadParts
 
-CHECKSUMS = ("sha256", "sha1")
 KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
 ROWS_KEPT_FOR = timedelta(days=28)  # of unfinished uploads whose file is on no disk that this process sees
 LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
@@ -46,14 +45,6 @@ LEFT_OVER_PREFIXES = (PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX)
 SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
-
-
-@dataclass(frozen=True)
-class Checksum:
-    """What a sender says of the bytes of one request."""
-
-    algorithm: str
-    digest: bytes
 
 
 class Uploads:
@@ -81,21 +72,22 @@ class Uploads:
         if self._store.public_origin is None:  # else its bytes may never come here
             self._ensure_room(length)
         upload = Upload(
+            id=new_id(),
             studio_id=studio_id,
             owner_id=owner_id,
             scope=scope,
             file_name=file_name,
             length=length,
             expected_sha256=expected_sha256,
+            created_at=clock.now(),
         )
-        with self._database.writing() as session:
-            session.add(upload)
+        self._database.write_alone(BEGIN, row_of(upload))
         staging = self._staging(upload)
         made = make_folder(staging.parent)
         os.close(os.open(staging, os.O_CREAT | os.O_WRONLY, 0o640))
         for folder in {staging.parent, *made}:
             sync(folder)
-        return self._settled(upload)
+        return upload if length else self._settled(upload)
 
     def find(self, upload_id: UUID, *, owner_id: UUID) -> Upload:
         """Return an upload of this owner; one that is whole and was interrupted before its end is finished first."""
@@ -112,9 +104,10 @@ class Uploads:
         if upload.multipart_id is not None:
             return self._parts.offset(upload)
         try:
-            with self._staging(upload).open("rb") as file:
-                os.fsync(file.fileno())
-                return os.fstat(file.fileno()).st_size
+            with self._staging(upload).open("rb", buffering=0) as file:
+                if here := os.fstat(file.fileno()).st_size:
+                    os.fsync(file.fileno())
+                return here
         except FileNotFoundError:
             raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired") from None
 
@@ -148,7 +141,7 @@ class Uploads:
             raise SentInParts(
                 "this upload comes to the store in parts", fix="send the parts that are missing, or begin again"
             )
-        file = await asyncio.to_thread(self._locked, upload, os.O_WRONLY | os.O_APPEND)
+        file = self._locked(upload, os.O_WRONLY | os.O_APPEND)  # waits for nothing: cheaper than to send a thread
         try:
             here = os.fstat(file).st_size
             room = upload.length - here
@@ -265,13 +258,15 @@ class Uploads:
         kill.point("uploads.before_store")
         self._store.keep(upload.studio_id, staging, sha256)
         kill.point("uploads.after_store")
-        with self._database.writing() as session:
-            row = session.merge(upload, load=False)
-            row.sha256, row.finished_at = sha256, clock.now()
-        metrics.UPLOADED.inc(row.length)
+        finished_at = clock.now()
+        found = {"upload_id": upload.id, "found_sha256": sha256, "then": finished_at}
+        if not self._database.write_alone(FINISH, found):
+            raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired")
+        upload.sha256, upload.finished_at = sha256, finished_at
+        metrics.UPLOADED.inc(upload.length)
         kill.point("uploads.finished")
         staging.unlink(missing_ok=True)
-        return row
+        return upload
 
     def _staging(self, upload: Upload) -> Path:
         return self._store.staging_root / str(upload.studio_id) / STAGING / str(upload.id)
@@ -284,7 +279,7 @@ class Uploads:
 
     def _found(self, upload_id: UUID) -> Upload | None:
         with self._database.glancing() as session:
-            if (upload := session.get(Upload, upload_id)) is not None:
+            if (upload := session.scalar(OF_ID, {"upload_id": upload_id})) is not None:
                 session.expunge(upload)
             return upload
 

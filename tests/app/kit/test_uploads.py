@@ -19,6 +19,7 @@ from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict
 from app.kit.storage import FolderStore
 from app.kit.uploads import (
+    CHECKSUMS,
     Checksum,
     ChecksumMismatch,
     OffsetMismatch,
@@ -218,7 +219,7 @@ def test_a_finished_upload_takes_nothing_more(incoming: Uploads, store: FolderSt
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
-@pytest.mark.parametrize("algorithm", uploads.CHECKSUMS)
+@pytest.mark.parametrize("algorithm", CHECKSUMS)
 def test_bytes_with_a_wrong_checksum_are_not_kept(incoming: Uploads, algorithm: str) -> None:
     upload = begun(incoming)
     right = Checksum(algorithm, hashlib.new(algorithm, CONTENT[:1_000]).digest())
@@ -375,6 +376,15 @@ def test_a_full_disk_is_said_before_and_while_bytes_come(
     here = incoming.offset(upload)
     assert here == 1_000_000
     assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
+
+
+def test_a_file_whose_row_is_gone_is_never_called_finished(incoming: Uploads, database: Database) -> None:
+    upload = begun(incoming)
+    with database.writing() as session:
+        session.delete(session.get_one(Upload, upload.id))
+    with pytest.raises(UploadNotFound):
+        send(incoming, upload, 0, CONTENT)
+    assert upload.sha256 is None
 
 
 @contextmanager
