@@ -188,8 +188,8 @@ Per cent found of each check's faults, at the levels that count.
 {_looks(LOOKS)}
 The look at 20:33 counted the start point of a sampler as well, which fades a start in: the promise, as it was written
 before that look, holds of a start without a fade, so that this way now stands beyond it.
-At 20:33 there were 4 sounds of each family, for want of time; at 20:44 hum alone was looked at with 10, as in all
-looks before these, and nothing was changed between.
+At 20:33 there were 4 sounds of each family, for want of time; at 20:44 hum alone was looked at with 10, and at 22:50
+everything, as in all looks before these. No detector was changed between.
 
 ### The first unseen half
 {", ".join(once_unseen_sounds.FAMILIES).capitalize()}, with the faults that were put into them,
