@@ -6,7 +6,6 @@ from uuid import UUID
 
 from fastapi import APIRouter, BackgroundTasks, Depends, Request, Response
 from fastapi.responses import JSONResponse
-from fastapi.routing import APIRoute
 
 from app.accounts import doors, people, queries, rate_limits, service
 from app.accounts.doors import CSRF_HEADER, DEMO_PARTS, SESSION_COOKIE, Arrival, Visit, csrf_token, sha256_of
@@ -52,6 +51,7 @@ from app.kit.http import (
     problems,
     runtime_of,
 )
+from app.kit.turns import InOneTurn
 from app.settings import Settings
 
 __all__ = [
@@ -200,7 +200,7 @@ class PatientRoute(Route):
         return _patiently(super().get_route_handler())
 
 
-class SecretRoute(APIRoute):
+class SecretRoute(InOneTurn):
     """A patient route whose answer carries a secret, so none is kept to be replayed for an Idempotency-Key."""
 
     def get_route_handler(self) -> Handler:

@@ -1,9 +1,7 @@
 """What is found over files together: looked up when it is shown. It informs the decider, and returns no take."""
 
-from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from threading import Lock
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -14,13 +12,13 @@ from app.conformance.queries import HeardTake
 from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.kit.remembered import Remembered
 from app.projects.models import Spec
 from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts
 
 Findings = tuple[dict[str, object], ...]
 Judged = tuple[str, audio_checks.CueFacts, str]  # spec, cue, takes: nothing else is looked at
-SETS_REMEMBERED = 4_000  # some 2 kB each
 OVER_A_CUE = ("variation-set", "duplicate")  # takes go by their cue's name here, so no two of them are twins
 
 
@@ -60,30 +58,7 @@ def words_on_sets(
     return {take_id: word for known in words.values() if known for take_id, word in known.items()}
 
 
-class Remembered:
-    """What was found lately over sets, by all that it depends on: pages ask for the same again and again."""
-
-    def __init__(self) -> None:
-        self._words: OrderedDict[Judged, dict[UUID, SetWord]] = OrderedDict()
-        self._lock = Lock()
-
-    def get(self, judged: Judged) -> dict[UUID, SetWord] | None:
-        """Return what is said of the takes of a set; None where it is to be found anew."""
-        with self._lock:
-            if (words := self._words.get(judged)) is not None:
-                self._words.move_to_end(judged)
-            return words
-
-    def keep(self, judged: Judged, words: dict[UUID, SetWord]) -> dict[UUID, SetWord]:
-        """Remember what was found, and forget what was not asked for longest."""
-        with self._lock:
-            self._words[judged] = words
-            while len(self._words) > SETS_REMEMBERED:
-                self._words.popitem(last=False)
-        return words
-
-
-_remembered = Remembered()
+_remembered: Remembered[Judged, dict[UUID, SetWord]] = Remembered(4_000)  # some 2 kB each
 
 
 def _of_one_set(

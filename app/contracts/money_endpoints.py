@@ -44,11 +44,12 @@ from app.contracts.errors import (
 )
 from app.contracts.milestones import PlannedCue, PlannedMilestone
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.turns import InOneTurn
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["money"], route_class=Route)
-_secret_router = APIRouter()  # answers that hold a secret are kept for no Idempotency-Key
+_secret_router = APIRouter(route_class=InOneTurn)  # answers that hold a secret are kept for no Idempotency-Key
 CALENDAR_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {calendar.ICALENDAR: {}}, "description": "Dates"}}
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
 

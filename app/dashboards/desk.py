@@ -149,7 +149,7 @@ class Desk:
                 since=take.state_since,
                 duration_s=picture.duration_s if (picture := pictures.get(take.master_sha256)) else None,
                 thumb=picture.thumb if picture else None,
-                preview_url=preview_url(picture),
+                preview_url=preview_url(picture.id if picture else None),
                 peaks_url=f"/v1/sounds/{picture.id}/peaks.json" if picture else None,
                 findings=runs[take.id].report.get("findings", []) if take.id in runs else [],
                 changes=changes[take.id],

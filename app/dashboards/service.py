@@ -22,6 +22,7 @@ from app.deliveries.schemas import CueBrief
 from app.projects.models import Project
 from app.projects.queries import deciders_of
 from app.projects.service import Standing, nda_is_open, standing_in
+from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -109,11 +110,12 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
     shown = standing_queries.shown_takes(
         session,
         [row.id for row in palette],
+        viewer_id,
         standing.only_designer_id,
         accepted=[row.id for row in palette if status_of(row) is CueStatus.ACCEPTED],
     )
     loops = queries.loops(session, [row.id for row in palette])
-    pictures = standing_queries.pictures(session, project.studio_id, [take.master_sha256 for take in shown.values()])
+    drawn = thumbs(session, [take.picture_id for take in shown.values() if take.picture_id])
     runs = queries.current_runs(session, [take.id for take in shown.values()])
     builds = queries.builds(session, project_id) if standing.is_team else []
     return schemas.Overview(
@@ -125,8 +127,8 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
             schemas.PaletteSound(
                 cue=brief(project, row),
                 loop=row.id in loops,
-                thumb=picture.thumb if (picture := pictures.get(shown[row.id].master_sha256)) else None,
-                preview_url=preview_url(picture),
+                thumb=drawn.get(picture_id) if (picture_id := shown[row.id].picture_id) else None,
+                preview_url=preview_url(picture_id),
                 loudness_lufs=_loudness(runs.get(shown[row.id].id)),
             )
             for row in palette

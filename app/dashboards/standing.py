@@ -13,14 +13,13 @@ from app.conformance.models import CheckRun
 from app.conformance.sets import words_on_sets
 from app.dashboards import schemas, standing_queries
 from app.dashboards.rules import CueStatus, cue_status, statuses_of, variation_status
-from app.dashboards.standing_queries import LikeCues, ListRow
-from app.deliveries.models import Take
+from app.dashboards.standing_queries import LikeCues, ListRow, ShownTake
 from app.deliveries.schemas import CueBrief
 from app.deliveries.sum_rules import VariationFact
 from app.kit import clock
 from app.projects.queries import current_spec
 from app.projects.service import Standing, standing_in
-from app.renders.models import Picture
+from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import stems_by_cue
 from app.sound_lists.rules import label
@@ -96,9 +95,10 @@ class Statuses:
         for row in standing_queries.variation_rows(session, self._ids, self._designer_id):
             self._facts[row.cue_id][row.variation] = row
         self._questions = standing_queries.first_open_questions(session, standing.project.id, self._ids)
+        self._variations = {cue.id: self._variations_of(cue) for cue in cues}
         self.status = {cue.id: self._status_of(cue) for cue in cues}
 
-    def _variations(self, cue: Cue) -> list[CueStatus]:
+    def _variations_of(self, cue: Cue) -> list[CueStatus]:
         facts = self._facts[cue.id]
         return [
             variation_status(VariationFact.unpacked(facts[variation].packed if variation in facts else 0))
@@ -107,7 +107,7 @@ class Statuses:
 
     def _status_of(self, cue: Cue) -> CueStatus:
         is_asked = cue.id in self._questions
-        return cue_status(cue.state, self._variations(cue), is_asked=is_asked, placeholder=cue.placeholder)
+        return cue_status(cue.state, self._variations[cue.id], is_asked=is_asked, placeholder=cue.placeholder)
 
 
 class _Page(Statuses):
@@ -117,9 +117,8 @@ class _Page(Statuses):
         super().__init__(session, standing, cues)
         ids, designer_id, project = self._ids, self._designer_id, standing.project
         accepted = {id_ for id_ in ids if self.status[id_] is CueStatus.ACCEPTED}
-        self._shown = standing_queries.shown_takes(session, ids, designer_id, accepted=accepted)
-        sounds = {take.master_sha256 for take in self._shown.values()}
-        self._pictures = standing_queries.pictures(session, project.studio_id, sounds)
+        self._shown = standing_queries.shown_takes(session, ids, viewer_of(standing), designer_id, accepted=accepted)
+        self._thumbs = thumbs(session, [take.picture_id for take in self._shown.values() if take.picture_id])
         undecided = [id_ for id_ in ids if id_ not in accepted]
         self._findings = standing_queries.standing_findings(session, undecided, designer_id)
         spec = current_spec(session, project.id)
@@ -132,9 +131,8 @@ class _Page(Statuses):
 
     def standing_of(self, cue: Cue) -> schemas.Standing:
         """Return where one cue of the page stands."""
-        facts, variations = self._facts[cue.id].values(), self._variations(cue)
+        facts, variations = self._facts[cue.id].values(), self._variations[cue.id]
         take, told = self._shown.get(cue.id), self._told[cue.id]
-        picture = self._pictures.get(take.master_sha256) if take else None
         return schemas.Standing(
             cue_id=cue.id,
             status=self.status[cue.id],
@@ -148,32 +146,30 @@ class _Page(Statuses):
                 schemas.VariationStanding(variation=variation, stem=stem, status=variations[variation - 1])
                 for variation, stem in self._stems[cue.id]
             ],
-            newest_take=newest_take(take, picture) if take else None,
+            newest_take=self._newest_take(take) if take else None,
             worst_finding=worst_of([*self._of_sets[cue.id], *self._findings.get(cue.id, [])]),
             open_question=self._questions.get(cue.id),
             waived=told.is_waived,
             not_to_spec=told.is_elsewhere,
         )
 
-
-def newest_take(take: Take, picture: Picture | None) -> schemas.NewestTake:
-    """Return the take that a list row shows."""
-    return schemas.NewestTake(
-        id=take.id,
-        number=take.number or 0,
-        variation=take.variation,
-        state=take.state,
-        file_name=take.file_name,
-        received_at=take.received_at,
-        duration_s=picture.duration_s if picture else None,
-        thumb=picture.thumb if picture else None,
-        preview_url=preview_url(picture),
-    )
+    def _newest_take(self, take: ShownTake) -> schemas.NewestTake:
+        return schemas.NewestTake(
+            id=take.id,
+            number=take.number or 0,
+            variation=take.variation,
+            state=take.state,
+            file_name=take.file_name,
+            received_at=take.received_at,
+            duration_s=take.duration_s,
+            thumb=self._thumbs.get(take.picture_id) if take.picture_id else None,
+            preview_url=preview_url(take.picture_id),
+        )
 
 
-def preview_url(picture: Picture | None) -> str | None:
+def preview_url(picture_id: UUID | None) -> str | None:
     """Return where a sound's preview is."""
-    return f"/v1/sounds/{picture.id}/preview" if picture else None
+    return f"/v1/sounds/{picture_id}/preview" if picture_id else None
 
 
 def worst_of(findings: Sequence[Finding]) -> Finding | None:

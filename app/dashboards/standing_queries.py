@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, and_, bindparam, case, exists, func, select, tuple_
+from sqlalchemy import ColumnElement, Select, and_, bindparam, case, exists, func, select, tuple_, union_all
 from sqlalchemy.orm import Session, load_only
 from typing_extensions import TypeVarTuple
 
@@ -158,39 +158,48 @@ def _variation_rows(is_own: bool) -> Select[UUID | None, int, int, int, int | No
     return _owned(summed, is_own).group_by(Take.cue_id, Take.variation)
 
 
+class ShownTake(NamedTuple):
+    """The take that stands for a cue in a list, and where its sound was drawn."""
+
+    cue_id: UUID
+    id: UUID
+    number: int | None
+    variation: int
+    state: TakeState
+    file_name: str
+    received_at: datetime
+    picture_id: UUID | None
+    duration_s: float | None
+
+
 def shown_takes(
-    session: Session, cue_ids: Collection[UUID], designer_id: UUID | None, *, accepted: Collection[UUID]
-) -> dict[UUID, Take]:
+    session: Session,
+    cue_ids: Collection[UUID],
+    viewer_id: UUID,
+    designer_id: UUID | None,
+    *,
+    accepted: Collection[UUID],
+) -> dict[UUID, ShownTake]:
     """Return the take that stands for each cue in a list: the approved one of an accepted cue, else the newest."""
-    is_own = designer_id is not None
-    newest = [id_ for id_ in session.scalars(_newest_ids(is_own), _given(cue_ids, designer_id)) if id_ is not None]
-    shown = {take.cue_id: take for take in session.scalars(_listed(), {"take_ids": newest})}
-    if accepted:
-        shown |= {take.cue_id: take for take in session.scalars(_approved(is_own), _given(accepted, designer_id))}
-    return {cue_id: take for cue_id, take in shown.items() if cue_id is not None}
+    others = [id_ for id_ in cue_ids if id_ not in accepted]
+    given = {"cue_ids": others, "viewer_id": viewer_id, "accepted": accepted, "designer_id": designer_id}
+    rows = session.execute(_shown_takes(designer_id is not None), given)
+    return {take.cue_id: take for take in map(ShownTake._make, rows)}
 
 
 @cache
-def _newest_ids(is_own: bool) -> Select[UUID | None]:
-    newer = _owned(select(Take.id), is_own).where(Take.cue_id == Cue.id)
-    newest_first = newer.order_by(Take.received_at.desc(), Take.id.desc())
-    return select(newest_first.limit(1).correlate(Cue).scalar_subquery()).where(among(Cue.id, "cue_ids"))
-
-
-def _in_a_list() -> Select[Take]:
-    shown = (Take.cue_id, Take.number, Take.variation, Take.state, Take.file_name, Take.received_at, Take.master_sha256)
-    return select(Take).options(load_only(*shown, raiseload=True))
-
-
-@cache
-def _listed() -> Select[Take]:
-    return _in_a_list().where(among(Take.id, "take_ids"))
-
-
-@cache
-def _approved(is_own: bool) -> Select[Take]:
-    approved = (among(Take.cue_id, "cue_ids"), Take.state == TakeState.APPROVED, Take.variation == 1)
-    return _owned(_in_a_list(), is_own).where(*approved)
+def _shown_takes(is_own: bool) -> Select[*tuple[Any, ...]]:
+    newest = select(CueSums.newest_id).where(
+        among(CueSums.cue_id, "cue_ids"), CueSums.viewer_id == bindparam("viewer_id")
+    )
+    approved = (among(Take.cue_id, "accepted"), Take.state == TakeState.APPROVED, Take.variation == 1)
+    shown = union_all(newest, _owned(select(Take.id), is_own).where(*approved))
+    told = (Take.cue_id, Take.id, Take.number, Take.variation, Take.state, Take.file_name, Take.received_at)
+    return (
+        select(*told, Picture.id, Picture.duration_s)
+        .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
+        .where(Take.id.in_(shown))
+    )
 
 
 def first_open_questions(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, str]:

@@ -6,7 +6,7 @@ import time
 from collections.abc import AsyncIterator, Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
@@ -32,6 +32,7 @@ from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
 from app.kit.seats import Seat, seats
+from app.kit.turns import InOneTurn, Pending
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
@@ -133,14 +134,12 @@ async def _back_seat() -> AsyncIterator[Seat]:
 BackSeat = Annotated[Seat, Depends(_back_seat, scope="function")]
 
 
-def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Iterator[Session]:
-    with transaction(request) as session:
-        yield session
+async def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Pending:
+    return Pending(partial(transaction, request))
 
 
-def _back_session(request: Request, _seat: BackSeat) -> Iterator[Session]:
-    with transaction(request) as session:
-        yield session
+async def _back_session(request: Request, _seat: BackSeat) -> Pending:
+    return Pending(partial(transaction, request))
 
 
 @contextmanager
@@ -163,12 +162,12 @@ def transaction(request: Request) -> Iterator[Session]:
     kill.point("http.after_commit")
 
 
-# scope="function": the commit happens before the answer leaves, so a failed commit cannot have answered 201.
-DbSession = Annotated[Session, Depends(_session, scope="function")]
-BackSession = Annotated[Session, Depends(_back_session, scope="function")]  # of what an upload becomes
+# The route opens it and commits before the answer leaves, so a failed commit cannot have answered 201.
+DbSession = Annotated[Session, Depends(_session)]
+BackSession = Annotated[Session, Depends(_back_session)]  # of what an upload becomes
 
 
-class Route(APIRoute):
+class Route(InOneTurn):
     """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
 
     async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:

@@ -3,12 +3,11 @@
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, func, or_, select
-from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eager, defer, joinedload, load_only
-from sqlalchemy.sql.base import ExecutableOption
+from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eager, joinedload
 
 import audio_checks
 from app.accounts.rules import Actor
@@ -21,6 +20,7 @@ from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemSta
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
+Stored = TypeVar("Stored")
 RenderRow = Row[UUID, str, str, RenderState, int | None, str | None]
 
 
@@ -43,20 +43,15 @@ def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe
     return recipes(parsed_spec(toml), category=category, loop=loop)
 
 
-def renders_by_key(
-    session: Session, take_ids: Collection[UUID], *, with_figures: bool = True
-) -> dict[tuple[UUID, str, str], Render]:
-    """Return the renders of takes, by take, target and key; a screen of many takes leaves out what was measured."""
-    renders = session.scalars(_renders(with_figures), {"take_ids": take_ids})
+def renders_by_key(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str, str], Render]:
+    """Return the renders of takes, by take, target and key."""
+    renders = session.scalars(_renders(), {"take_ids": take_ids})
     return {(render.take_id, render.target, render.key): render for render in renders}
 
 
 @cache  # built once: that takes longer than to send it
-def _renders(with_figures: bool) -> Select[Render]:
-    renders = select(Render).where(among(Render.take_id, "take_ids"))
-    if with_figures:
-        return renders
-    return renders.options(defer(Render.facts, raiseload=True), defer(Render.measurements, raiseload=True))
+def _renders() -> Select[Render]:
+    return select(Render).where(among(Render.take_id, "take_ids"))
 
 
 def pictures_of_sounds(session: Session, studio_ids: Collection[UUID], sha256s: Collection[str]) -> dict[str, Picture]:
@@ -65,24 +60,6 @@ def pictures_of_sounds(session: Session, studio_ids: Collection[UUID], sha256s: 
         select(Picture).where(among(Picture.studio_id, studio_ids), among(Picture.sound_sha256, sha256s))
     )
     return {picture.sound_sha256: picture for picture in pictures}
-
-
-def shown_of_pictures() -> ExecutableOption:
-    """Load of pictures only what `sound_places` tells of them."""
-    places = (Picture.peaks_sha256, Picture.spectrum_sha256, Picture.preview_sha256)
-    return load_only(Picture.sound_sha256, Picture.duration_s, Picture.thumb, *places, raiseload=True)
-
-
-def shown_pictures(session: Session, studio_ids: Collection[UUID], sha256s: Collection[str]) -> dict[str, Picture]:
-    """Return the pictures of stored sounds, by their hashes, with what `sound_places` tells of them."""
-    pictures = session.scalars(_shown_pictures(), {"studio_ids": studio_ids, "sha256s": sha256s})
-    return {picture.sound_sha256: picture for picture in pictures}
-
-
-@cache
-def _shown_pictures() -> Select[Picture]:
-    of_sounds = (among(Picture.studio_id, "studio_ids"), among(Picture.sound_sha256, "sha256s"))
-    return select(Picture).where(*of_sounds).options(shown_of_pictures())
 
 
 def picture_of(session: Session, studio_id: UUID, sha256: str) -> Picture | None:
@@ -200,14 +177,20 @@ def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Ren
 
 
 def current_renders(
-    session: Session, specs: Mapping[UUID, Spec], takes: Iterable[Take], *, with_figures: bool = True
+    session: Session, specs: Mapping[UUID, Spec], takes: Iterable[Take]
 ) -> dict[UUID, dict[str, Render | None]]:
     """Return what stands for each target of the newest spec, by take (its cue loaded); None: not made yet.
 
     `specs` are the newest specs by project.
     """
     takes = list(takes)
-    stored = renders_by_key(session, [take.id for take in takes], with_figures=with_figures)
+    return current(specs, takes, renders_by_key(session, [take.id for take in takes]))
+
+
+def current(
+    specs: Mapping[UUID, Spec], takes: Iterable[Take], stored: Mapping[tuple[UUID, str, str], Stored]
+) -> dict[UUID, dict[str, Stored | None]]:
+    """Return those of what is stored of renders that stand now, by take (its cue loaded) and target."""
     return {
         take.id: {
             target: stored.get((take.id, target, recipe.key(take.master_sha256)))

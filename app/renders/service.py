@@ -23,6 +23,8 @@ from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNot
 from app.renders.models import Picture, Render, RenderSet, Timbre
 from app.renders.rules import RENDERED_STATES, Recipe
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
+from app.renders.shown import ShownPicture
+from app.renders.thumbs import Thumb
 
 Made = list[tuple[Render, Picture | None]]  # game files, each with its picture where there is a file
 
@@ -47,10 +49,14 @@ def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead
 
 def _mend_sound(mend: Mend | None, pictures: dict[str, Picture]) -> SoundBrief | None:
     picture = pictures.get(mend.sha256) if mend and mend.sha256 else None
-    return SoundBrief(**sound_places(picture)) if picture else None
+    return SoundBrief(**_sound(picture)) if picture else None
 
 
-def sound_places(picture: Picture | None) -> dict[str, Any]:
+def _sound(picture: Picture | None) -> dict[str, Any]:
+    return sound_places(picture, picture.thumb if picture else None)
+
+
+def sound_places(picture: Picture | ShownPicture | None, thumb: Thumb | None) -> dict[str, Any]:
     """Return the fields of a SoundBrief: where a sound's preview, peaks and spectrum are."""
     if picture is None:
         return dict.fromkeys(SoundBrief.model_fields)
@@ -58,7 +64,7 @@ def sound_places(picture: Picture | None) -> dict[str, Any]:
     return {
         "picture_id": picture.id,
         "duration_s": picture.duration_s,
-        "thumb": picture.thumb or None,
+        "thumb": thumb or None,
         "preview_url": f"{address}/preview" if picture.preview_sha256 else None,
         "peaks_url": f"{address}/peaks.json" if picture.peaks_sha256 else None,
         "spectrum_url": f"{address}/spectrum.png" if picture.spectrum_sha256 else None,
@@ -68,7 +74,7 @@ def sound_places(picture: Picture | None) -> dict[str, Any]:
 def master_sound(take: Take, picture: Picture | None) -> MasterSoundRead:
     """Return a take's master as it is shown."""
     return MasterSoundRead(
-        **sound_places(picture),
+        **_sound(picture),
         state="drawing" if picture is None else "drawn" if picture.preview_sha256 else "undrawable",
         facts=picture.facts if picture else {},
         file_bytes=take.master_bytes,
@@ -78,7 +84,7 @@ def master_sound(take: Take, picture: Picture | None) -> MasterSoundRead:
 def render_sound(target: str, render: Render | None, picture: Picture | None) -> RenderSoundRead:
     """Return one game file as it is shown; `waiting` while it is still to be made."""
     return RenderSoundRead(
-        **sound_places(picture),
+        **_sound(picture),
         id=render.id if render else None,
         target=target,
         state=render.state.value if render else "waiting",

@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from uuid import UUID
 
 from sqlalchemy import (
@@ -22,11 +22,12 @@ from sqlalchemy import (
     select,
     tuple_,
 )
-from sqlalchemy.orm import Session, aliased, joinedload, load_only
+from sqlalchemy.orm import Session, aliased, joinedload
 from sqlalchemy.sql.functions import aggregate_strings
 
 from app.accounts.models import Person
 from app.conformance.models import CheckRun, Waiver
+from app.conformance.rules import Report
 from app.contracts.models import Contract, ContractCue
 from app.contracts.rules import ContractState
 from app.deliveries.models import Delivery, Take
@@ -34,14 +35,15 @@ from app.deliveries.rules import TakeState
 from app.kit.among import among
 from app.kit.there_is import there_is
 from app.projects.models import Project, Spec
-from app.renders.models import Picture, Render, RenderSet
-from app.renders.queries import current_renders, shown_of_pictures, shown_pictures
+from app.renders.models import Picture, RenderSet
+from app.renders.shown import PICTURE, ShownPicture, ShownRender, shown_renders
+from app.renders.thumbs import Thumb, thumbs
 from app.reviews.models import ChangeRequest, Comment, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
-STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits
+STRETCH = 2  # takes looked at for one cue that is wanted: most of what conforms waits
 
 
 def in_project(project_id: UUID) -> ColumnElement[bool]:
@@ -69,12 +71,13 @@ def _newest_spec_id() -> ScalarSelect[UUID]:
 @cache
 def _waits() -> ColumnElement[bool]:
     """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
-    rendered = exists().where(
+    made = select(RenderSet.take_id).where(
         RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
     )
+    rendered = there_is(made, Take)  # of EXISTS PostgreSQL may gather all that was ever rendered
     drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
     wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
-    return and_(Take.state == TakeState.CONFORMING, *(each.correlate(Take) for each in (wanted, rendered, drawn)))
+    return and_(Take.state == TakeState.CONFORMING, wanted.correlate(Take), drawn.correlate(Take), rendered)
 
 
 class WaitingCue(NamedTuple):
@@ -164,23 +167,23 @@ class TakeOnReview:
 
     take: Take
     spec: Spec
-    picture: Picture | None
-    check: CheckRun | None
+    picture: ShownPicture | None
+    report: Report | None
     waiver: Waiver | None
     draft: ChangeRequest | None
-    renders: dict[str, Render | None]
-    render_pictures: dict[str, Picture]
+    renders: dict[str, ShownRender | None]
+    thumbs: dict[UUID, Thumb]  # of all pictures here
     open_comments: int
 
 
-def _takes() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+def _takes() -> Select[*tuple[Any, ...]]:
     drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.sending_id.is_(None))
     waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
     comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
         select(
-            *(Take, Picture, CheckRun, there_is(drafts, Take), there_is(waivers, Take)),
-            comments.correlate(Take).scalar_subquery(),
+            *(Take, CheckRun.report, there_is(drafts, Take), there_is(waivers, Take)),
+            *(comments.correlate(Take).scalar_subquery(), *PICTURE),
         )
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
         .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
@@ -190,20 +193,18 @@ def _takes() -> Select[Take, Picture, CheckRun, bool, bool, int]:
             .load_only(Delivery.number, Delivery.note, raiseload=True)
             .joinedload(Delivery.designer)
             .load_only(Person.name, raiseload=True),
-            shown_of_pictures(),
-            load_only(CheckRun.take_id, CheckRun.report, raiseload=True),
         )
         .order_by(Take.variation, Take.number.desc())
     )
 
 
 @cache
-def _takes_by_id() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+def _takes_by_id() -> Select[*tuple[Any, ...]]:
     return _takes().where(among(Take.id, "ids"))
 
 
 @cache
-def _takes_of_cue() -> Select[Take, Picture, CheckRun, bool, bool, int]:
+def _takes_of_cue() -> Select[*tuple[Any, ...]]:
     return _takes().where(Take.cue_id == bindparam("cue_id"))
 
 
@@ -217,31 +218,30 @@ def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
     return _with_what_is_shown(session, session.execute(_takes_of_cue(), {"cue_id": cue_id}).all())
 
 
-def _with_what_is_shown(
-    session: Session, rows: Sequence[Row[Take, Picture, CheckRun, bool, bool, int]]
-) -> list[TakeOnReview]:
-    takes = [row[0] for row in rows]
+def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]]) -> list[TakeOnReview]:
+    takes: list[Take] = [row[0] for row in rows]
+    masters = {row[0].id: ShownPicture.read(*row[5:]) for row in rows}
     specs = newest_specs(session, {take.project_id for take in takes})
-    renders = current_renders(session, specs, takes, with_figures=False)
-    files = {render.sha256 for made in renders.values() for render in made.values() if render and render.sha256}
-    pictures = shown_pictures(session, {take.studio_id for take in takes}, files)
-    drafted = [take.id for take, _, _, is_drafted, _, _ in rows if is_drafted]
+    renders = shown_renders(session, specs, takes)
+    files = [render.picture for made in renders.values() for render in made.values() if render]
+    drawn = thumbs(session, [picture.id for picture in (*masters.values(), *files) if picture])
+    drafted = [take.id for take, _, is_drafted, *_ in rows if is_drafted]
     drafts = {draft.take_id: draft for draft in open_drafts(session, drafted)} if drafted else {}
-    waived = [take.id for take, _, _, _, is_waived, _ in rows if is_waived]
+    waived = [take.id for take, _, _, is_waived, *_ in rows if is_waived]
     waivers = {waiver.take_id: waiver for waiver in _waivers_of(session, waived)} if waived else {}
     return [
         TakeOnReview(
             take=take,
             spec=specs[take.project_id],
-            picture=picture,
-            check=check,
+            picture=masters[take.id],
+            report=report,
             waiver=waivers.get(take.id),
             draft=drafts.get(take.id),
             renders=renders[take.id],
-            render_pictures=pictures,
+            thumbs=drawn,
             open_comments=comments,
         )
-        for take, picture, check, _, _, comments in rows
+        for take, report, _, _, comments, *_ in rows
     ]
 
 
@@ -319,12 +319,13 @@ def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
 
 def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return what was asked last of cues, of which something was sent."""
-    sent = (
-        select(ChangeRequest.cue_id, ChangeRequest.text)
-        .where(among(ChangeRequest.cue_id, cue_ids), ChangeRequest.sending_id.is_not(None))
-        .order_by(ChangeRequest.id)
-    )
-    return {cue_id: text for cue_id, text in session.execute(sent)}  # noqa: C416  a Row is no pair to dict's types
+    return {cue_id: text for cue_id, text in session.execute(_sent(), {"cue_ids": cue_ids})}  # noqa: C416  a Row is no pair to dict's types
+
+
+@cache
+def _sent() -> Select[UUID, str]:
+    sent = (among(ChangeRequest.cue_id, "cue_ids"), ChangeRequest.sending_id.is_not(None))
+    return select(ChangeRequest.cue_id, ChangeRequest.text).where(*sent).order_by(ChangeRequest.id)
 
 
 def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[int]]:

@@ -25,7 +25,8 @@ from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
 from app.projects.queries import decider_of
 from app.projects.service import standing_in
-from app.renders.service import picture_of_render, sound_places
+from app.renders.service import sound_places
+from app.renders.shown import ShownPicture
 from app.reviews import queries
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queries import CueOnReview, TakeOnReview
@@ -129,11 +130,11 @@ def review_cue(cue: Cue, prefix: str) -> ReviewCue:
 def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> ReviewTake:
     """Return a take with what is needed to hear and to judge it, and what its set says of it."""
     take, word = one.take, words.get(one.take.id)
-    report = with_set_word(one.check.report, word.findings if word else ()) if one.check else {}
+    report = with_set_word(one.report, word.findings if word else ()) if one.report else {}
     measurements = report.get("measurements") or {}
     findings = _findings(one, report)
     return ReviewTake(
-        **sound_places(one.picture),
+        **_sound(one, one.picture),
         id=take.id,
         variation=take.variation,
         number=take.number or 0,
@@ -159,7 +160,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> R
         mend_of_id=take.mend_of_id,
         renders=[
             ReviewRender(
-                **sound_places(picture_of_render(render, one.render_pictures)),
+                **_sound(one, render.picture if render else None),
                 id=render.id if render else None,
                 target=target,
                 state=render.state.value if render else "waiting",
@@ -171,6 +172,10 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> R
         draft_change=change_request_read(one.draft, prefix) if one.draft else None,
         open_comments=one.open_comments,
     )
+
+
+def _sound(one: TakeOnReview, picture: ShownPicture | None) -> dict[str, Any]:
+    return sound_places(picture, one.thumbs.get(picture.id) if picture else None)
 
 
 def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:

@@ -14,7 +14,6 @@ from app.deliveries.rules import TakeState
 from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.sound_lists.models import Cue
-from audio_checks import CueFacts
 from benchmarks.plans import heard
 from tests.support.deliver import add_cues, checked, deliver, open_delivery
 from tests.support.server import World
@@ -152,16 +151,6 @@ def test_a_set_is_another_once_anything_of_a_take_in_it_changes(world: World) ->
             seen.append(queries.sets_of_takes(session, [cue_id], None)[cue_id])
         session.rollback()
     assert len(set(seen)) == 1 + len(changes)
-
-
-def test_no_more_than_so_many_sets_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sets, "SETS_REMEMBERED", 2)
-    remembered, judged = sets.Remembered(), [(str(number), CueFacts("1"), "") for number in range(3)]
-    for each in judged[:2]:
-        remembered.keep(each, {})
-    assert remembered.get(judged[0]) == {}  # asked for last
-    remembered.keep(judged[2], {})
-    assert [remembered.get(each) for each in judged] == [{}, None, {}]
 
 
 def test_one_sound_under_two_names_of_a_delivery(world: World) -> None:

@@ -52,6 +52,7 @@ def world(own_postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> I
 
 def test_a_line_that_drops_in_the_middle_is_told(world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch):
     def cut(session: Session, *_: object, **__: object) -> None:
+        session.execute(sa.text("select 1"))
         with own_postgres.superuser() as connection:
             connection.execute("select pg_terminate_backend(pid) from pg_stat_activity where datname = 'away'")
         session.execute(sa.text("select 1"))
