@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
+from app.accounts.models import Person
 from app.deliveries.models import Archive, Delivery, DryStem, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.rules import stem_of as stem_of_name
@@ -49,7 +50,8 @@ def deliveries_of(
         query = query.where(Delivery.designer_id == designer_id)
     if before is not None:
         query = query.where(Delivery.id < before)
-    return session.scalars(query.options(joinedload(Delivery.designer)).order_by(Delivery.id.desc()).limit(limit)).all()
+    designer = joinedload(Delivery.designer).load_only(Person.name, raiseload=True)
+    return session.scalars(query.options(designer).order_by(Delivery.id.desc()).limit(limit)).all()
 
 
 def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID, int]:

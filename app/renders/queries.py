@@ -32,15 +32,28 @@ def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
 
 def wanted_recipes(spec: Spec, take: Take) -> dict[str, Recipe]:
     """Return what a spec wants made of a take (its cue loaded), by target; nothing while it is unmatched."""
+    return {} if take.cue is None else _recipes(spec.toml, _category(spec, take, take.cue), loop=take.cue.loop)
+
+
+def _wanted_keys(spec: Spec, take: Take) -> dict[str, str]:
     if take.cue is None:
         return {}
-    category = take.cue.category or parsed_spec(spec.toml).category_of(take.file_name)
-    return _recipes(spec.toml, category, loop=take.cue.loop)
+    return _keys(spec.toml, _category(spec, take, take.cue), take.master_sha256, loop=take.cue.loop)
+
+
+def _category(spec: Spec, take: Take, cue: Cue) -> str | None:
+    return cue.category or parsed_spec(spec.toml).category_of(take.file_name)
 
 
 @lru_cache(maxsize=512)
 def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe]:
     return recipes(parsed_spec(toml), category=category, loop=loop)
+
+
+@lru_cache(maxsize=4096)  # a page of the review queue asks for the same again and again
+def _keys(toml: str, category: str | None, master_sha256: str, *, loop: bool) -> dict[str, str]:
+    wanted = _recipes(toml, category, loop=loop)
+    return {target: recipe.key(master_sha256) for target, recipe in wanted.items()}
 
 
 def renders_by_key(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str, str], Render]:
@@ -193,8 +206,8 @@ def current(
     """Return those of what is stored of renders that stand now, by take (its cue loaded) and target."""
     return {
         take.id: {
-            target: stored.get((take.id, target, recipe.key(take.master_sha256)))
-            for target, recipe in wanted_recipes(specs[take.project_id], take).items()
+            target: stored.get((take.id, target, key))
+            for target, key in _wanted_keys(specs[take.project_id], take).items()
         }
         for take in takes
     }

@@ -22,7 +22,7 @@ from sqlalchemy import (
     select,
     tuple_,
 )
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload, load_only
 from sqlalchemy.sql.functions import aggregate_strings
 
 from app.accounts.models import Person
@@ -43,6 +43,11 @@ from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
+SHOWN_OF_TAKES = (
+    *(Take.studio_id, Take.project_id, Take.delivery_id, Take.cue_id, Take.variation, Take.number, Take.alternate),
+    *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.mend_of_id),
+    Take.master_sha256,
+)
 STRETCH = 2  # takes looked at for one cue that is wanted: most of what conforms waits
 
 
@@ -188,6 +193,7 @@ def _takes() -> Select[*tuple[Any, ...]]:
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
         .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .options(
+            load_only(*SHOWN_OF_TAKES, raiseload=True),
             joinedload(Take.cue),
             joinedload(Take.delivery)
             .load_only(Delivery.number, Delivery.note, raiseload=True)
