@@ -1,315 +1,27 @@
-"""What waits for review and what was said, read from the database; callers have checked who looks."""
+"""What was said and decided of takes, read from the database; callers have checked who looks."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
-from datetime import datetime
-from functools import cache
-from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import (
-    ColumnElement,
-    Row,
-    ScalarSelect,
-    Select,
-    String,
-    and_,
-    bindparam,
-    cast,
-    exists,
-    func,
-    select,
-    tuple_,
-)
-from sqlalchemy.orm import Session, aliased, joinedload, load_only
-from sqlalchemy.sql.functions import aggregate_strings
+from sqlalchemy import ColumnElement, Select, exists, func, select
+from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
 from app.conformance.models import CheckRun, Waiver
-from app.conformance.rules import Report
-from app.contracts.models import Contract, ContractCue
-from app.contracts.rules import ContractState
-from app.deliveries.models import Delivery, Take
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.among import among
-from app.kit.there_is import there_is
-from app.projects.models import Project, Spec
-from app.renders.models import Picture, RenderSet
-from app.renders.shown import PICTURE, ShownPicture, ShownRender, shown_renders
-from app.renders.thumbs import Thumb, thumbs
+from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
-SHOWN_OF_TAKES = (
-    *(Take.studio_id, Take.project_id, Take.delivery_id, Take.cue_id, Take.variation, Take.number, Take.alternate),
-    *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.mend_of_id),
-    Take.master_sha256,
-)
-STRETCH = 2  # takes looked at for one cue that is wanted: most of what conforms waits
-
-
-def in_project(project_id: UUID) -> ColumnElement[bool]:
-    """Admit the takes of one project."""
-    return Take.project_id == project_id
-
-
-def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
-    """Admit the takes of some studios."""
-    return among(Take.studio_id, studio_ids)
-
-
-def _newest_spec_id() -> ScalarSelect[UUID]:
-    newer = aliased(Spec)
-    return (
-        select(newer.id)
-        .where(newer.project_id == Take.project_id)
-        .order_by(newer.version.desc())
-        .limit(1)
-        .correlate(Take)
-        .scalar_subquery()
-    )
-
-
-@cache
-def _waits() -> ColumnElement[bool]:
-    """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
-    made = select(RenderSet.take_id).where(
-        RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
-    )
-    rendered = there_is(made, Take)  # of EXISTS PostgreSQL may gather all that was ever rendered
-    drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
-    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
-    return and_(Take.state == TakeState.CONFORMING, wanted.correlate(Take), drawn.correlate(Take), rendered)
-
-
-class WaitingCue(NamedTuple):
-    """A cue that waits for the decider, since its first take does."""
-
-    id: UUID
-    since: datetime
-    take_ids: list[UUID]  # all that wait
-
-
-def waiting_cues(
-    session: Session, reach: ColumnElement[bool], *, after: tuple[datetime, UUID] | None, limit: int
-) -> list[WaitingCue]:
-    """Return the cues that takes wait for, oldest first.
-
-    Walks the takes in order of waiting, a stretch at a time, and keeps the first of each cue: a page costs the same
-    however long the queue is. Left to itself PostgreSQL reads all that conforms before it sorts.
-    """
-    order = (Take.state_since, Take.cue_id, Take.id)
-    walk = select(*order).where(reach, Take.state == TakeState.CONFORMING).order_by(*order).limit(STRETCH * limit)
-    stretch = walk if after is None else walk.where(tuple_(*order[:2]) > tuple_(*after))
-    waiting: list[WaitingCue] = []
-    while len(waiting) < limit:
-        rows = session.execute(stretch).all()
-        by_cue = _waiting_by_cue(session, {cue_id for _, cue_id, _ in rows if cue_id is not None})
-        waiting += [
-            WaitingCue(cue_id, since, by_cue[cue_id])
-            for since, cue_id, take_id in rows
-            if cue_id in by_cue and take_id == by_cue[cue_id][0]
-        ]
-        if len(rows) < STRETCH * limit:
-            break
-        stretch = walk.where(tuple_(*order) > tuple_(*rows[-1]))
-    return waiting[:limit]
-
-
-def cues_under_contract(session: Session, cue_ids: Collection[UUID]) -> Sequence[UUID]:
-    """Return those of the cues that an agreed contract covers and that are not settled there."""
-    return session.scalars(
-        select(ContractCue.cue_id)
-        .join(Contract, Contract.id == ContractCue.contract_id)
-        .where(among(ContractCue.cue_id, cue_ids), *_is_open())
-    ).all()
-
-
-def _is_open() -> tuple[ColumnElement[bool], ...]:
-    return Contract.state == ContractState.AGREED, ContractCue.accepted_at.is_(None), ContractCue.cut_at.is_(None)
-
-
-def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequence[Row[Take, Contract, Project]]:
-    """Return the takes that wait of cues that an agreed contract with their designer covers, the newest first."""
-    return session.execute(
-        select(Take, Contract, Project)
-        .join(ContractCue, ContractCue.cue_id == Take.cue_id)
-        .join(Contract, and_(Contract.id == ContractCue.contract_id, Contract.designer_id == Take.designer_id))
-        .join(Project, Project.id == Take.project_id)
-        .where(reach, _waits(), *_is_open())
-        .options(joinedload(Take.cue))
-        .order_by(Take.cue_id, Take.variation, Take.number.desc())
-    ).all()
-
 
 def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Reminder]:
     """Return the reminders that were sent of cues."""
     return session.scalars(select(Reminder).where(among(Reminder.cue_id, cue_ids))).all()
-
-
-def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
-    """Return the takes of some cues that wait, by cue, those first that wait longest."""
-    by_cue: dict[UUID, list[UUID]] = {}
-    for cue_id, take_id in session.execute(_waiting(), {"cue_ids": cue_ids}):
-        if cue_id is not None:
-            by_cue.setdefault(cue_id, []).append(take_id)
-    return by_cue
-
-
-# Statements of a page are built once: that takes longer than to send them.
-@cache
-def _waiting() -> Select[UUID | None, UUID]:
-    waiting = select(Take.cue_id, Take.id).where(among(Take.cue_id, "cue_ids"), _waits())
-    return waiting.order_by(Take.state_since, Take.id)
-
-
-@dataclass(frozen=True)
-class TakeOnReview:
-    """A take with what is shown of it."""
-
-    take: Take
-    spec: Spec
-    picture: ShownPicture | None
-    report: Report | None
-    waiver: Waiver | None
-    draft: ChangeRequest | None
-    renders: dict[str, ShownRender | None]
-    thumbs: dict[UUID, Thumb]  # of all pictures here
-    open_comments: int
-
-
-def _takes() -> Select[*tuple[Any, ...]]:
-    drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.sending_id.is_(None))
-    waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
-    comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
-    return (
-        select(
-            *(Take, CheckRun.report, there_is(drafts, Take), there_is(waivers, Take)),
-            *(comments.correlate(Take).scalar_subquery(), *PICTURE),
-        )
-        .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
-        .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .options(
-            load_only(*SHOWN_OF_TAKES, raiseload=True),
-            joinedload(Take.cue),
-            joinedload(Take.delivery)
-            .load_only(Delivery.number, Delivery.note, raiseload=True)
-            .joinedload(Delivery.designer)
-            .load_only(Person.name, raiseload=True),
-        )
-        .order_by(Take.variation, Take.number.desc())
-    )
-
-
-@cache
-def _takes_by_id() -> Select[*tuple[Any, ...]]:
-    return _takes().where(among(Take.id, "ids"))
-
-
-@cache
-def _takes_of_cue() -> Select[*tuple[Any, ...]]:
-    return _takes().where(Take.cue_id == bindparam("cue_id"))
-
-
-def takes_on_review(session: Session, take_ids: Collection[UUID]) -> list[TakeOnReview]:
-    """Return some takes, newest first of each variation."""
-    return _with_what_is_shown(session, session.execute(_takes_by_id(), {"ids": take_ids}).all())
-
-
-def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
-    """Return a cue's takes in every state, newest first."""
-    return _with_what_is_shown(session, session.execute(_takes_of_cue(), {"cue_id": cue_id}).all())
-
-
-def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]]) -> list[TakeOnReview]:
-    takes: list[Take] = [row[0] for row in rows]
-    masters = {row[0].id: ShownPicture.read(*row[5:]) for row in rows}
-    specs = newest_specs(session, {take.project_id for take in takes})
-    renders = shown_renders(session, specs, takes)
-    files = [render.picture for made in renders.values() for render in made.values() if render]
-    drawn = thumbs(session, [picture.id for picture in (*masters.values(), *files) if picture])
-    drafted = [take.id for take, _, is_drafted, *_ in rows if is_drafted]
-    drafts = {draft.take_id: draft for draft in open_drafts(session, drafted)} if drafted else {}
-    waived = [take.id for take, _, _, is_waived, *_ in rows if is_waived]
-    waivers = {waiver.take_id: waiver for waiver in _waivers_of(session, waived)} if waived else {}
-    return [
-        TakeOnReview(
-            take=take,
-            spec=specs[take.project_id],
-            picture=masters[take.id],
-            report=report,
-            waiver=waivers.get(take.id),
-            draft=drafts.get(take.id),
-            renders=renders[take.id],
-            thumbs=drawn,
-            open_comments=comments,
-        )
-        for take, report, _, _, comments, *_ in rows
-    ]
-
-
-def _waivers_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Waiver]:
-    return session.scalars(select(Waiver).where(among(Waiver.take_id, take_ids)).order_by(Waiver.id)).all()
-
-
-def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, Spec]:
-    """Return the newest spec of each project."""
-    return {spec.project_id: spec for spec in session.scalars(_newest_specs(), {"project_ids": project_ids})}
-
-
-@cache
-def _newest_specs() -> Select[Spec]:
-    newest = (
-        select(Spec.project_id, func.max(Spec.version).label("version"))
-        .where(among(Spec.project_id, "project_ids"))
-        .group_by(Spec.project_id)
-        .subquery()
-    )
-    return select(Spec).join(newest, and_(newest.c.project_id == Spec.project_id, newest.c.version == Spec.version))
-
-
-class CueOnReview(NamedTuple):
-    """What a card of the queue says of a cue beside its takes."""
-
-    prefix: str  # the letters that cue numbers of its project start with
-    rounds: int
-    approved: list[int]  # the variations that have their approved take
-    is_changed: bool  # something was sent of it
-    is_contracted: bool  # an agreed contract covers it, which is not settled there
-
-
-def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, CueOnReview]:
-    """Return what is told of some cues."""
-    rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
-    return {
-        cue_id: CueOnReview(prefix, rounds, sorted(map(int, approved.split(","))) if approved else [], *whether)
-        for cue_id, prefix, rounds, approved, *whether in rows
-    }
-
-
-@cache
-def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
-    rounds = select(func.count(Round.number)).where(Round.cue_id == Cue.id)
-    variations = aggregate_strings(cast(Take.variation, String), ",")
-    approved = select(variations).where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED)
-    changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.sending_id.is_not(None))
-    contracted = (
-        select(ContractCue.cue_id)
-        .join(Contract, Contract.id == ContractCue.contract_id)
-        .where(ContractCue.cue_id == Cue.id, *_is_open())
-    )
-    return (
-        select(
-            *(Cue.id, Project.cue_prefix),
-            *(each.correlate(Cue).scalar_subquery() for each in (rounds, approved)),
-            *(there_is(each, Cue) for each in (changed, contracted)),
-        )
-        .join(Project, Project.id == Cue.project_id)
-        .where(among(Cue.id, "cue_ids"))
-    )
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
@@ -321,17 +33,6 @@ def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]
 def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
     """Return every sending that named a cue, counted or not, in order."""
     return session.scalars(select(Round).where(Round.cue_id == cue_id).order_by(Round.id)).all()
-
-
-def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
-    """Return what was asked last of cues, of which something was sent."""
-    return {cue_id: text for cue_id, text in session.execute(_sent(), {"cue_ids": cue_ids})}  # noqa: C416  a Row is no pair to dict's types
-
-
-@cache
-def _sent() -> Select[UUID, str]:
-    sent = (among(ChangeRequest.cue_id, "cue_ids"), ChangeRequest.sending_id.is_not(None))
-    return select(ChangeRequest.cue_id, ChangeRequest.text).where(*sent).order_by(ChangeRequest.id)
 
 
 def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[int]]:

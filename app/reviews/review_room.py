@@ -27,9 +27,9 @@ from app.projects.queries import decider_of
 from app.projects.service import standing_in
 from app.renders.service import sound_places
 from app.renders.shown import ShownPicture
-from app.reviews import queries
+from app.reviews import queries, queue_queries
 from app.reviews.models import ChangeRequest, Comment, Verdict
-from app.reviews.queries import CueOnReview, TakeOnReview
+from app.reviews.queue_queries import CueOnReview, TakeOnReview
 from app.reviews.rules import VerdictKind, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
@@ -55,17 +55,17 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     """Return what waits for review, oldest first, with all that its cards show."""
     after = instant_cursor(cursor)
     reach = _reach(session, actor, project_id)
-    waiting = queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
+    waiting = queue_queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
     shown = waiting[:PAGE_CUES]
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
-    for one in queries.takes_on_review(session, [take_id for cue in shown for take_id in cue.take_ids]):
+    for one in queue_queries.takes_on_review(session, [take_id for cue in shown for take_id in cue.take_ids]):
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
-    told = queries.cues_on_review(session, by_cue)
+    told = queue_queries.cues_on_review(session, by_cue)
     changed = [cue_id for cue_id, of_cue in told.items() if of_cue.is_changed]
-    changes = queries.last_changes(session, changed) if changed else {}
+    changes = queue_queries.last_changes(session, changed) if changed else {}
     words = words_on_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
     contracted = [cue_id for cue_id, of_cue in told.items() if of_cue.is_contracted]
     last = last_days(session, contracted) if contracted else {}
@@ -83,10 +83,10 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
 def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:
     if project_id is not None:
         standing_in(session, actor, project_id).ensure_team()
-        return queries.in_project(project_id)
+        return queue_queries.in_project(project_id)
     if not actor.roles:
         raise TeamNeeded("only a game team has a review queue")
-    return queries.in_studios(actor.roles)
+    return queue_queries.in_studios(actor.roles)
 
 
 def _queue_item(
@@ -222,7 +222,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     standing, cue = cue_in_sight(session, actor, cue_id)
     standing.ensure_team()
     prefix = standing.project.cue_prefix
-    shown = queries.takes_of_cue(session, cue.id)
+    shown = queue_queries.takes_of_cue(session, cue.id)
     words = words_on_sets(session, [cue], _specs_of(shown))
     takes = [review_take(one, prefix, words) for one in shown]
     ids = [take.id for take in takes]

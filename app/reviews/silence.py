@@ -14,7 +14,7 @@ from app.contracts.silence import Silence
 from app.deliveries.models import Take
 from app.kit.among import among
 from app.projects.models import Project
-from app.reviews import queries
+from app.reviews import queries, queue_queries
 from app.reviews.rules import missing_variations
 from app.sound_lists.models import Cue
 
@@ -52,7 +52,7 @@ def silent_cues(session: Session, reach: ColumnElement[bool]) -> list[SilentCue]
     """
     by_cue: dict[UUID, list[Take]] = {}
     contracts: dict[UUID, tuple[Contract, Project]] = {}
-    for take, contract, project in queries.waiting_under_contract(session, reach):
+    for take, contract, project in queue_queries.waiting_under_contract(session, reach):
         if take.cue_id is not None:
             by_cue.setdefault(take.cue_id, []).append(take)
             contracts[take.cue_id] = contract, project
@@ -79,5 +79,5 @@ def silent_cues(session: Session, reach: ColumnElement[bool]) -> list[SilentCue]
 
 def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, date]:
     """Return by cue the day after which it is accepted when nobody says anything; others are left out."""
-    owed = queries.cues_under_contract(session, cue_ids)
+    owed = queue_queries.cues_under_contract(session, cue_ids)
     return {one.cue.id: one.last_day for one in silent_cues(session, among(Take.cue_id, owed))} if owed else {}
