@@ -2,8 +2,8 @@
 
 Requests with a session of their own that run at once have a seat, as many that read as that write; others wait
 before they take a thread or a connection. More would be answered no sooner: one runs at a time, while the others ask
-the database. One keeps its connection while it waits for a thread, so that connections (30, or 40 on SQLite) and
-threads (40) must be more than seats: else all threads wait for connections whose owners wait for one.
+the database. Connections (30, or 40 on SQLite) and threads (40) must be more than seats, for whoever has a seat wants
+one of each at once.
 
 Uploads come from machines that send the next file when one is done, and take all that is left of a processor. They
 sit in a back row, and whoever stands first in its line lets people go first, but no longer than `GIVES_WAY_S`.
