@@ -52,7 +52,7 @@ e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser
 	@cd frontend && npm run --silent e2e
 
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
-	$(BIN)/pytest tests/kill --kill-runs 20
+	$(BIN)/pytest -n 3 tests/kill --kill-runs 20
 
 false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m tests.audio_checks.faults

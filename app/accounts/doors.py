@@ -84,14 +84,12 @@ def arrive(database: Database, settings: Settings, visit: Visit) -> Arrival:
     """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's."""
     scheme, _, bearer = visit.headers.get("authorization", "").partition(" ")
     if scheme:
-        with database.glancing() as session:
-            actor = queries.actor_for_token(session, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
+        actor = queries.actor_for_token(database, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
         if actor is None:
             raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
         return Arrival(actor)
     if secret := visit.cookies.get(SESSION_COOKIE):
-        with database.glancing() as session:
-            actor = queries.actor_for_sign_in(session, sha256_of(secret))
+        actor = queries.actor_for_sign_in(database, sha256_of(secret))
         if actor is not None:
             _ensure_our_page(settings, visit, secret)
             return Arrival(actor, secret)

@@ -1,6 +1,7 @@
 """Who comes in, and the endpoints of accounts."""
 
 from collections.abc import Callable, Coroutine
+from functools import partial
 from typing import Any
 from uuid import UUID
 
@@ -51,7 +52,7 @@ from app.kit.http import (
     problems,
     runtime_of,
 )
-from app.kit.turns import InOneTurn
+from app.kit.turns import Asking, InOneTurn
 from app.settings import Settings
 
 __all__ = [
@@ -93,7 +94,11 @@ class Allowed:
     def __init__(self, policy: Policy) -> None:
         self.policy = policy
 
-    def __call__(self, request: Request, background: BackgroundTasks) -> Actor:
+    async def __call__(self, request: Request, background: BackgroundTasks) -> Asking:
+        """Return what tells who asks, once the endpoint has a thread for it."""
+        return Asking(request, partial(self._who, request, background))
+
+    def _who(self, request: Request, background: BackgroundTasks) -> Actor:
         """Return who asks, where the policy lets them in at all; services check the project and the role."""
         if self.policy.sight is Sight.ANYONE:
             doors.ensure_our_origin(runtime_of(request).settings, _visit(request))

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session, joinedload
 from app.accounts.models import Membership, PasswordReset, Person, SignIn, Studio, StudioInvitation, Token
 from app.accounts.rules import Actor, Role, Scope
 from app.kit import clock
-from app.kit.db import UtcDateTime
+from app.kit.db import Database, UtcDateTime
 
 TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
 
@@ -31,26 +31,30 @@ _SIGNED_IN = (
 )
 
 
-def actor_for_sign_in(session: Session, secret_sha256: str) -> Actor | None:
+def actor_for_sign_in(database: Database, secret_sha256: str) -> Actor | None:
     """Return who holds this session cookie, None when it is unknown or over."""
-    rows = session.execute(_SIGNED_IN, {"secret_sha256": secret_sha256, "now": clock.now()}).all()
+    rows = database.glance(_SIGNED_IN, {"secret_sha256": secret_sha256, "now": clock.now()})
     if not rows:
         return None
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     return Actor(person_id=rows[0].person_id, roles=roles)
 
 
-def actor_for_token(session: Session, secret_sha256: str) -> Actor | None:
+_TOKEN = select(Token.id, Token.studio_id, Token.project_id, Token.scopes).where(
+    Token.secret_sha256 == bindparam("secret_sha256"), Token.revoked_at.is_(None)
+)
+
+
+def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
     """Return the build that holds this token, None when it is unknown or revoked."""
-    token = session.scalar(select(Token).where(Token.secret_sha256 == secret_sha256, Token.revoked_at.is_(None)))
-    if token is None:
-        return None
-    return Actor(
-        token_id=token.id,
-        token_studio_id=token.studio_id,
-        token_project_id=token.project_id,
-        scopes=frozenset(Scope(scope) for scope in token.scopes),
-    )
+    for token in database.glance(_TOKEN, {"secret_sha256": secret_sha256}):
+        return Actor(
+            token_id=token.id,
+            token_studio_id=token.studio_id,
+            token_project_id=token.project_id,
+            scopes=frozenset(map(Scope, token.scopes)),
+        )
+    return None
 
 
 def actor_for_demo_part(session: Session, part: str) -> Actor | None:

@@ -1,6 +1,5 @@
 """The endpoints of this room."""
 
-import asyncio
 from typing import Annotated, Any
 from uuid import UUID
 
@@ -39,7 +38,6 @@ from app.deliveries.schemas import (
 from app.deliveries.upload_endpoints import router as uploads_router
 from app.kit.blob_answer import blob_answer
 from app.kit.http import (
-    BackSeat,
     BackSession,
     CurrentRuntime,
     DbSession,
@@ -48,7 +46,6 @@ from app.kit.http import (
     Router,
     cursor_of,
     problems,
-    transaction,
     uuid_cursor,
 )
 from app.kit.storage import BlobMissing
@@ -165,20 +162,14 @@ def change_delivery(
         VariationUnknown,
     ),
 )  # fmt: skip
-async def add_take(
-    request: Request,
-    _seat: BackSeat,
+def add_take(
     delivery_id: UUID,
     body: TakeAdd,
+    session: BackSession,
     actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
-    return await asyncio.to_thread(_added_take, request, actor, delivery_id, body)  # all of it in one thread
-
-
-def _added_take(request: Request, actor: Actor, delivery_id: UUID, body: TakeAdd) -> Response:
-    with transaction(request) as session:
-        status, answer = _take_of(session, actor, delivery_id, body)
+    status, answer = _take_of(session, actor, delivery_id, body)
     return Response(answer.model_dump_json(), status, media_type="application/json")
 
 

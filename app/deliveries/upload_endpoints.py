@@ -12,7 +12,6 @@ from typing import Annotated, Any
 from uuid import UUID
 
 from fastapi import APIRouter, Header, Query, Request, Response
-from fastapi.routing import APIRoute
 from starlette.requests import ClientDisconnect
 
 from app.accounts.endpoints import allows
@@ -41,6 +40,7 @@ from app.kit.errors import Refused
 from app.kit.http import BackSeat, CurrentRuntime, problems
 from app.kit.runtime import Runtime
 from app.kit.storage import StoreUnavailable
+from app.kit.turns import Asking, InOneTurn
 from app.kit.uploads import (
     CHECKSUMS,
     ChecksumMismatch,
@@ -65,14 +65,16 @@ EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
 PARTS_EXTENSION = "soundlist-parts"  # ours: what was created may be sent to the store in parts
 BODY_TYPE = "application/offset+octet-stream"
 
-UploadsActor = Annotated[Actor, allows(Sight.PERSON, build=Scope.DELIVERIES_WRITE)]
+UPLOADS = allows(Sight.PERSON, build=Scope.DELIVERIES_WRITE)
+UploadsActor = Annotated[Actor, UPLOADS]
+UploadsAsking = Annotated[Asking, UPLOADS]  # of what streams: who asks is found out in the thread that it needs anyway
 Tus = Annotated[str | None, Header(alias="Tus-Resumable", description="1.0.0")]
 BINARY_BODY: dict[str, Any] = {
     "requestBody": {"content": {BODY_TYPE: {"schema": {"type": "string", "format": "binary"}}}}
 }
 
 
-class TusRoute(APIRoute):
+class TusRoute(InOneTurn):
     """A route whose answers name the version of tus that they speak, refusals included."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
@@ -125,7 +127,7 @@ async def begin_upload(
     request: Request,
     seat: BackSeat,
     runtime: CurrentRuntime,
-    actor: UploadsActor,
+    asking: UploadsAsking,
     tus_resumable: Tus = None,
     upload_length: Annotated[str | None, Header(description="How many bytes the whole file has.")] = None,
     upload_metadata: Annotated[
@@ -146,7 +148,7 @@ async def begin_upload(
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
     begin = partial(
-        _permitted, runtime, actor, uuid_in("delivery_id", metadata.get("delivery_id", "")),
+        _permitted, runtime, asking, uuid_in("delivery_id", metadata.get("delivery_id", "")),
         metadata.get("file_name", ""), length, sha256_in_hex(metadata.get("sha256")),
         uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None,
     )  # fmt: skip
@@ -186,7 +188,7 @@ async def continue_upload(
     request: Request,
     seat: BackSeat,
     runtime: CurrentRuntime,
-    actor: UploadsActor,
+    asking: UploadsAsking,
     tus_resumable: Tus = None,
     upload_offset: Annotated[str | None, Header(description="How many bytes are here already.")] = None,
     upload_checksum: Annotated[
@@ -200,7 +202,7 @@ async def continue_upload(
     offset = number_of_bytes("Upload-Offset", upload_offset)
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(_own, runtime, actor, upload_id)
+    upload = await asyncio.to_thread(lambda: _own(runtime, asking(), upload_id))
     seat.leave()
     upload = await uploads.receive(upload, offset, _body(request), announced=_announced(request), checksum=checksum)
     return await _after(uploads, upload, 204)
@@ -261,7 +263,7 @@ async def put_upload(
     request: Request,
     seat: BackSeat,
     runtime: CurrentRuntime,
-    actor: UploadsActor,
+    asking: UploadsAsking,
     delivery_id: UUID,
     file_name: Annotated[str, Query(min_length=1, max_length=100_000)],
     take_id: Annotated[UUID | None, Query(description="Of the take that a dry stem is for.")] = None,
@@ -274,7 +276,7 @@ async def put_upload(
         raise LengthRequired("say how long the file is: Content-Length is missing")
     expected = sha256_in_hex(x_content_sha256) or sha256_of_digest(repr_digest)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(_permitted, runtime, actor, delivery_id, file_name, length, expected, take_id)
+    upload = await asyncio.to_thread(_permitted, runtime, asking, delivery_id, file_name, length, expected, take_id)
     seat.leave()
     try:
         upload = await uploads.receive(upload, 0, _body(request), announced=length)
@@ -305,7 +307,7 @@ def _uploads(runtime: Runtime) -> Uploads:
 
 def _permitted(
     runtime: Runtime,
-    actor: Actor,
+    asking: Asking,
     delivery_id: UUID,
     file_name: str,
     length: int,
@@ -313,6 +315,7 @@ def _permitted(
     beside_take_id: UUID | None,
 ) -> Upload:
     """Make room for a file, once it is certain that the caller may deliver it there."""
+    actor: Actor = asking()
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:

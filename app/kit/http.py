@@ -27,7 +27,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import clock, kill, metrics
-from app.kit.db import Base, Database, is_away, is_crossed, new_id, reach_further
+from app.kit.db import Base, Database, is_away, is_crossed, new_id
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
@@ -114,15 +114,8 @@ CurrentRuntime = Annotated[Runtime, Depends(_runtime)]
 
 
 def come_in(request: Request, reach: Reach) -> None:
-    """Let the request's session reach what its caller may see, once it is known who that is; until then, nothing."""
+    """Let the request's transaction reach what its caller may see, which is known before it begins."""
     request.state.reach = reach
-    if (session := getattr(request.state, "session", None)) is not None:
-        reach_further(session, reach)
-
-
-async def _seat(request: Request) -> AsyncIterator[None]:
-    async with seats().for_person(reads=request.method in SAFE_METHODS):
-        yield
 
 
 async def _back_seat() -> AsyncIterator[Seat]:
@@ -130,30 +123,28 @@ async def _back_seat() -> AsyncIterator[Seat]:
         yield seat
 
 
-# What uploads ask comes behind what people do; to be named before whatever else an endpoint depends on.
+# What uploads ask comes behind what people do; for what streams, which gives the seat back before.
 BackSeat = Annotated[Seat, Depends(_back_seat, scope="function")]
 
 
-async def _session(request: Request, _seat: Annotated[None, Depends(_seat, scope="function")]) -> Pending:
-    return Pending(partial(transaction, request))
+async def _session(request: Request) -> Pending:
+    return Pending(partial(seats().for_person, reads=request.method in SAFE_METHODS), partial(transaction, request))
 
 
-async def _back_session(request: Request, _seat: BackSeat) -> Pending:
-    return Pending(partial(transaction, request))
+async def _back_session(request: Request) -> Pending:
+    return Pending(seats().for_upload, partial(transaction, request))
 
 
 @contextmanager
 def transaction(request: Request) -> Iterator[Session]:
-    """Give the transaction of a request, for an endpoint that has a thread of its own; others depend on a session."""
+    """Give the transaction of a request, in the thread that it is used in."""
     database = database_of(request)
     reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
         with database.reading(reach) as session:
-            request.state.session = session
             yield session
         return
     with database.writing(reach) as session:
-        request.state.session = session
         pending: SavedAnswer | None = getattr(request.state, "saved_answer", None)
         if pending is not None:
             session.add(pending)

@@ -1,42 +1,120 @@
-"""An endpoint's transaction is begun, used and ended in the endpoint's own thread.
+"""An endpoint does all that it does in one thread: who asks, its transaction, its work, and the JSON of its answer.
 
-As a dependency that FastAPI opens and closes it would change threads three times, which costs as much as a SELECT.
+Left to FastAPI a request would change threads five times, each of which costs as much as a SELECT, and JSON would be
+made where every other request waits for it.
 """
 
 import functools
 import inspect
-from collections.abc import Callable
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Coroutine
+from contextlib import AbstractAsyncContextManager, AbstractContextManager
 from typing import Any
 
+from fastapi import Request, Response
+from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from sqlalchemy.orm import Session
+from starlette.concurrency import run_in_threadpool
+
+from app.kit.errors import Refused
+from app.kit.seats import Crowded
+
+OK = 200
+
+
+class Asking:
+    """Who asks, for an endpoint that depends on it: nobody has looked yet.
+
+    An endpoint that is no coroutine is given what this returns; a coroutine calls it, in a thread of its own.
+    """
+
+    def __init__(self, request: Request, look: Callable[[], Any]) -> None:
+        request.state.asking = self
+        self._look = look
+        self.has_looked = False
+
+    def __call__(self) -> Any:
+        """Return who asks, or raise what the policy says."""
+        self.has_looked = True
+        return self._look()
 
 
 class Pending:
-    """A session that an endpoint depends on and that nobody opened yet."""
+    """A session that an endpoint depends on and that nobody opened yet, with the seat that it is used in."""
 
-    def __init__(self, transaction: Callable[[], AbstractContextManager[Session]]) -> None:
+    def __init__(
+        self,
+        seat: Callable[[], AbstractAsyncContextManager[Any]],
+        transaction: Callable[[], AbstractContextManager[Session]],
+    ) -> None:
+        self.seat = seat
         self.opened = transaction
 
 
 class InOneTurn(APIRoute):
-    """A route whose endpoint is given its session open, and whose answer leaves once that is committed."""
+    """A route whose endpoint has one thread, and whose answer leaves once its transaction is committed."""
 
     def __init__(self, path: str, endpoint: Callable[..., Any], **more: Any) -> None:
-        super().__init__(path, _in_one_turn(endpoint), **more)
+        super().__init__(path, self._in_one_turn(endpoint), **more)
 
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Let no answer out before it is known who asks, not even what is wrong with what was sent."""
+        handle = super().get_route_handler()
 
-def _in_one_turn(endpoint: Callable[..., Any]) -> Callable[..., Any]:
-    if inspect.iscoroutinefunction(endpoint):
-        return endpoint
+        async def handle_in_turn(request: Request) -> Response:
+            try:
+                answer = await handle(request)
+            except Crowded:
+                raise
+            except (RequestValidationError, Refused):
+                if (asking := _unasked(request)) is not None:
+                    await run_in_threadpool(asking)
+                raise
+            if _unasked(request) is not None:
+                raise AssertionError(f"{self.name} never looked who asks")
+            return answer
 
-    @functools.wraps(endpoint)
-    def answer(**given: Any) -> Any:
-        for name, value in given.items():
+        return handle_in_turn
+
+    def _in_one_turn(self, endpoint: Callable[..., Any]) -> Callable[..., Any]:
+        if inspect.iscoroutinefunction(endpoint):
+            return endpoint
+
+        @functools.wraps(endpoint)
+        async def answer(**given: Any) -> Any:
+            turn = functools.partial(run_in_threadpool, self._answer, endpoint, given)
+            for value in given.values():
+                if isinstance(value, Pending):
+                    async with value.seat():
+                        return await turn()
+            return await turn()
+
+        return answer
+
+    def _answer(self, endpoint: Callable[..., Any], given: dict[str, Any]) -> Any:
+        known = {name: value() if isinstance(value, Asking) else value for name, value in given.items()}
+        for name, value in known.items():
             if isinstance(value, Pending):
                 with value.opened() as session:
-                    return endpoint(**{**given, name: session})
-        return endpoint(**given)
+                    answer = endpoint(**{**known, name: session})
+                break
+        else:
+            answer = endpoint(**known)
+        has_its_own = any(isinstance(value, Response) for value in given.values())  # headers and status; FastAPI's part
+        return answer if has_its_own else self._as_json(answer)
 
-    return answer
+    def _as_json(self, answer: Any) -> Any:
+        """Return the answer as FastAPI would send it; as it is, where FastAPI has more to say or to refuse."""
+        if self.response_field is None or isinstance(answer, Response):
+            return answer
+        shown, errors = self.response_field.validate(answer, loc=("response",))
+        if errors:
+            return answer
+        return Response(
+            self.response_field.serialize_json(shown), self.status_code or OK, media_type="application/json"
+        )
+
+
+def _unasked(request: Request) -> Asking | None:
+    asking: Asking | None = getattr(request.state, "asking", None)
+    return None if asking is None or asking.has_looked else asking

@@ -5,6 +5,7 @@ are counted only once it was found right. A finished file is in the store before
 """
 
 import asyncio
+import contextlib
 import fcntl
 import hashlib
 import itertools
@@ -334,35 +335,37 @@ async def _pour(
     """Write what comes to the file, in large pieces; stop before the first byte that there is no room for."""
     waiting = bytearray()
     try:
-        async for chunk in _lively(stream):
-            room -= len(chunk)
-            if room < 0:
-                raise UploadTooLong("more bytes came than were announced for this file")
-            waiting += chunk
-            if len(waiting) >= READ_BYTES:
-                piece, waiting = bytes(waiting), bytearray()
-                await asyncio.to_thread(_write, file, piece, also)
+        async with _patience() as patience:
+            async for chunk in stream:
+                room -= len(chunk)
+                if room < 0:
+                    raise UploadTooLong("more bytes came than were announced for this file")
+                waiting += chunk
+                if len(waiting) >= READ_BYTES:
+                    patience.reschedule(None)  # a slow disk is ours, and a write is never broken off
+                    piece, waiting = bytes(waiting), bytearray()
+                    await asyncio.to_thread(_write, file, piece, also)
+                patience.reschedule(asyncio.get_running_loop().time() + SILENT_FOR_S)
     finally:
         if waiting:
             _write(file, bytes(waiting), also)
 
 
-async def _lively(stream: AsyncIterator[bytes]) -> AsyncIterator[bytes]:
-    while True:
-        try:
-            async with asyncio.timeout(SILENT_FOR_S):  # which makes no task for each chunk, as wait_for would
-                chunk = await anext(stream)
-        except StopAsyncIteration:
-            return
-        except TimeoutError:
-            raise UploadStalled(f"nothing came for {SILENT_FOR_S:.0f} s; what came before is kept") from None
-        yield chunk
+@contextlib.asynccontextmanager
+async def _patience() -> AsyncIterator[asyncio.Timeout]:
+    """Wait for a sender who falls silent, and no longer than that; whoever waits sets it anew with each piece."""
+    try:
+        async with asyncio.timeout(SILENT_FOR_S) as patience:
+            yield patience
+    except TimeoutError:
+        raise UploadStalled(f"nothing came for {SILENT_FOR_S:.0f} s; what came before is kept") from None
 
 
 async def _ensure_empty(stream: AsyncIterator[bytes]) -> None:
-    async for chunk in _lively(stream):
-        if chunk:
-            raise UploadTooLong("this upload is finished; it takes no more bytes")
+    async with _patience():
+        async for chunk in stream:
+            if chunk:
+                raise UploadTooLong("this upload is finished; it takes no more bytes")
 
 
 def _ensure_continues(here: int, offset: int) -> None:
