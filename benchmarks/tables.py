@@ -2,6 +2,7 @@
 
 import os
 import platform
+import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -22,7 +23,8 @@ def machine() -> str:
         if line.startswith("model name"):
             model = line.partition(":")[2].strip()
             break
-    return f"{os.cpu_count()} cores ({model}), Python {platform.python_version()}"
+    whose = "the system's Python" if sys.base_prefix == "/usr" else "Python"  # distributions optimize what they build
+    return f"{os.cpu_count()} cores ({model}), {whose} {platform.python_version()}"
 
 
 def write_between(document: Path, mark: str, text: str) -> None:
