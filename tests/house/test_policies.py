@@ -12,6 +12,7 @@ from app.accounts import rate_limits
 from app.accounts.endpoints import policy_of
 from app.accounts.rules import Scope, Sight
 from app.kit.http import SAFE_METHODS
+from app.kit.turns import InOneTurn
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations
 from tests.support.server import RunningServer
@@ -68,6 +69,11 @@ def test_every_endpoint_declares_its_policy() -> None:
     routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
     assert len(routes) > 80
     assert [route.name for route in routes if policy_of(route.endpoint, route.dependant.dependencies) is None] == []
+
+
+def test_every_route_looks_who_asks_before_it_answers() -> None:
+    routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
+    assert [route.name for route in routes if not isinstance(route, InOneTurn)] == []
 
 
 def test_an_endpoint_without_policy_would_be_named() -> None:
