@@ -21,7 +21,7 @@ from app.kit.errors import Refused
 SEATS = 4  # of those who read, and as many of those who write
 BACK_SEATS = 2  # of uploads that begin, go on or become takes
 END_SEATS = 2  # of files that are synced, hashed and stored: many that end together stand before nobody's request
-GIVES_WAY_S = 0.1  # so that a line of uploads moves by ten a second however many people come
+GIVES_WAY_S = 0.03  # so that a line of uploads moves by thirty a second however many people come
 LONGEST_WAIT_S = 20.0  # for a seat; whoever asked is gone or asks again, and a line without end takes all memory
 
 
