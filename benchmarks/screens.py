@@ -31,6 +31,7 @@ class Screen:
 SCREENS = {
     "review queue": Screen("/v1/review-queue?project_id={project}", paged=True),
     "review queue of all projects": Screen("/v1/review-queue"),
+    "how many wait for review": Screen("/v1/review-queue/count?project_id={project}"),
     "sound list": Screen("/v1/projects/{project}/sound-list", paged=True),
     "where its cues stand": Screen("/v1/projects/{project}/sound-list/standing", paged=True),
     "where a designer's cues stand": Screen("/v1/projects/{project}/sound-list/standing", "designer"),

@@ -35,6 +35,7 @@ from app.reviews.schemas import (
     CueReviewRead,
     DeliveryFitRead,
     HistoryEntry,
+    QueueCount,
     QueueItem,
     SendingAdd,
     SendingRead,
@@ -60,6 +61,14 @@ def get_review_queue(
 ) -> Page[QueueItem]:
     """Return what waits for review, oldest first: of one project, or of all projects of the caller's studios."""
     return review_room.review_queue(session, actor, project_id=project_id, cursor=cursor)
+
+
+@router.get("/review-queue/count", response_model=QueueCount, responses=problems(ProjectNotFound, TeamNeeded))
+def count_review_queue(
+    session: DbSession, project_id: UUID | None = None, actor: Actor = allows(Sight.TEAM)
+) -> QueueCount:
+    """Count the cues that wait for review, up to 99: of one project, or of all projects of the caller's studios."""
+    return review_room.queue_count(session, actor, project_id=project_id)
 
 
 @router.get("/cues/{cue_id}/review", response_model=CueReviewRead, responses=problems(CueNotFound, TeamNeeded))

@@ -36,6 +36,7 @@ from app.reviews.schemas import (
     CommentRead,
     CueReviewRead,
     HistoryEntry,
+    QueueCount,
     QueueItem,
     ReviewCue,
     ReviewRender,
@@ -49,6 +50,7 @@ from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_in_sight
 
 PAGE_CUES = 25
+COUNTED_CUES = 99  # more is told as "99+"
 
 
 def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
@@ -78,6 +80,13 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     ]
     has_more = len(waiting) > PAGE_CUES
     return Page(items=items, next=cursor_of(shown[-1].since.isoformat(), shown[-1].id) if has_more else None)
+
+
+def queue_count(session: Session, actor: Actor, *, project_id: UUID | None) -> QueueCount:
+    """Return how many cues wait for review, counted up to a bound so that it costs the same however many do."""
+    reach = _reach(session, actor, project_id)
+    waiting = queue_queries.waiting_cues(session, reach, after=None, limit=COUNTED_CUES + 1)
+    return QueueCount(cues=min(len(waiting), COUNTED_CUES), is_all=len(waiting) <= COUNTED_CUES)
 
 
 def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:

@@ -121,6 +121,13 @@ class QueueItem(Schema):
     takes: list[ReviewTake]
 
 
+class QueueCount(Schema):
+    """How many cues wait for the decider, counted as far as somebody would want to know."""
+
+    cues: int
+    is_all: bool = Field(description="Whether no more wait than are counted here.")
+
+
 class VerdictGive(Schema):
     """A verdict on one take."""
 

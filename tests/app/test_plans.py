@@ -70,6 +70,7 @@ def test_a_whole_read_would_be_noticed(server: RunningServer, made: Made, asked:
     [
         ("review queue", "ix_deliveries_takes_project_waiting"),
         ("review queue of all projects", "ix_deliveries_takes_studio_waiting"),
+        ("how many wait for review", "ix_deliveries_takes_project_waiting"),
         ("sound list", "ix_sound_lists_cues_order"),
         ("where its cues stand", "ix_sound_lists_cues_order"),
     ],

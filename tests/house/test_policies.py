@@ -29,7 +29,12 @@ TEAMS = {Sight.PRODUCER, Sight.TEAM, Sight.DECIDER}
 # Things of the studio, which a designer does not see at all.
 STUDIOS = {"studio_id", "studio_invitation_id", "mail_id", "template_id"}
 IN_BODY = {"open_project": {"studio_id"}}
-IN_QUERY = {"put_upload": {"delivery_id"}, "begin_upload": {"delivery_id"}, "get_review_queue": {"project_id"}}
+IN_QUERY = {
+    "put_upload": {"delivery_id"},
+    "begin_upload": {"delivery_id"},
+    "get_review_queue": {"project_id"},
+    "count_review_queue": {"project_id"},
+}
 
 
 def names_in(operation: Operation) -> set[str]:

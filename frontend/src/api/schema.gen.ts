@@ -2633,6 +2633,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/review-queue/count": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Count Review Queue
+         * @description Count the cues that wait for review, up to 99: of one project, or of all projects of the caller's studios.
+         */
+        get: operations["count_review_queue"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/cues/{cue_id}/review": {
         parameters: {
             query?: never;
@@ -8271,6 +8291,19 @@ export interface components {
             answered_by: components["schemas"]["PersonBrief"] | null;
             /** Answered At */
             answered_at: string | null;
+        };
+        /**
+         * QueueCount
+         * @description How many cues wait for the decider, counted as far as somebody would want to know.
+         */
+        QueueCount: {
+            /** Cues */
+            cues: number;
+            /**
+             * Is All
+             * @description Whether no more wait than are counted here.
+             */
+            is_all: boolean;
         };
         /**
          * QueueItem
@@ -18373,6 +18406,55 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    count_review_queue: {
+        parameters: {
+            query?: {
+                project_id?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["QueueCount"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

@@ -158,6 +158,58 @@ def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
     assert for_one <= 24  # on PostgreSQL two of them say who asks
 
 
+def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    def count() -> dict[str, Any]:
+        named = {"project_id": str(stage.world.project_id)}
+        return told(stage.world.reviewer.get("/v1/review-queue/count", params=named))
+
+    monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
+    assert count() == {"cues": 0, "is_all": True}
+    pair = stage.cue("pair", variations=2)
+    for variation in (1, 2):
+        stage.take(pair, variation)
+    stage.take(stage.cue("not drawn"), is_drawn=False)
+    assert count() == {"cues": 1, "is_all": True}
+    for name in ("second", "third"):
+        stage.take(stage.cue(name))
+    assert count() == {"cues": 3, "is_all": True}
+    stage.take(stage.cue("fourth"))
+    assert count() == {"cues": 3, "is_all": False}
+    stage.take(stage.cue("fifth"))
+    assert count() == {"cues": 3, "is_all": False}
+
+
+def test_to_count_costs_the_same_however_many_wait(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
+    server, named = stage.world.server, {"project_id": str(stage.world.project_id)}
+
+    def statements() -> int:
+        with server.counted_selects() as selects:
+            told(stage.world.reviewer.get("/v1/review-queue/count", params=named))
+        return len(selects)
+
+    stage.take(stage.cue())
+    statements()
+    for_one = statements()
+    for number in range(20):
+        stage.take(stage.cue(f"cue_{number}"))
+    assert statements() == for_one
+    assert for_one <= 9  # on PostgreSQL two of them say who asks
+
+
+def test_who_may_count_the_queue(stage: Stage) -> None:
+    world, address = stage.world, "/v1/review-queue/count"
+    stage.take(stage.cue())
+    named = {"project_id": str(world.project_id)}
+    for who in (world.producer, world.decider, world.reviewer):
+        assert told(who.get(address, params=named)) == told(who.get(address)) == {"cues": 1, "is_all": True}
+    assert world.nobody.get(address).status_code == 401
+    assert refused(world.designer.get(address, params=named)) == (403, "team-needed")
+    assert refused(world.designer.get(address)) == (403, "team-needed")
+    assert refused(world.stranger.get(address, params=named)) == (404, "project-not-found")
+    assert told(world.stranger.get(address)) == {"cues": 0, "is_all": True}
+
+
 def test_who_sees_the_queue(stage: Stage) -> None:
     world = stage.world
     stage.take(stage.cue())
