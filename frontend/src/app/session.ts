@@ -18,7 +18,7 @@ export interface ShellData {
   isParty: boolean
   projects: ShellProject[]
   /** What waits for this person, beside the tab where it is done. */
-  counts: { today?: number; desk?: number; review?: number }
+  counts: { today?: number; desk?: number; review?: number | string }
   /** Whether jobs and storage are this person's to see: a producer's, or whoever runs the server. */
   operates: boolean
   signOut: () => void

@@ -1,4 +1,11 @@
-import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+import {
+  infiniteQueryOptions,
+  type QueryClient,
+  queryOptions,
+  useMutation,
+  useQuery,
+  useQueryClient,
+} from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
@@ -8,6 +15,8 @@ type Schemas = components['schemas']
 export type Me = Schemas['Me']
 export type MyProject = Schemas['MyProject']
 export type QueueItem = Schemas['QueueItem']
+export type QueuePage = Schemas['Page_QueueItem_']
+export type QueueCount = Schemas['QueueCount']
 export type ReviewTake = Schemas['ReviewTake']
 export type ReviewCue = Schemas['ReviewCue']
 export type ReviewFinding = Schemas['FindingRead']
@@ -19,6 +28,7 @@ export type Sending = Schemas['SendingRead']
 export const keys = {
   me: ['me'] as const,
   queue: (projectId: string) => ['review-queue', projectId] as const,
+  queueCount: (projectId: string) => ['review-queue', projectId, 'count'] as const,
   review: (cueId: string) => ['cue-review', cueId] as const,
   drafts: (projectId: string) => ['change-requests', projectId, 'draft'] as const,
   history: (takeId: string) => ['take-history', takeId] as const,
@@ -51,14 +61,25 @@ export const isParty = (project: MyProject | undefined): boolean =>
 /** How often a screen that people leave open asks whether something new arrived. */
 export const ARRIVALS_MS = 15_000
 
-/** Every cue that waits for a verdict, the oldest first. */
+/** The cues that wait for a verdict, the oldest first, as far as they were asked for. */
 export const queueQuery = (projectId: string) =>
-  queryOptions({
+  infiniteQueryOptions({
     queryKey: keys.queue(projectId),
-    queryFn: () =>
-      everyItem((cursor) =>
-        answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
-      ),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+    select: ({ pages }) => pages.flatMap(({ items }) => items),
+    // All that is here is read anew at one page per ARRIVALS_MS: what arrives stands at the end, behind what is here,
+    // and how many wait is asked by itself.
+    refetchInterval: ({ state }) => ARRIVALS_MS * (state.data?.pages.length ?? 1),
+  })
+
+/** How many cues wait for a verdict, those that are noted included. */
+export const countQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.queueCount(projectId),
+    queryFn: () => answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId } } })),
     refetchInterval: ARRIVALS_MS,
   })
 

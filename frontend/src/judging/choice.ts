@@ -1,4 +1,4 @@
-import type { QueueItem, ReviewCue, ReviewTake } from './api'
+import type { ReviewCue, ReviewTake } from './api'
 import { inOrder } from './hearing'
 
 /** Every variation has a version that could be accepted, or is approved already; none is noted for a change. */
@@ -20,7 +20,3 @@ export function pickedOfSet(waiting: readonly ReviewTake[], chosen: ReadonlyMap<
   }
   return [...picked.values()]
 }
-
-/** The first that is not noted for a change, in the order of the queue. */
-export const firstOpen = (items: readonly QueueItem[]): QueueItem | undefined =>
-  items.find((item) => item.takes.some(({ draft_change }) => draft_change === null))

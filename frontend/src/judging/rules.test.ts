@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import { aCue, aDraft, aFinding, anItem, aTake } from '@/test/review'
 
 import { isNoted, nextAfter, withoutDecided } from './afterVerdict'
-import { firstOpen, isWholeSet, pickedOfSet } from './choice'
+import { isWholeSet, pickedOfSet } from './choice'
 import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, told, whatWaits } from './words'
 
 const noted = (id: string, variation = 1) => {
@@ -31,7 +31,6 @@ describe('the queue after a verdict', () => {
     expect(nextAfter([one, two, three], 'three')).toBe(one)
     expect(nextAfter([one, two], 'one')).toBeUndefined()
     expect(isNoted(two)).toBe(true)
-    expect(firstOpen([two, three])).toBe(three)
   })
 })
 

@@ -1,11 +1,11 @@
-import { useMutation, useQueryClient } from '@tanstack/react-query'
+import { type InfiniteData, useMutation, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { answered, api, ApiProblem, lineLost } from '@/api'
 import { dismissToast, showToast } from '@/app/toast'
 
 import { withoutDecided } from './afterVerdict'
-import { keys, type QueueItem, refresh, type ReviewCue, type ReviewTake } from './api'
+import { keys, type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {
@@ -32,6 +32,8 @@ const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said:
 const takeBack = (takeId: string) =>
   answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
 
+const cuesOf = (pages: readonly QueuePage[] = []): number => pages.reduce((sum, { items }) => sum + items.length, 0)
+
 interface Decided {
   cue: ReviewCue
   takes: readonly ReviewTake[]
@@ -46,16 +48,18 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
   const client = useQueryClient()
   const [refusal, setRefusal] = useState<Refusal | null>(null)
   const queueKey = keys.queue(projectId)
+  const countKey = keys.queueCount(projectId)
 
   const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
     setRefusal(null)
     await client.cancelQueries({ queryKey: queueKey })
-    const before = client.getQueryData<QueueItem[]>(queueKey)
-    const takeIds = decided.takes.map(({ id }) => id)
-    client.setQueryData<QueueItem[]>(
-      queueKey,
-      (items) => items && withoutDecided(items, { cueId: decided.cue.id, takeIds, picked: true }),
-    )
+    const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
+    const countBefore = client.getQueryData<QueueCount>(countKey)
+    const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
+    const pages = before?.pages.map((page) => ({ ...page, items: withoutDecided(page.items, what) }))
+    if (before && pages) client.setQueryData(queueKey, { ...before, pages })
+    const left = cuesOf(before?.pages) - cuesOf(pages)
+    if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
     const sent = send()
     const undo = async () => {
       try {
@@ -73,6 +77,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
     } catch (error) {
       dismissToast()
       client.setQueryData(queueKey, before)
+      client.setQueryData(countKey, countBefore)
       setRefusal({ what: decided.refused, problem: asProblem(error) })
       onBack?.(decided.cue.id)
     }

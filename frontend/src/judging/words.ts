@@ -1,6 +1,6 @@
 import { day, figure, length, place, plural, range } from '@/ui/format'
 
-import type { QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
+import type { QueueCount, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
 import { inOrder, letterOf, oddOne, variationName } from './hearing'
 
 /** A sentence of the checker as the screens write it: a capital first, a true minus before figures. */
@@ -75,6 +75,9 @@ const SMALL_NUMBERS = [
 
 /** "three", "14": small numbers as words, as in a sentence. */
 export const spelled = (count: number): string => SMALL_NUMBERS[count] ?? figure(count)
+
+/** As a badge says it: "12", and "99+" where not all are counted. */
+export const counted = ({ cues, is_all }: QueueCount): number | string => (is_all ? cues : `${cues}+`)
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
 

@@ -201,7 +201,7 @@ const me = (part: Part) => ({
 export const inProject = (part: Part = 'producer', more: Answers = {}): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me(part).person },
   'GET /v1/me': me(part),
-  'GET /v1/review-queue': { items: [], next: null },
+  'GET /v1/review-queue/count': { cues: 0, is_all: true },
   'GET /v1/projects/p1': aProject(part),
   'GET /v1/projects/p1/overview': anOverview(),
   'GET /v1/projects/p1/spec': aSpec(),

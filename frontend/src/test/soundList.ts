@@ -113,7 +113,7 @@ export class ListServer {
           },
         ],
       },
-      'GET /v1/review-queue': { items: [], next: null },
+      'GET /v1/review-queue/count': { cues: 0, is_all: true },
       [`GET ${this.at}/sound-list`]: () => ({ revision: this.revision, cues: this.cues, next: null }),
       [`GET ${this.at}/sound-list/standing`]: () => ({
         cues: this.cues.map((cue) => aStanding(cue, standings[cue.name])),

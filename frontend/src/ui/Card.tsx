@@ -11,7 +11,7 @@ export function Card({ className, ...rest }: ComponentPropsWithRef<'section'>) {
 interface CardHeadProps {
   title: string
   id?: string
-  count?: number
+  count?: number | string
   /** After the title, quietly. */
   note?: ReactNode
   /** At the right: a note, or actions. */

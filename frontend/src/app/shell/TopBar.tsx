@@ -34,7 +34,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
             <ShellLink key={path} path={path} current={path === here?.path}>
               <Icon name={icon} size={18} />
               <span>{label}</span>
-              {count !== undefined && count > 0 && <Count of={count} what="waiting" />}
+              {count ? <Count of={count} what="waiting" /> : null}
             </ShellLink>
           ))}
         </nav>

@@ -8,7 +8,8 @@ export interface Screen {
   icon: IconName
   /** The letter after `g`. */
   letter: string
-  count?: number
+  /** What waits there: "99+" where not all was counted. */
+  count?: number | string
 }
 
 /** The screen that a page belongs to: the one whose address goes farthest towards the page's. */

@@ -50,7 +50,7 @@ const signedIn = (me: typeof PRODUCER | typeof DESIGNER, demo = false) => ({ sig
 const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = false): Answers => ({
   'GET /v1/session': signedIn(me, demo),
   'GET /v1/me': me,
-  'GET /v1/review-queue': { items: [], next: null },
+  'GET /v1/review-queue/count': { cues: 0, is_all: true },
   'GET /v1/projects/p1/desk': EMPTY_DESK,
   ...more,
 })

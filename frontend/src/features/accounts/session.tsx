@@ -7,7 +7,8 @@ import { cameBack, deskQuery } from '@/app/desk'
 import { keepLastProject, lastProject } from '@/app/lastProject'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
-import { isParty, queueQuery } from '@/judging/api'
+import { countQuery, isParty } from '@/judging/api'
+import { counted } from '@/judging/words'
 
 import { meQuery, sessionQuery } from './api'
 import { DemoSwitch } from './DemoSwitch'
@@ -40,7 +41,7 @@ function useShell(): ShellData {
   const wanted = projectId ?? lastProject()
   const project = me?.projects.find(({ id }) => id === wanted) ?? (projectId ? undefined : me?.projects[0])
   const isTeam = project?.part === 'team'
-  const { data: queue } = useQuery({ ...queueQuery(project?.id ?? ''), enabled: isTeam })
+  const { data: review } = useQuery({ ...countQuery(project?.id ?? ''), enabled: isTeam })
   const { data: desk } = useQuery({
     ...deskQuery(project?.id ?? ''),
     enabled: project?.part === 'designer' && !project.nda_open,
@@ -67,7 +68,7 @@ function useShell(): ShellData {
     ndaOpen: project?.nda_open ?? false,
     isParty: isParty(project),
     projects: me.projects.map(({ id, name }) => ({ id, name })),
-    counts: { review: queue?.length, desk: desk && cameBack(desk) + desk.unmatched },
+    counts: { review: review && counted(review), desk: desk && cameBack(desk) + desk.unmatched },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,

@@ -158,7 +158,7 @@ const opened = async () => {
 beforeEach(() => {
   server = aServer()
     .on('GET /v1/me', aMe({ is_producer: true }))
-    .on('GET /v1/review-queue', { items: [], next: null })
+    .on('GET /v1/review-queue/count', { cues: 0, is_all: true })
   for (const id of ['effects', 'creatures']) {
     server
       .on(`GET /v1/contracts/${id}/invoices`, [anInvoice(id)])

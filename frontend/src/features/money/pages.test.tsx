@@ -77,7 +77,7 @@ const faults = async () => {
 beforeEach(() => {
   server = aServer()
     .on('GET /v1/me', aMe({ is_producer: true }))
-    .on('GET /v1/review-queue', { items: [], next: null })
+    .on('GET /v1/review-queue/count', { cues: 0, is_all: true })
 })
 
 describe('the page of a milestone', () => {

@@ -29,7 +29,7 @@ interface CueHeadProps {
   projectId: string
   mayCut: boolean
   onCut: () => void
-  queued: number
+  queued: number | string
   onQueue: () => void
 }
 

@@ -36,7 +36,7 @@ interface CueRoomProps {
   onTarget: (target: string) => void
   judge: Judge
   /** How many wait in the queue. */
-  waiting: number
+  waiting: number | string
   onQueue: () => void
   onJudged: () => void
   startTakeId?: string

@@ -1,11 +1,11 @@
 import { Link } from '@tanstack/react-router'
-import { useEffect, useRef } from 'react'
+import { type UIEvent, useEffect, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
-import { isNoted } from '@/judging/afterVerdict'
 import type { QueueItem } from '@/judging/api'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
-import { capital, heardTakes, isSoon, unlessJudged, whatWaits } from '@/judging/words'
+import type { Queue } from '@/judging/useQueue'
+import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age } from '@/ui/format'
@@ -15,9 +15,12 @@ import { KeysLine } from '@/ui/KeysLine'
 import { JudgedLately } from './JudgedLately'
 import classes from './Review.module.css'
 
+/** So far above the end of the list the next cues are asked for. */
+const NEAR_PX = 600
+
 interface QueuePanelProps {
   projectId: string
-  items: readonly QueueItem[]
+  queue: Queue
   cueId: string
   mayDecide: boolean
   /** As a drawer over a narrow page. */
@@ -26,21 +29,26 @@ interface QueuePanelProps {
 }
 
 /** What waits, what is noted, what was judged lately. */
-export function QueuePanel({ projectId, items, cueId, mayDecide, opened, onClose }: QueuePanelProps) {
-  const waiting = items.filter((item) => !isNoted(item))
+export function QueuePanel({ projectId, queue, cueId, mayDecide, opened, onClose }: QueuePanelProps) {
+  const waiting = queue.open
   const drafts = useDraftCount(projectId)
+  const list = useRef<HTMLUListElement>(null)
+  const onScroll = ({ currentTarget }: UIEvent) => {
+    const below = (list.current?.getBoundingClientRect().bottom ?? 0) - currentTarget.getBoundingClientRect().bottom
+    if (queue.hasMore && below < NEAR_PX) void queue.readOn()
+  }
   return (
     <aside className={classes.queue} aria-label="Queue" id="queue" data-opened={opened || undefined}>
       <header className={classes.head}>
         <h2>{mayDecide ? 'For you' : 'For the approver'}</h2>
-        <Count of={waiting.length} what="waiting" />
+        <Count of={counted(queue.waits)} what="waiting" />
         <span className="small dim end">the oldest first</span>
         <span className={classes.close}>
           <Button variant="quiet" icon="cross" square aria-label="Close the queue" onClick={onClose} />
         </span>
       </header>
-      <div className={classes.scroll}>
-        <ul>
+      <div className={classes.scroll} onScroll={onScroll}>
+        <ul ref={list}>
           {waiting.map((item) => (
             <QueueLine
               key={item.cue.id}
@@ -51,7 +59,9 @@ export function QueuePanel({ projectId, items, cueId, mayDecide, opened, onClose
             />
           ))}
         </ul>
-        {waiting.length === 0 && <p className={`${classes.sub} small`}>Nothing waits for a verdict.</p>}
+        {queue.isKnown && waiting.length === 0 && (
+          <p className={`${classes.sub} small`}>Nothing waits for a verdict.</p>
+        )}
         {drafts > 0 && (
           <section aria-label="Noted, not sent">
             <h3 className={`${classes.sub} small`}>Noted, not sent</h3>

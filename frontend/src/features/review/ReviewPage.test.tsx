@@ -47,6 +47,7 @@ beforeEach(() => {
   server = aServer()
     .on('GET /v1/me', aMe())
     .on('GET /v1/review-queue', () => ({ items: queue, next: null }))
+    .on('GET /v1/review-queue/count', () => ({ cues: queue.length, is_all: true }))
     .on(`GET /v1/projects/${PROJECT}/change-requests`, { items: [], next: null })
     .on(`GET /v1/projects/${PROJECT}/overview`, { palette: [] })
     .on(`GET /v1/projects/${PROJECT}/judged-lately`, [

@@ -6,11 +6,13 @@ import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
-import { isNoted, nextAfter } from '@/judging/afterVerdict'
-import { queueQuery, reviewQuery, useMyProject } from '@/judging/api'
+import { nextAfter } from '@/judging/afterVerdict'
+import { reviewQuery, useMyProject } from '@/judging/api'
 import { MASTER } from '@/judging/hearing'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
+import { useQueue } from '@/judging/useQueue'
+import { counted } from '@/judging/words'
 import { cueMoneyQuery } from '@/money/api'
 import { ProblemNote } from '@/ui/ProblemNote'
 
@@ -28,7 +30,8 @@ export function ReviewPage(): ReactNode {
   const navigate = useNavigate()
   const client = useQueryClient()
   const project = useMyProject(projectId)
-  const { data: items = NONE } = useQuery(queueQuery(projectId))
+  const queue = useQueue(projectId, cueId)
+  const { items, open: waiting } = queue
   const { data: review, error } = useQuery(reviewQuery(cueId))
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
@@ -49,7 +52,6 @@ export function ReviewPage(): ReactNode {
   )
   const judge = useJudge(projectId, open)
 
-  const waiting = items.filter((item) => !isNoted(item))
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
   useReady(player, waiting[at]?.takes ?? NONE, ahead)
@@ -61,8 +63,10 @@ export function ReviewPage(): ReactNode {
     for (const id of aheadIds.split(' ').filter(Boolean)) void client.prefetchQuery(reviewQuery(id))
   }, [client, aheadIds])
 
-  const step = (by: 1 | -1) => {
-    const to = at < 0 ? waiting[0] : waiting[at + by]
+  const step = async (by: 1 | -1) => {
+    const place = at < 0 ? 0 : at + by
+    const isBeyond = place >= waiting.length && queue.hasMore
+    const to = isBeyond ? (await queue.readOn())[place] : waiting[place]
     if (to) open(to.cue.id)
   }
   const toNext = () => {
@@ -71,8 +75,8 @@ export function ReviewPage(): ReactNode {
     else void navigate({ to: '/projects/$projectId/review', params: { projectId } })
   }
   useHotkeys([
-    { keys: 'j', label: 'Next in the queue', group: 'Review', run: () => step(1) },
-    { keys: 'k', label: 'Previous in the queue', group: 'Review', run: () => step(-1) },
+    { keys: 'j', label: 'Next in the queue', group: 'Review', run: () => void step(1) },
+    { keys: 'k', label: 'Previous in the queue', group: 'Review', run: () => void step(-1) },
     {
       keys: 'g q',
       label: 'Go to the queue',
@@ -89,7 +93,7 @@ export function ReviewPage(): ReactNode {
     <div className={classes.room}>
       <QueuePanel
         projectId={projectId}
-        items={items}
+        queue={queue}
         cueId={cueId}
         mayDecide={project?.is_decider ?? false}
         opened={queueOpen}
@@ -107,7 +111,7 @@ export function ReviewPage(): ReactNode {
           target={target}
           onTarget={setTarget}
           judge={judge}
-          waiting={waiting.length}
+          waiting={counted(queue.waits)}
           onQueue={() => setQueueOpen(true)}
           onJudged={toNext}
           startTakeId={search.take}

@@ -1,4 +1,3 @@
-import { useQuery } from '@tanstack/react-query'
 import { Link, Navigate, useParams } from '@tanstack/react-router'
 
 import type { ReactNode } from 'react'
@@ -6,9 +5,9 @@ import type { ReactNode } from 'react'
 import { ApiProblem } from '@/api'
 import { useTitle } from '@/app/title'
 import { isNoted } from '@/judging/afterVerdict'
-import { queueQuery, useMyProject } from '@/judging/api'
-import { firstOpen } from '@/judging/choice'
+import { useMyProject } from '@/judging/api'
 import { Drafts } from '@/judging/Drafts'
+import { useQueue } from '@/judging/useQueue'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -20,10 +19,10 @@ import classes from './Review.module.css'
 export function ReviewStart(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   useTitle('Review')
-  const queue = useQuery(queueQuery(projectId))
+  const queue = useQueue(projectId)
   const project = useMyProject(projectId)
-  const noted = queue.data?.filter(isNoted) ?? []
-  const first = queue.data && firstOpen(queue.data)
+  const noted = queue.items.filter(isNoted)
+  const first = queue.open[0]
   if (first) {
     return (
       <Navigate
@@ -42,7 +41,7 @@ export function ReviewStart(): ReactNode {
       </div>
     )
   }
-  if (!queue.isSuccess) return <h1 className="visually-hidden">Review</h1>
+  if (!queue.isKnown) return <h1 className="visually-hidden">Review</h1>
   return (
     <div className={`page ${classes.nothing}`}>
       <EmptyState

@@ -6,6 +6,7 @@ import { showToast } from '@/app/toast'
 import { WaveThumb } from '@/audio'
 import { isNoted } from '@/judging/afterVerdict'
 import type { QueueItem } from '@/judging/api'
+import type { Queue } from '@/judging/useQueue'
 import { heardTakes, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -22,10 +23,12 @@ interface ThenListProps {
   questions: readonly AskedQuestion[]
   projectId: string
   title: string
+  /** The queue, where more of it waits than is here. */
+  beyond?: Queue
 }
 
 /** What waits after the first thing: cues to review and questions, the oldest first. */
-export function ThenList({ items, questions, projectId, title }: ThenListProps) {
+export function ThenList({ items, questions, projectId, title, beyond }: ThenListProps) {
   const lines = [
     ...items.map((item) => ({ at: item.waiting_since, item, question: undefined })),
     ...questions.map((question) => ({ at: question.asked_at, item: undefined, question })),
@@ -35,7 +38,7 @@ export function ThenList({ items, questions, projectId, title }: ThenListProps) 
       <CardHead
         id="then"
         title={title}
-        count={lines.length}
+        count={beyond ? `${lines.length}+` : lines.length}
         end={<span className="wide-only">the oldest first</span>}
       />
       <ul>
@@ -47,6 +50,11 @@ export function ThenList({ items, questions, projectId, title }: ThenListProps) 
           ),
         )}
       </ul>
+      {beyond && (
+        <button type="button" className="link small mid" onClick={() => void beyond.readOn()}>
+          Show more
+        </button>
+      )}
     </Card>
   )
 }

@@ -6,12 +6,11 @@ import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
-import { isParty, queueQuery, useMyProject } from '@/judging/api'
-import { firstOpen } from '@/judging/choice'
-import { isNoted } from '@/judging/afterVerdict'
+import { isParty, useMyProject } from '@/judging/api'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
+import { useQueue } from '@/judging/useQueue'
 import { cueMoneyQuery, moneyQuery } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
@@ -28,13 +27,16 @@ import { ThenList } from './ThenList'
 import { Builds, Placeholders, WithOthersCard } from './SideCards'
 import classes from './Today.module.css'
 
+/** Lines that are here beyond the one in the hand, before more are asked for. */
+const AHEAD = 10
+
 /** What waits for the person at the screen, the first thing in the hand. */
 export function TodayPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   const now = new Date()
   useTitle('Today')
   const project = useMyProject(projectId)
-  const queue = useQuery(queueQuery(projectId))
+  const queue = useQueue(projectId)
   const today = useQuery(todayQuery(projectId))
   const drafts = useDraftCount(projectId)
   const [player, playing] = usePlayer()
@@ -42,10 +44,8 @@ export function TodayPage(): ReactNode {
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()
 
-  const items = queue.data ?? []
-  const open = items.filter((item) => !isNoted(item))
-  const first = firstOpen(items)
-  const rest = items.filter((item) => item !== first)
+  const first = queue.open[0]
+  const rest = queue.items.filter((item) => item !== first)
   const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
@@ -55,6 +55,7 @@ export function TodayPage(): ReactNode {
   const step = (by: 1 | -1) => {
     const stops = [...(page.current?.querySelectorAll<HTMLElement>('[data-stop]') ?? [])]
     const at = stops.findIndex((stop) => stop === document.activeElement)
+    if (queue.hasMore && at + AHEAD >= stops.length) void queue.readOn()
     stops[at < 0 ? (by > 0 ? 0 : stops.length - 1) : Math.min(stops.length - 1, Math.max(0, at + by))]?.focus()
   }
   useHotkeys([
@@ -63,7 +64,7 @@ export function TodayPage(): ReactNode {
   ])
 
   const failed = [queue.error, today.error].find((error) => error instanceof ApiProblem)
-  const loaded = queue.isSuccess && today.isSuccess
+  const loaded = queue.isKnown && today.isSuccess
   const side = today.data
 
   return (
@@ -72,7 +73,7 @@ export function TodayPage(): ReactNode {
         <div>
           <h1>{day(now)}</h1>
           <p className="mid">
-            {loaded && headline({ cues: open.length, questions: questions.length, drafts, mayDecide })}
+            {loaded && headline({ cues: queue.waits, questions: questions.length, drafts, mayDecide })}
           </p>
         </div>
         <div className="wide-only">
@@ -128,7 +129,13 @@ export function TodayPage(): ReactNode {
             </EmptyState>
           )}
           {(rest.length > 0 || questions.length > 0) && (
-            <ThenList items={rest} questions={questions} projectId={projectId} title={first ? 'Then' : 'For you'} />
+            <ThenList
+              items={rest}
+              questions={questions}
+              projectId={projectId}
+              title={first ? 'Then' : 'For you'}
+              beyond={queue.hasMore ? queue : undefined}
+            />
           )}
         </div>
         {side && (

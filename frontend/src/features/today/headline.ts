@@ -1,7 +1,8 @@
+import type { QueueCount } from '@/judging/api'
 import { capital, spelled } from '@/judging/words'
 
 interface Counts {
-  cues: number
+  cues: QueueCount
   questions: number
   drafts: number
   mayDecide: boolean
@@ -10,9 +11,9 @@ interface Counts {
 const many = (count: number, one: string, more: string): string => `${spelled(count)} ${count === 1 ? one : more}`
 
 /** What the day holds, in one or two sentences. */
-export function headline({ cues, questions, drafts, mayDecide }: Counts): string {
+export function headline({ cues: { cues, is_all }, questions, drafts, mayDecide }: Counts): string {
   const waiting = [
-    cues > 0 ? many(cues, 'cue', 'cues') : '',
+    cues > 0 ? (is_all ? '' : 'more than ') + many(cues, 'cue', 'cues') : '',
     questions > 0 ? many(questions, 'question', 'questions') : '',
   ].filter(Boolean)
   const whom = mayDecide || cues === 0 ? 'you' : 'the approver'
