@@ -99,7 +99,8 @@ def filling(database: Database) -> Iterator[Bulk]:
 def bare(database: Database) -> Iterator[None]:
     """Take indexes away for a block, and on PostgreSQL foreign keys: made at its end they cost a fraction."""
     tables = Base.metadata.sorted_tables
-    indexes = [index for table in tables for index in table.indexes]
+    stays = database.is_sqlite  # there a foreign key cannot go, and what it refers to must be unique
+    indexes = [index for table in tables for index in table.indexes if not (stays and index.unique)]
     keys = [] if database.is_sqlite else [key for table in tables for key in table.foreign_key_constraints]
     with database.writing() as session:
         for gone in (*map(DropConstraint, keys), *map(DropIndex, indexes)):

@@ -69,3 +69,23 @@ test('the game’s CI gets spec and list by the demo’s token', async ({ demo, 
     expect(await answer.text()).toContain(holds)
   }
 })
+
+test('j and k keep the cue in the hand in sight where the queue is longer than its panel', async ({ demo, page }) => {
+  await page.setViewportSize({ width: 1440, height: 420 })
+  await page.goto(demo.url)
+  await page.getByRole('link', { name: /^Review/ }).click()
+  const queue = page.getByRole('complementary', { name: 'Queue' })
+  const current = queue.locator('[aria-current]')
+  await expect(current).toBeInViewport()
+  const cues = await queue.getByRole('list').first().getByRole('listitem').count()
+  expect(cues).toBeGreaterThan(3)
+  for (let at = 1; at < cues; at++) {
+    const before = await current.textContent()
+    await page.keyboard.press('j')
+    await expect(current).not.toHaveText(before ?? '')
+    // Past whatever puts the list elsewhere once the page is drawn.
+    await expect(page.getByRole('heading', { level: 1 })).toHaveText(await current.locator('.strong').innerText())
+    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))))
+    await expect(current).toBeInViewport({ ratio: 0.9 })
+  }
+})

@@ -1,4 +1,4 @@
-import { Link } from '@tanstack/react-router'
+import { Link, useRouter } from '@tanstack/react-router'
 import { type UIEvent, useEffect, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
@@ -93,9 +93,14 @@ interface QueueLineProps {
 
 function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
   const ref = useRef<HTMLAnchorElement>(null)
+  const router = useRouter()
   useEffect(() => {
-    if (current) ref.current?.scrollIntoView({ block: 'nearest' })
-  }, [current])
+    if (!current) return
+    const show = () => ref.current?.scrollIntoView({ block: 'nearest' })
+    show()
+    // The router puts the list back where it stood on the page before, once the new one is drawn.
+    return router.subscribe('onRendered', show)
+  }, [current, router])
   const { cue } = item
   const waits = whatWaits(item)
   return (
