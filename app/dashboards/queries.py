@@ -13,6 +13,7 @@ from app.conformance.models import CheckRun
 from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit.among import among
+from app.kit.holds import holds
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
@@ -229,36 +230,28 @@ def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Seque
     """Return the cues whose name, use or description holds every word."""
     found = select(Cue).where(Cue.project_id == project_id)
     for word in words:
-        like = f"%{word}%"
-        found = found.where(
-            or_(
-                Cue.name.ilike(like, escape="\\"),
-                Cue.use.ilike(like, escape="\\"),
-                Cue.description.ilike(like, escape="\\"),
-                Cue.category.ilike(like, escape="\\"),
-            )
-        )
+        found = found.where(or_(*(holds(text, word) for text in (Cue.name, Cue.use, Cue.description, Cue.category))))
     return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
 
 
-def find_comments(session: Session, project_id: UUID, word: str) -> Sequence[Row[Comment, Cue]]:
+def find_comments(session: Session, project_id: UUID, phrase: str) -> Sequence[Row[Comment, Cue]]:
     """Return the newest comments that hold a phrase, with their cue."""
     return session.execute(
         select(Comment, Cue)
         .join(Take, Take.id == Comment.take_id)
         .join(Cue, Cue.id == Take.cue_id)
-        .where(Comment.project_id == project_id, Comment.text.ilike(f"%{word}%", escape="\\"))
+        .where(Comment.project_id == project_id, holds(Comment.text, phrase))
         .order_by(Comment.id.desc())
         .limit(HITS)
     ).all()
 
 
-def find_questions(session: Session, project_id: UUID, word: str) -> Sequence[Row[Question, Cue]]:
+def find_questions(session: Session, project_id: UUID, phrase: str) -> Sequence[Row[Question, Cue]]:
     """Return the newest questions that hold a phrase, with their cue."""
     return session.execute(
         select(Question, Cue)
         .join(Cue, Cue.id == Question.cue_id)
-        .where(Question.project_id == project_id, Question.text.ilike(f"%{word}%", escape="\\"))
+        .where(Question.project_id == project_id, holds(Question.text, phrase))
         .order_by(Question.id.desc())
         .limit(HITS)
     ).all()

@@ -184,7 +184,7 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
     """Return the cues, then what was said, that hold the typed words."""
     standing = standing_in(session, actor, project_id)
     project = standing.project
-    words = [_escaped(word) for word in typed.split()]
+    words = typed.split()
     if not words:
         return schemas.FindResult(hits=[])
     number = typed.strip().upper().removeprefix(f"{project.cue_prefix.upper()}-")
@@ -194,7 +194,9 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
     ]
     if number.isdigit() and (cue := queries.cue_by_number(session, project_id, int(number))):
         hits.insert(0, schemas.Found(kind="cue", cue=brief(project, cue), text=cue.use, take_id=None))
-    phrase = _escaped(typed.strip())
+    if len(hits) >= queries.HITS:
+        return schemas.FindResult(hits=hits[: queries.HITS])
+    phrase = typed.strip()
     if standing.is_team:
         hits += [
             schemas.Found(kind="comment", cue=brief(project, cue), text=comment.text, take_id=comment.take_id)
@@ -205,10 +207,6 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
         for question, cue in queries.find_questions(session, project_id, phrase)
     ]
     return schemas.FindResult(hits=hits[: queries.HITS])
-
-
-def _escaped(word: str) -> str:
-    return word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")
 
 
 def _by_nearness(cues: Sequence[Cue], typed: str) -> list[Cue]:
