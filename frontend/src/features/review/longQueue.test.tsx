@@ -8,7 +8,7 @@ import { openApp } from '@/test/openApp'
 import { aDraft, aMe, anItem, aPreview, aReview, aServer, aTake, PROJECT, somePeaks } from '@/test/review'
 import { type Asked, refusal } from '@/test/server'
 
-beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart'), import('../today/TodayPage')]))
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 
 const CUES = 60
 const A_PAGE = 25

@@ -51,9 +51,11 @@ export function ThenList({ items, questions, projectId, title, beyond }: ThenLis
         )}
       </ul>
       {beyond && (
-        <button type="button" className="link small mid" onClick={() => void beyond.readOn()}>
-          Show more
-        </button>
+        <p className={classes.more}>
+          <button type="button" className="link small mid" onClick={() => void beyond.readOn()}>
+            Show more
+          </button>
+        </p>
       )}
     </Card>
   )
