@@ -10,8 +10,8 @@ import { type Asked, refusal } from '@/test/server'
 
 beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 
-const CUES = 60
-const A_PAGE = 25
+const CUES = 32
+const A_PAGE = 12
 const items = Array.from({ length: CUES }, (_, place) =>
   anItem({ id: `cue-${place}`, name: `hit_${place}`, label: `SW-${place}` }, [aTake(`take-${place}`)]),
 )
@@ -63,73 +63,73 @@ const heading = (place: number) => screen.findByRole('heading', { name: `hit_${p
 const opened = async (place: number) => {
   openApp(`/projects/${PROJECT}/review/cue-${place}`)
   await screen.findByRole('region', { name: 'Verdict' })
-  await within(panel()).findByRole('link', { name: /hit_24/ })
+  await within(panel()).findByRole('link', { name: /hit_11/ })
 }
 const panel = () => screen.getByRole('complementary', { name: 'Queue' })
 
 describe('a long queue in the review room', () => {
   test('is read as far as it is needed, and no further', async () => {
-    await opened(14)
+    await opened(1)
     expect(pagesAsked()).toEqual(['first'])
     await userEvent.keyboard('j')
-    await heading(15)
-    expect(await within(panel()).findByRole('link', { name: /hit_49/ })).toBeInTheDocument()
+    await heading(2)
+    expect(await within(panel()).findByRole('link', { name: /hit_23/ })).toBeInTheDocument()
     await userEvent.keyboard('j')
-    await heading(16)
-    expect(pagesAsked()).toEqual(['first', '25'])
+    await heading(3)
+    expect(pagesAsked()).toEqual(['first', '12'])
   })
 
   test('says how many wait, those that are not here among them', async () => {
     await opened(0)
     await waitFor(() => expect(panel()).toHaveTextContent('99+ waiting'))
     expect(screen.getByRole('link', { name: /^Review/ })).toHaveTextContent('99+ waiting')
-    server.on('GET /v1/review-queue/count', () => ({ cues: 59, is_all: true }))
+    server.on('GET /v1/review-queue/count', () => ({ cues: 31, is_all: true }))
     server.on('POST /v1/takes/take-0/verdict', {})
     queue = items.slice(1)
     await userEvent.keyboard('a')
     await heading(1)
-    await waitFor(() => expect(panel()).toHaveTextContent('59 waiting'))
+    await waitFor(() => expect(panel()).toHaveTextContent('31 waiting'))
   })
 
   test('j at the end of what is here goes on where the next page begins', async () => {
     let send: () => void = () => undefined
     const held = new Promise<void>((resolve) => (send = resolve))
     server.on('GET /v1/review-queue', async (asked: Asked) => {
-      if (asked.query.get('cursor') === '25') await held
+      if (asked.query.get('cursor') === '12') await held
       return page(asked)
     })
-    await opened(24)
-    await waitFor(() => expect(pagesAsked()).toEqual(['first', '25']))
+    await opened(11)
+    await waitFor(() => expect(pagesAsked()).toEqual(['first', '12']))
     await userEvent.keyboard('j')
     send()
-    await heading(25)
-    expect(pagesAsked()).toEqual(['first', '25'])
+    await heading(12)
+    expect(pagesAsked()).toEqual(['first', '12'])
   })
 
   test('a cue far behind opens by its address, and j goes to what waits longest', async () => {
-    await opened(55)
-    expect(await heading(55)).toBeVisible()
+    await opened(30)
+    expect(await heading(30)).toBeVisible()
     expect(pagesAsked()).toEqual(['first'])
     await userEvent.keyboard('j')
     await heading(0)
   })
 
   test('a refused verdict brings its cue and the count back', async () => {
-    server.on('GET /v1/review-queue/count', () => ({ cues: 60, is_all: true }))
+    server.on('GET /v1/review-queue/count', () => ({ cues: 32, is_all: true }))
     server.on('POST /v1/takes/take-3/verdict', () => refusal(409, 'take-changed', 'The take changed meanwhile.'))
     await opened(3)
-    await waitFor(() => expect(panel()).toHaveTextContent('60 waiting'))
+    await waitFor(() => expect(panel()).toHaveTextContent('32 waiting'))
     await userEvent.keyboard('a')
     expect(await screen.findByRole('alert')).toHaveTextContent('The take changed meanwhile.')
     expect(within(panel()).getByRole('link', { name: /hit_3 / })).toBeInTheDocument()
-    expect(panel()).toHaveTextContent('60 waiting')
+    expect(panel()).toHaveTextContent('32 waiting')
   })
 
   test('pages on which all is noted are passed over', async () => {
-    queue = [...noted.slice(0, 50), ...items.slice(50)]
+    queue = [...noted.slice(0, 24), ...items.slice(24)]
     openApp(`/projects/${PROJECT}/review`)
-    await heading(50)
-    expect(pagesAsked().slice(0, 3)).toEqual(['first', '25', '50'])
+    await heading(24)
+    expect(pagesAsked().slice(0, 3)).toEqual(['first', '12', '24'])
   })
 })
 
@@ -138,13 +138,13 @@ describe('a long queue elsewhere', () => {
     openApp(`/projects/${PROJECT}/today`)
     expect(await screen.findByText('More than 99 cues wait for you.')).toBeVisible()
     const then = screen.getByRole('region', { name: 'Then' })
-    expect(within(then).getAllByRole('listitem')).toHaveLength(24)
+    expect(within(then).getAllByRole('listitem')).toHaveLength(11)
     await userEvent.click(within(then).getByRole('button', { name: 'Show more' }))
-    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(49))
+    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(23))
     await userEvent.click(within(then).getByRole('button', { name: 'Show more' }))
-    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(59))
+    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(31))
     expect(within(then).queryByRole('button', { name: 'Show more' })).toBeNull()
-    expect(pagesAsked()).toEqual(['first', '25', '50'])
+    expect(pagesAsked()).toEqual(['first', '12', '24'])
   })
 
   test('a page that shows none of it asks for the count alone', async () => {
