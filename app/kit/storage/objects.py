@@ -51,9 +51,21 @@ class Objects:
             return None
 
     def put_new(self, key: str, content: bytes) -> bool:
-        """Store an object unless there is one; return whether it was stored."""
+        """Store an object unless there is one; return whether it was stored.
+
+        A server may hang up on who still sends what is there already, and its answer is lost: after a failure we look.
+        """
+        failed_before = False
+
+        def put() -> None:
+            nonlocal failed_before
+            if failed_before and self._is_there(key):
+                raise AlreadyExistsError
+            failed_before = True
+            obstore.put(self._bucket, key, content, mode="create", use_multipart=False)
+
         try:
-            self._asked("put", lambda: obstore.put(self._bucket, key, content, mode="create", use_multipart=False))
+            self._asked("put", put)
         except AlreadyExistsError:
             return False
         return True
@@ -100,6 +112,13 @@ class Objects:
                 failures += 1
                 if not self._patience.pause(failures, error):
                     raise _unavailable("list", failures) from error
+
+    def _is_there(self, key: str) -> bool:
+        try:
+            obstore.head(self._bucket, key)
+        except FileNotFoundError:
+            return False
+        return True
 
     def _asked(self, operation: str, ask: Callable[[], Answer]) -> Answer:
         failures = 0

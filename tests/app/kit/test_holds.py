@@ -2,6 +2,7 @@
 
 import pytest
 import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql
 
 from app.kit.db import Database
 from app.kit.holds import holds
@@ -28,3 +29,9 @@ def test_it_finds_what_is_typed_in_whatever_case(database: Database, word: str, 
         is_there = not database.is_sqlite  # which knows the case of ASCII alone
     with database.reading() as session:
         assert bool(session.scalar(sa.select(holds(sa.literal(TEXT), word)))) is is_there
+
+
+@pytest.mark.parametrize(("word", "bytewise"), [("zip", True), ("Zürich", False)])
+def test_postgresql_folds_the_letters_of_all_languages_only_where_they_are_asked_for(word: str, *, bytewise: bool):
+    asked = holds(sa.column("text", sa.String()), word).compile(dialect=postgresql.dialect())
+    assert ('COLLATE "C"' in str(asked)) is bytewise

@@ -42,15 +42,6 @@ beforeEach(() => {
     .on(`GET /v1/projects/${PROJECT}/change-requests`, { items: [], next: null })
     .on(`GET /v1/projects/${PROJECT}/overview`, { palette: [] })
     .on(`GET /v1/projects/${PROJECT}/judged-lately`, [])
-    .on(`GET /v1/projects/${PROJECT}/today`, {
-      questions: [],
-      with_others: [],
-      builds: [],
-      counts: {},
-      draft_changes: 0,
-      placeholders: 0,
-      unsent_mails: 0,
-    })
   for (const item of items) {
     server
       .on(`GET /v1/cues/${item.cue.id}/review`, aReview(item))
@@ -133,23 +124,8 @@ describe('a long queue in the review room', () => {
   })
 })
 
-describe('a long queue elsewhere', () => {
-  test('Today shows its beginning, says how many wait, and more when it is asked', async () => {
-    openApp(`/projects/${PROJECT}/today`)
-    expect(await screen.findByText('More than 99 cues wait for you.')).toBeVisible()
-    const then = screen.getByRole('region', { name: 'Then' })
-    expect(within(then).getAllByRole('listitem')).toHaveLength(11)
-    await userEvent.click(within(then).getByRole('button', { name: 'Show more' }))
-    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(23))
-    await userEvent.click(within(then).getByRole('button', { name: 'Show more' }))
-    await waitFor(() => expect(within(then).getAllByRole('listitem')).toHaveLength(31))
-    expect(within(then).queryByRole('button', { name: 'Show more' })).toBeNull()
-    expect(pagesAsked()).toEqual(['first', '12', '24'])
-  })
-
-  test('a page that shows none of it asks for the count alone', async () => {
-    openApp('/account')
-    expect(await screen.findByText('99+')).toBeVisible()
-    expect(pagesAsked()).toEqual([])
-  })
+test('a page that shows nothing of a long queue asks for the count alone', async () => {
+  openApp('/account')
+  expect(await screen.findByText('99+')).toBeVisible()
+  expect(pagesAsked()).toEqual([])
 })

@@ -101,6 +101,28 @@ describe('what waits', () => {
     expect(await screen.findByText('Two cues wait for you.')).toBeVisible()
   })
 
+  test('of a long queue its beginning is shown, how many wait, and more when it is asked', async () => {
+    const many = Array.from({ length: 32 }, (_, place) =>
+      anItem({ id: `cue-${place}`, name: `hit_${place}` }, [aTake(`take-${place}`)]),
+    )
+    server
+      .on('GET /v1/review-queue', ({ query }: Asked) => {
+        const to = Number(query.get('cursor') ?? 0) + 12
+        return { items: many.slice(to - 12, to), next: to < many.length ? String(to) : null }
+      })
+      .on('GET /v1/review-queue/count', { cues: 99, is_all: false })
+    await opened()
+    expect(await screen.findByText('More than 99 cues wait for you.')).toBeVisible()
+    const then = within(screen.getByRole('region', { name: 'Then' }))
+    expect(then.getAllByRole('listitem')).toHaveLength(11)
+    for (const shown of [23, 31]) {
+      await userEvent.click(then.getByRole('button', { name: 'Show more' }))
+      await waitFor(() => expect(then.getAllByRole('listitem')).toHaveLength(shown))
+    }
+    expect(then.queryByRole('button', { name: 'Show more' })).toBeNull()
+    expect(server.of('GET /v1/review-queue')).toHaveLength(3)
+  })
+
   test('with nothing waiting it says what comes next', async () => {
     queue = []
     server.on(`GET ${TODAY}`, day({ counts: { returned: 2, to_make: 10 } }))
