@@ -49,7 +49,7 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_in_sight
 
-PAGE_CUES = 25
+PAGE_CUES = 16  # as many lines as a tall screen shows
 COUNTED_CUES = 99  # more is told as "99+"
 
 
