@@ -47,7 +47,7 @@ SHOWN_OF_TAKES = (
     *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.mend_of_id),
     Take.master_sha256,
 )
-STRETCH = 2  # takes looked at for one cue that is wanted: most of what conforms waits
+STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
 
 
 def in_project(project_id: UUID) -> ColumnElement[bool]:
