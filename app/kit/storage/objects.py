@@ -55,13 +55,13 @@ class Objects:
 
         A server may hang up on who still sends what is there already, and its answer is lost: after a failure we look.
         """
-        failed_before = False
+        is_again = False
 
         def put() -> None:
-            nonlocal failed_before
-            if failed_before and self._is_there(key):
+            nonlocal is_again
+            if is_again and self._is_there(key):
                 raise AlreadyExistsError
-            failed_before = True
+            is_again = True
             obstore.put(self._bucket, key, content, mode="create", use_multipart=False)
 
         try:
