@@ -259,6 +259,9 @@ def main() -> None:
         runtime = place.runtime()
         stack.callback(runtime.close)
         made, to_approve, takes = fill(runtime)
+        wanted = WARM_UP + ALONE + int(options.seconds * options.rate) // (len(People.kinds) * APPROVES_EVERY) + 1
+        if wanted > len(to_approve):
+            parser.error(f"so long a run approves {wanted} takes, and {len(to_approve)} wait; ask for fewer --seconds")
         address, web = stack.enter_context(place.serving(processes=WEB_PROCESSES))
         worker = stack.enter_context(place.running("worker", name="worker"))
         os.setpriority(os.PRIO_PROCESS, worker.pid, WORKER_NICENESS)

@@ -114,6 +114,7 @@ class Objects:
                     raise _unavailable("list", failures) from error
 
     def _is_there(self, key: str) -> bool:
+        """Look once; whoever puts comes again by itself."""
         try:
             obstore.head(self._bucket, key)
         except FileNotFoundError:
