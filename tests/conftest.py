@@ -1,13 +1,16 @@
 """Which database and store the tests of rooms and journeys run on; the others need none or bring their own."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from hypothesis import settings
 
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.s3 import S3Server, run_s3
+
+if TYPE_CHECKING:
+    from tests.support.server import RunningServer
 
 SQLITE, POSTGRES = "sqlite", "postgres"
 FOLDER, S3 = "folder", "s3"
@@ -67,3 +70,17 @@ def store_settings(request: pytest.FixtureRequest) -> dict[str, Any]:
         return {}
     server: S3Server = request.getfixturevalue("s3")
     return server.settings()
+
+
+@pytest.fixture(scope="session")
+def server(
+    tmp_path_factory: pytest.TempPathFactory, database_url: str, store_settings: dict[str, Any]
+) -> "Iterator[RunningServer]":
+    """The application on a database and store with a worker: one for rooms and journeys, as a process has one worker.
+
+    Every test has studios of its own, so nothing needs cleaning.
+    """
+    from tests.support.server import run_server  # seconds that tests of sounds alone do without
+
+    with run_server(tmp_path_factory.mktemp("server"), database_url=database_url, **store_settings) as running:
+        yield running

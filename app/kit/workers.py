@@ -33,7 +33,7 @@ GATHER_S = 0.2  # after a job has ended, for one look to fill half of the seats:
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
-_runtime: "Runtime | None" = None  # of the worker in this process: DBOS stores a job's arguments, so it is none of them
+_worker: "Worker | None" = None  # the one here; its runtime is no argument of a job, since DBOS stores those
 log = structlog.get_logger(__name__)
 
 
@@ -43,7 +43,7 @@ class Worker:
     def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float) -> None:
         # Unique for ever: two processes with one id would run a job twice.
         self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
-        self._runtime = runtime
+        self.runtime = runtime
         self._database = runtime.database
         self._jobs_at_once = jobs_at_once
         self._silent_s = silent_s
@@ -56,12 +56,13 @@ class Worker:
         self._looking = threading.Thread(target=self._look, name=LOOKING, daemon=True)
 
     def start(self) -> None:
-        """Say that this worker lives, then take up whatever waits."""
-        global _runtime  # noqa: PLW0603
-        _runtime = self._runtime
+        """Say that this worker lives, then take up whatever waits; a process has one at most, as it has one DBOS."""
+        global _worker  # noqa: PLW0603
+        if _worker is not None and not _worker.has_stopped:
+            raise RuntimeError("a worker runs in this process; stop it, or start the other in a process of its own")
         _stopping.clear()
         self._beat()
-        DBOS.destroy(destroy_registry=True)
+        _worker = self
         self._dbos = DBOS(config=_config(self._database, self.id, self._jobs_at_once))
         DBOS.workflow(name=queue.RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
         DBOS.listen_queues([])  # it would ask five times where we ask once, and leave a seat empty until the next look
@@ -87,6 +88,11 @@ class Worker:
             self._forget(self.id)
         except sa.exc.SQLAlchemyError as error:
             log.warning("a worker stopped without saying so", error=str(error))
+
+    @property
+    def has_stopped(self) -> bool:
+        """Whether it was started and has ended since."""
+        return self._stopped.is_set()
 
     def _look(self) -> None:
         """Fill free seats with jobs: as soon as one is free while work waits, else now and then."""
@@ -164,7 +170,7 @@ class Worker:
 
         DBOS gives a job up for good where the database goes away just as the job's end is to be written.
         """
-        unheld = self._runtime.queue.held_by(self.id) - set(self._dbos._active_workflows_set.activeList())
+        unheld = self.runtime.queue.held_by(self.id) - set(self._dbos._active_workflows_set.activeList())
         for job_id in unheld & self._unheld:  # at two beats: between claim and start a job is in no list
             log.warning("a job's end was not written; it runs again", job_id=job_id)
             self._dbos._sys_db.reenqueue_for_recovery(job_id, [self.id], queue.JOB_QUEUE)
@@ -174,7 +180,7 @@ class Worker:
         """Return the others whose beat has stood still, by this process's own clock, for too long."""
         with self._database.reading() as session:
             beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
-        heard: dict[str, datetime | None] = dict.fromkeys(self._runtime.queue.in_hand()) | beats
+        heard: dict[str, datetime | None] = dict.fromkeys(self.runtime.queue.in_hand()) | beats
         heard.pop(self.id, None)
         now = time.monotonic()
         self._watched = {
@@ -251,9 +257,9 @@ def _run_job(
 
 
 def _runs_in() -> "Runtime":
-    if _runtime is None:
+    if _worker is None:
         raise RuntimeError("no worker was started in this process")
-    return _runtime
+    return _worker.runtime
 
 
 def _patiently(call: Callable[[], Result]) -> Result:

@@ -1,20 +1,8 @@
-"""One server with its worker per test process; every test has studios of its own, so nothing needs cleaning."""
-
-from collections.abc import Iterator
-from typing import Any
+"""What every room's tests have: a studio of their own on the one server."""
 
 import pytest
 
-from tests.support.server import RunningServer, World, run_server
-
-
-@pytest.fixture(scope="session")
-def server(
-    tmp_path_factory: pytest.TempPathFactory, database_url: str, store_settings: dict[str, Any]
-) -> Iterator[RunningServer]:
-    """The application on a real database and store with a real worker, in this process."""
-    with run_server(tmp_path_factory.mktemp("server"), database_url=database_url, **store_settings) as running:
-        yield running
+from tests.support.server import RunningServer, World
 
 
 @pytest.fixture

@@ -6,15 +6,20 @@ whose check nobody had done. A change that cannot read what it holds fails here;
 
 import gzip
 import hashlib
+import os
 import sqlite3
+import subprocess
+import sys
 import time
 import wave
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 import sqlalchemy as sa
 from alembic.migration import MigrationContext
+from anyio.from_thread import start_blocking_portal
 
 from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import SignIn
@@ -22,13 +27,17 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.runtime import Runtime
+from app.main import create_app
+from app.migrate import migrate
 from app.projects.models import DeciderChange, Project
 from app.settings import Settings
-from tests.support.server import RunningServer, run_server
+from tests.support.server import RunningServer
 
+ROOT = Path(__file__).resolve().parents[2]
 OLDER = Path(__file__).parent / "older" / "0005.sql.gz"
 TAKES, HALF_DONE = 34, "half_done.wav"
 WITHIN_S = 30.0
+SECRET_KEY = "only for tests, nowhere else"
 SECRET = "secret of one who decided before"
 
 
@@ -52,8 +61,8 @@ def upgraded_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def server(upgraded_folder: Path) -> Iterator[RunningServer]:
-    """This version on the older one's data; starting it migrates, and its worker takes up what waits."""
-    runtime = Runtime.of(Settings(data_dir=upgraded_folder, secret_key="only for tests"))
+    """This version on the older one's data, which it migrates; a worker beside it takes up what waits."""
+    runtime = Runtime.of(Settings(data_dir=upgraded_folder, secret_key=SECRET_KEY))
     with runtime.database.reading() as session:
         assert MigrationContext.configure(session.connection()).get_current_revision() == "0005"
         studio_id, sha256 = session.execute(
@@ -64,9 +73,22 @@ def server(upgraded_folder: Path) -> Iterator[RunningServer]:
     write_square_wave(master)
     assert hashlib.sha256(master.read_bytes()).hexdigest() == sha256
     runtime.store.put_file(sa.Uuid().result_processor(sa.dialects.sqlite.dialect(), None)(studio_id), master)
+    migrate(runtime.database)
+    with working(upgraded_folder), start_blocking_portal() as portal:
+        yield RunningServer(runtime, create_app(runtime), portal)
     runtime.close()
-    with run_server(upgraded_folder) as running:
-        yield running
+
+
+@contextmanager
+def working(folder: Path) -> Iterator[None]:
+    """Run a worker in a process of its own."""
+    environment = os.environ | {"SOUNDLIST_DATA_DIR": str(folder), "SOUNDLIST_SECRET_KEY": SECRET_KEY}
+    process = subprocess.Popen([sys.executable, "-m", "app", "worker"], cwd=ROOT, env=environment)
+    try:
+        yield
+    finally:
+        process.terminate()
+        assert process.wait(WITHIN_S) == 0
 
 
 def write_square_wave(path: Path) -> None:

@@ -1,11 +1,9 @@
-"""Journeys run on the same server as the tests of the rooms."""
+"""What journeys hear: real recordings, where there are any."""
 
 import os
 from pathlib import Path
 
 import pytest
-
-from tests.app.conftest import server  # noqa: F401
 
 
 @pytest.fixture

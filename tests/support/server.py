@@ -62,7 +62,7 @@ class RunningServer:
                 if session.scalar(unfinished) == 0:
                     return
             time.sleep(0.03)
-        raise AssertionError(f"jobs still run after {seconds} s")
+        raise AssertionError(f"jobs still run after {seconds} s: {self.runtime.queue.unfinished()}")
 
     @contextmanager
     def counted_selects(self) -> Iterator[list[str]]:

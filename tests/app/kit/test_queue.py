@@ -1,7 +1,7 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
 import time
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import UUID
 
@@ -184,6 +184,13 @@ def test_a_job_whose_end_its_worker_could_not_write_runs_again(runtime: Runtime,
         session.execute(held.values(status="PENDING", executor_id=worker.worker_id))
     until(lambda: calls == ["again"])
     server.wait_for_jobs()
+
+
+def test_a_process_has_one_worker(runtime: Runtime, server: RunningServer):
+    with pytest.raises(RuntimeError, match="a worker runs in this process"):
+        worker.start_worker(runtime)
+    assert server.worker is not None
+    assert [beat.worker_id for beat in runtime.queue.heartbeats(within=timedelta(minutes=1))] == [server.worker.id]
 
 
 def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
