@@ -2,7 +2,7 @@ import { QueryClient } from '@tanstack/react-query'
 import { createMemoryHistory, createRoute, createRouter, RouterProvider } from '@tanstack/react-router'
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
 
@@ -73,10 +73,6 @@ async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn =
   await screen.findByRole('main')
   return router
 }
-
-beforeEach(() => {
-  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
-})
 
 const tabs = () => within(screen.getByRole('navigation', { name: 'Screens' })).getAllByRole('link')
 

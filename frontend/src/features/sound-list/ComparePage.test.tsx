@@ -1,16 +1,12 @@
 import { screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
 
 const AT = '2026-11-20T10:00:00Z'
-
-beforeEach(() => {
-  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
-})
 
 function served() {
   const server = new ListServer([aCue(1, 'shield_hit')])

@@ -1,6 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { expect, test, vi } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
@@ -9,10 +9,6 @@ import { aCue, ListServer } from '@/test/soundList'
 const AT = '2026-11-20T10:00:00Z'
 const PRODUCER = { id: 'someone', name: 'Producer' }
 const DESIGNER = { id: 'designer', name: 'Sound designer' }
-
-beforeEach(() => {
-  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
-})
 
 const aQuestion = (id: string, cueId: string, more = {}) => ({
   id,

@@ -1,14 +1,10 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
-
-beforeEach(() => {
-  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
-})
 
 const COLUMNS = [
   { name: 'Sound', samples: ['door_open', 'hatch'], guess: 'name', field: 'name' },

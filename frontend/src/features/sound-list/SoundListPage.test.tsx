@@ -1,16 +1,10 @@
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test, vi } from 'vitest'
 
-import { dismissToast } from '@/app/toast/store'
 import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
-
-beforeEach(() => {
-  vi.spyOn(window, 'scrollTo').mockImplementation(() => undefined)
-  dismissToast()
-})
 
 const three = (part: 'team' | 'designer' = 'team') =>
   new ListServer(
