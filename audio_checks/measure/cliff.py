@@ -51,20 +51,20 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
     levels = _smooth(spectrum.levels_db)
     nyquist_hz = spectrum.sample_rate_hz / 2
     bin_hz = nyquist_hz / (len(levels) - 1)
-    best: tuple[float, int] = (-math.inf, 0)
+    places = np.arange(math.ceil(LOWEST_HZ / bin_hz), int(len(levels) / (1 + GAP + SPAN)))
     rest = np.maximum.accumulate(levels[::-1])[::-1]  # the most that any higher bin has
-    for place in range(math.ceil(LOWEST_HZ / bin_hz), int(len(levels) / (1 + GAP + SPAN))):
-        below, above = _beside(levels, place)
-        drop = below - above
-        if drop > best[0] and rest[place + _reach(place, GAP)] <= above + COMES_BACK_DB:
-            best = drop, place
-    drop_db, place = best
-    if not math.isfinite(drop_db):
+    all_below, all_above = _beside(levels, places)
+    ends = rest[places + _reach(places, GAP)] <= all_above + COMES_BACK_DB
+    if not ends.any():
         return None
-    below, above = _beside(levels, place)
+    best = int(np.argmax(np.where(ends, all_below - all_above, -math.inf)))
+    place, below, above = int(places[best]), float(all_below[best]), float(all_above[best])
+    drop_db = below - above
     edge_hz = place * bin_hz
-    further = _mean(levels, place - _reach(place, 0.3), place - _reach(place, 0.2))
-    shelf = levels[place + _reach(place, GAP) :]
+    gap = int(_reach(place, GAP))
+    start = place - int(_reach(place, 0.3))
+    further = float(levels[start : max(start + 1, place - int(_reach(place, 0.2)))].mean())
+    shelf = levels[place + gap :]
     features = np.array(
         [
             drop_db,
@@ -77,7 +77,7 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
             float(levels.max()) - above,
         ]
     )
-    return Cliff(_half_way(levels, place, (below + above) / 2) * bin_hz, drop_db, features)
+    return Cliff(_half_way(levels, place, gap, (below + above) / 2) * bin_hz, drop_db, features)
 
 
 def rate_of(edge_hz: float, sample_rate_hz: int) -> int | None:
@@ -105,28 +105,25 @@ def _smooth(levels: Floats) -> Floats:
     return smooth
 
 
-def _reach(place: int, share: float) -> int:
-    return max(1, round(place * share))
+def _reach(places: int | NDArray[np.int64], share: float) -> NDArray[np.int64]:
+    """Return a share of each place in whole bins, at least one."""
+    return np.maximum(1, np.rint(places * np.float64(share)).astype(np.int64))
 
 
-def _beside(levels: Floats, place: int) -> tuple[float, float]:
-    """Return the mean levels just below and just above a place."""
-    gap, span = _reach(place, GAP / 2), _reach(place, SPAN)
-    below = _mean(levels, place - gap - span, place - gap)
-    above = _mean(levels, place + gap, place + gap + span)
+def _beside(levels: Floats, places: NDArray[np.int64]) -> tuple[Floats, Floats]:
+    """Return the mean levels just below and just above each place."""
+    sums = np.concatenate(((0.0,), np.cumsum(levels)))
+    gap, span = _reach(places, GAP / 2), _reach(places, SPAN)
+    below = (sums[places - gap] - sums[places - gap - span]) / span
+    above = (sums[places + gap + span] - sums[places + gap]) / span
     return below, above
 
 
-def _half_way(levels: Floats, place: int, middle_db: float) -> int:
+def _half_way(levels: Floats, place: int, gap: int, middle_db: float) -> int:
     """Return the last bin around a cliff that is above its middle."""
-    start = place - _reach(place, GAP)
-    around = levels[start : place + _reach(place, GAP) + 1]
-    above = np.flatnonzero(around > middle_db)
+    start = place - gap
+    above = np.flatnonzero(levels[start : place + gap + 1] > middle_db)
     return start + int(above[-1]) if len(above) else place
-
-
-def _mean(levels: Floats, start: int, stop: int) -> float:
-    return float(levels[max(0, start) : max(stop, start + 1)].mean())
 
 
 def _off_a_rate(edge_hz: float, sample_rate_hz: int) -> float:
