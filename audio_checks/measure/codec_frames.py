@@ -138,14 +138,16 @@ def traces_of(samples: Floats, sample_rate_hz: int, step: float = 0.0) -> tuple[
 
 def _trace(lines: Lines, rate_hz: int, levels: Singles, step: float) -> Trace | None:
     count = levels.shape[1] // lines.frame
-    sizes = np.abs(levels[:, : count * lines.frame]).reshape(len(levels), count, lines.frame)
-    rms = np.sqrt(np.einsum("lfp,lfp->lf", sizes, sizes) / lines.frame)
+    sizes = np.abs(levels[:, : count * lines.frame]).reshape(-1, lines.frame)  # a row: one line in one frame
+    rms = np.sqrt(np.einsum("rp,rp->r", sizes, sizes) / lines.frame)
     silent_below = np.maximum(SILENT * rms, ROUNDING * step)
     counted = rms > AUDIBLE * silent_below
     compared = int(counted.sum())
     if compared < FEWEST_LINES:
         return None
-    silent = (sizes < np.where(counted, silent_below, 0.0)[:, :, np.newaxis]).sum(axis=(0, 1))
+    silent_below = np.where(counted, silent_below, 0.0).astype(np.float32)
+    is_silent = (sizes < silent_below[:, np.newaxis]).view(np.uint8)
+    silent = np.add.reduce(is_silent, axis=0, dtype=np.uint16).astype(np.int64)  # at most lines · frames, below 2**16
     best = int(np.argmax(silent))
     apart = np.abs((np.arange(lines.frame) - best + lines.frame // 2) % lines.frame - lines.frame // 2)
     elsewhere = int(silent[apart > BESIDE_FRAMES].max())

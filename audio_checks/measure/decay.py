@@ -147,7 +147,7 @@ class Decay:
                 flatness,
                 (self._by_octave(flutter) / width).mean(axis=0),
                 self._edges(samples, count),
-                self._sides(spectra) if self._channels > 1 else np.empty((count, len(OCTAVES_HZ), 4)),
+                self._sides(spectra, powers) if self._channels > 1 else np.empty((count, len(OCTAVES_HZ), 4)),
             )
         )
 
@@ -163,8 +163,8 @@ class Decay:
         squares = np.square(steps).reshape(self._channels, count, self._hop)
         return np.stack((squares.mean(axis=(0, 2)), np.square(squares).mean(axis=(0, 2))), axis=1)
 
-    def _sides(self, spectra: NDArray[np.complex128]) -> NDArray[np.float64]:
+    def _sides(self, spectra: NDArray[np.complex128], powers: NDArray[np.float64]) -> NDArray[np.float64]:
         left, right = spectra[0], spectra[1]
-        product = left * right.conj()
-        parts = (np.square(np.abs(left)), np.square(np.abs(right)), product.real, product.imag)
-        return np.stack([self._by_octave(np.asarray(part)) for part in parts], axis=2)
+        together = left.real * right.real + left.imag * right.imag
+        turned = left.imag * right.real - left.real * right.imag
+        return np.stack([self._by_octave(part) for part in (powers[0], powers[1], together, turned)], axis=2)
