@@ -23,6 +23,7 @@ from typing import Any
 from audio_checks import wav
 from audio_checks.errors import SpecError, Unreadable
 from audio_checks.findings import FileReport
+from audio_checks.text_files import read_text
 from audio_checks.written import write_whole
 
 DEFAULT_NAME = "audio-checks-baseline.json"
@@ -94,9 +95,7 @@ def known_by_its_bytes(entry: FileReport, path: str) -> FileReport:
 def _document(path: str | Path) -> dict[str, Any]:
     where = str(path)
     try:
-        document = json.loads(Path(path).read_text(encoding="utf-8-sig"))
-    except OSError as error:
-        raise SpecError(f"cannot be read: {error.strerror or error}", where=where) from None
+        document = json.loads(read_text(Path(path)))
     except (ValueError, RecursionError) as error:
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or document.get("format") != 1 or not isinstance(document.get("waived"), list):

@@ -7,8 +7,12 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from audio_checks.errors import AudioChecksError
+from audio_checks.isolation import installed_program
+from audio_checks.text_files import read_text
 
 ENVIRONMENT = {"GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C"}  # only looking: nothing of the repository is written
+# A judged tree may hold a folder that looks like a bare repository, whose configuration names programs to run.
+SAFELY = ("-c", "safe.bareRepository=explicit", "-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null")
 
 
 class NoHistory(AudioChecksError):
@@ -74,18 +78,18 @@ def spec_files(path: Path) -> list[Path]:
 
 
 def _extended_by(path: Path) -> Path | None:
-    document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    document = tomllib.loads(read_text(path))
     table = document.get("tool", {}).get("audio-checks", {}) if path.name == "pyproject.toml" else document
     return path.parent / table["extend"] if "extend" in table else None
 
 
 def _git(folder: str, *arguments: str) -> bytes | None:
     """Return what Git says in a folder; None when it refuses."""
-    command = ["git", "-C", folder, "--no-pager", *arguments]
-    try:
-        done = subprocess.run(
-            command, capture_output=True, check=False, stdin=subprocess.DEVNULL, env={**os.environ, **ENVIRONMENT}
-        )
-    except FileNotFoundError:
-        raise NoHistory("git is not installed, so what has changed is not known") from None
+    git = installed_program("git")
+    if git is None:
+        raise NoHistory("git is not installed, so what has changed is not known")
+    command = [git, *SAFELY, "-C", folder, "--no-pager", *arguments]
+    done = subprocess.run(
+        command, capture_output=True, check=False, stdin=subprocess.DEVNULL, env={**os.environ, **ENVIRONMENT}
+    )
     return done.stdout if done.returncode == 0 else None

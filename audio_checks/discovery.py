@@ -126,6 +126,8 @@ class SpecFinder:
     def _look(self, folder: Path) -> DeliverySpec | None:
         for name in SPEC_NAMES:
             path = folder / name
+            if name == SPEC_NAMES[0] and os.path.lexists(path):  # a link to no file is refused in words
+                return self._load(path)
             if path.is_file() and _is_ours(path):
                 return self._load(path)
         return None if folder.parent == folder else self._in(folder.parent)

@@ -19,6 +19,7 @@ from typing import Any
 from audio_checks.audit.fingerprint import FINGERPRINT_VERSION, PIECE_BYTES, as_text, from_text, pieces_of
 from audio_checks.audit.heard import Heard
 from audio_checks.errors import SpecError
+from audio_checks.text_files import read_text
 from audio_checks.version import TOOL_VERSION
 from audio_checks.written import write_whole
 
@@ -77,11 +78,7 @@ def read_manifest(path: str | Path) -> list[Heard]:
     """
     where = str(path)
     try:
-        if Path(path).stat().st_size > MOST_BYTES:
-            raise SpecError(f"is larger than {MOST_BYTES >> 30} GiB", where=where)
-        document = json.loads(Path(path).read_text(encoding="utf-8-sig"))
-    except OSError as error:
-        raise SpecError(f"cannot be read: {error.strerror or error}", where=where) from None
+        document = json.loads(read_text(Path(path), most_bytes=MOST_BYTES))
     except (ValueError, RecursionError) as error:
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or not isinstance(document.get("files"), list):

@@ -1,6 +1,5 @@
 """A spoken word, where a speech engine (espeak-ng) is installed."""
 
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.errors import Unreadable
+from audio_checks.isolation import installed_program
 from audio_checks.measure.edges import Edges
 
 ENGINES = ("espeak-ng", "espeak")
@@ -21,7 +21,7 @@ SILENCE_DBFS = -50.0
 
 def engine() -> str | None:
     """Return the path of the speech engine that is installed; None for none."""
-    return next((found for name in ENGINES if (found := shutil.which(name))), None)
+    return next((found for name in ENGINES if (found := installed_program(name))), None)
 
 
 def spoken(text: str, sample_rate_hz: int, most_frames: int | None) -> NDArray[np.float64] | None:

@@ -10,7 +10,6 @@ import signal
 import socket
 import struct
 import subprocess
-import sys
 import threading
 import time
 import weakref
@@ -18,6 +17,7 @@ from collections.abc import Callable, Sequence
 from typing import ParamSpec, Self, TypeVar
 
 from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxFailed, SandboxTimedOut
+from audio_checks.isolation import isolated_python, library_environment
 from audio_checks.sandbox.messages import CAN_FORK, LENGTH, NAME_BYTES, RETURNED, Limits, receive, resolved
 
 P = ParamSpec("P")
@@ -179,7 +179,7 @@ class _Server:
             told = f"{theirs.fileno()}, {tuple(preload)!r}, {rehearsal!r}"
             code = f"from audio_checks.sandbox.server import serve; serve({told})"
             self._process = subprocess.Popen(
-                [sys.executable, "-P", "-c", code],
+                isolated_python(code, *preload, *(rehearsal[:1] if rehearsal else ())),
                 pass_fds=(theirs.fileno(),),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
@@ -211,9 +211,8 @@ class _Server:
 
 
 def _environment() -> dict[str, str]:
-    """Return this process's environment and import path, and what libraries in a child are told."""
-    path = os.pathsep.join(entry or os.getcwd() for entry in sys.path)
-    return {**os.environ, **ENVIRONMENT, "PYTHONPATH": path}
+    """Return what libraries in a child are told; nothing else of this process's environment."""
+    return {**library_environment(), **ENVIRONMENT}
 
 
 def _end_server(control: socket.socket, process: subprocess.Popen[bytes]) -> None:
@@ -284,7 +283,7 @@ def _ending(status: socket.socket, deadline: float) -> SandboxFailed:
 def _in_new_process(request: bytes, deadline: float) -> tuple[bytes, bytes]:
     """Run one request in an interpreter of its own: for systems that cannot fork. No limit but time."""
     with subprocess.Popen(
-        [sys.executable, "-P", "-c", "from audio_checks.sandbox.child import serve_once; serve_once()"],
+        isolated_python("from audio_checks.sandbox.child import serve_once; serve_once()"),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,

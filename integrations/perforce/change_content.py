@@ -4,7 +4,7 @@ It is asked after the files have reached the server and before the change is com
 on one line, with the Python that audio-checks is installed for:
 
     audio-checks change-content //depot/game/assets/...
-        "/p4/venv/bin/python /p4/change_content.py --spec /p4/spec.toml %changelist%"
+        "/p4/venv/bin/python -I /p4/change_content.py --spec /p4/spec.toml %changelist%"
 
 The user of the trigger's environment (P4PORT, P4USER, a ticket) must be able to read the files. The
 tests run this file against a stand-in for `p4` that answers as its documents say; it has not been run
@@ -39,7 +39,7 @@ def main() -> int:
         count = sum(_fetch(depot_path, options.change, Path(folder)) for depot_path in _sounds_of(options.change))
         if not count:
             return 0
-        command = [sys.executable, "-m", "audio_checks.cli", "check", "--no-progress", "--no-cache"]
+        command = [sys.executable, "-I", "-m", "audio_checks.cli", "check", "--no-progress", "--no-cache"]
         for name in ("spec", "target", "list", "baseline"):
             if value := getattr(options, name):
                 command += [f"--{name}", value if name == "target" else str(Path(value).absolute())]

@@ -2,6 +2,7 @@
 
 import io
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -10,8 +11,7 @@ from types import ModuleType
 import pytest
 
 import audio_checks
-from audio_checks import check_file, check_files, measure_file, wav
-from audio_checks import runner as runner_module
+from audio_checks import check_file, check_files, measure_file, runner, wav
 from audio_checks.checks import Check
 from audio_checks.errors import SpecError, Unreadable
 from audio_checks.findings import Finding
@@ -173,8 +173,8 @@ def broken(error):
 class TestCrashes:
     @pytest.mark.parametrize("error", [ZeroDivisionError("by zero"), RecursionError(), MemoryError(), OSError("disk")])
     def test_a_check_that_breaks_leaves_the_file_unjudged(self, monkeypatch, laser, error):
-        known = dict(runner_module.all_checks())
-        monkeypatch.setattr(runner_module, "all_checks", lambda: known | {"true-peak": broken(error)})
+        known = dict(runner.all_checks())
+        monkeypatch.setattr(runner, "all_checks", lambda: known | {"true-peak": broken(error)})
         entry = check_file(laser, SPEC, name="Bad name.wav")
         assert entry.verdict == "unjudged"
         assert [finding.code for finding in entry.findings] == ["true-peak:crashed", "naming:pattern"]
@@ -185,32 +185,22 @@ class TestCrashes:
         def crash(self):
             raise FloatingPointError("over")
 
-        monkeypatch.setattr(runner_module.AudioFile, "_hashed", crash)
+        monkeypatch.setattr(runner.AudioFile, "_hashed", crash)
         entry = check_file(laser, SPEC)
         assert (entry.verdict, entry.findings[0].code) == ("unjudged", "audio-checks:crashed")
 
-    def test_a_process_that_dies_takes_one_file_with_it(self, tmp_path):
+    def test_a_process_that_dies_takes_one_file_with_it(self, monkeypatch, tmp_path):
         paths = [write_wav(tmp_path / f"laser_{number}.wav", sine(hz=997, seconds=0.1)) for number in range(5)]
-        # Forked children inherit the deadly version. This process has threads, and must not be forked itself.
-        script = """
-import os, signal, sys
-from audio_checks import check_files, processes, runner
+        monkeypatch.setattr(runner, "_judge_all", judge_all_or_die)
+        report = check_files(paths, None, jobs=2)
+        assert [entry.verdict for entry in report.files] == ["conforming"] * 3 + ["unjudged"] + ["conforming"]
+        assert f"its process ended with code {-signal.SIGKILL}" in report.files[3].findings[0].message
 
-real = runner._judge
 
-def deadly(task, **options):
-    if task.path.endswith("laser_3.wav"):
+def judge_all_or_die(tasks):
+    if any(task.path.endswith("laser_3.wav") for task in tasks):
         os.kill(os.getpid(), signal.SIGKILL)
-    return real(task, **options)
-
-runner._judge = deadly
-processes.START_METHOD = "fork"
-print(*(entry.verdict for entry in check_files(sys.argv[1:], None, jobs=2).files))
-"""
-        done = subprocess.run(
-            [sys.executable, "-c", script, *map(str, paths)], capture_output=True, text=True, check=False, timeout=60
-        )
-        assert done.stdout.split() == ["conforming"] * 3 + ["unjudged"] + ["conforming"], done.stderr
+    return [runner._judge(task) for task in tasks]
 
 
 class TestManyFiles:
