@@ -8,134 +8,24 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import PurePath
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.beside import DryStem, judged_beside
+from audio_checks.figures import FAMILIES, FIGURES, Pass
 from audio_checks.hashes import Hashes
 from audio_checks.judge import Judgement, judge
 from audio_checks.measure import spare
 from audio_checks.measure.bits import effective_bits
-from audio_checks.measure.codec_frames import CodecFrames
-from audio_checks.measure.cuts import Cuts
-from audio_checks.measure.decay import Decay
-from audio_checks.measure.edges import Edges
-from audio_checks.measure.faults import DETECTORS, Faults
-from audio_checks.measure.levels import Levels
-from audio_checks.measure.likeness import Likeness
-from audio_checks.measure.loudness import Loudness, channel_weights
-from audio_checks.measure.phase import Phase
-from audio_checks.measure.seam import Seam
-from audio_checks.measure.spectrum import Spectrum
-from audio_checks.measure.steps import Steps
-from audio_checks.measure.survey import Survey
-from audio_checks.measure.true_peak import TruePeak
 from audio_checks.measurements import Measurements
 from audio_checks.metadata import Metadata
 from audio_checks.metadata.gather import Gathering
 from audio_checks.sound_files import open_sound
 
 READ_BYTES = 1 << 20
-
-
-class Accumulator(Protocol):
-    """Something that measures while a file streams by."""
-
-    def add(self, block: NDArray[np.float64], /) -> None:
-        """Take the next samples, shape (n, channels); the array holds others when `add` is called again."""
-
-    def result(self) -> dict[str, Any]:
-        """Return the figures, by name."""
-
-
-def _size(layout: wav.WavLayout) -> tuple[int, int, int]:
-    return layout.sample_rate_hz, layout.channels, layout.frames
-
-
-def _step(layout: wav.WavLayout) -> float:
-    return 2.0 ** (1 - layout.bit_depth) if layout.encoding == "pcm" else 0.0
-
-
-def _loudness(layout: wav.WavLayout) -> Accumulator:
-    return Loudness(*_size(layout), weights=channel_weights(layout.channels, layout.channel_mask))
-
-
-def _seam(layout: wav.WavLayout) -> Accumulator:
-    return Seam(*_size(layout), loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None)
-
-
-FIGURES: dict[str, tuple[str, ...]] = {
-    "levels": Levels.FIGURES,
-    "true_peak": TruePeak.FIGURES,
-    "loudness": Loudness.FIGURES,
-    "edges": Edges.FIGURES,
-    "cuts": Cuts.FIGURES,
-    **DETECTORS,
-    "phase": Phase.FIGURES,
-    "steps": Steps.FIGURES,
-    "likeness": Likeness.FIGURES,
-    "spectrum": Spectrum.FIGURES,
-    "decay": Decay.FIGURES,
-    "seam": Seam.FIGURES,
-    "codec_frames": CodecFrames.FIGURES,
-}
-"""Families of figures; each family has one accumulator, but all that look for faults share one."""
-
-MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
-    "levels": lambda layout, survey: Levels(*_size(layout), survey=survey),
-    "true_peak": lambda layout, survey: TruePeak(*_size(layout), survey=survey),
-    "loudness": lambda layout, _: _loudness(layout),
-    "edges": lambda layout, survey: Edges(*_size(layout), survey=survey),
-    "cuts": lambda layout, survey: Cuts(*_size(layout), step=_step(layout), survey=survey),
-    "phase": lambda layout, survey: Phase(*_size(layout), survey=survey),
-    "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
-    "likeness": lambda layout, _: Likeness(*_size(layout)),
-    "spectrum": lambda layout, _: Spectrum(*_size(layout), step=_step(layout)),
-    "decay": lambda layout, _: Decay(*_size(layout)),
-    "seam": lambda layout, _: _seam(layout),
-    "codec_frames": lambda layout, _: CodecFrames(*_size(layout), step=_step(layout)),
-}
-"""How each family's accumulator is made for a file; what a block's survey finds serves all of them."""
-
-PART_FRAMES = 1 << 17
-IN_PARTS = frozenset({"codec_frames", "decay", "likeness", "spectrum"})
-"""Families that transform what they are given: that takes many times its memory, so they are given parts of a block."""
-
-
-class InParts:
-    """Hands blocks on in parts of PART_FRAMES."""
-
-    def __init__(self, accumulator: Accumulator) -> None:
-        self._accumulator = accumulator
-
-    def add(self, block: NDArray[np.float64]) -> None:
-        """Take the next samples, shape (n, channels)."""
-        for start in range(0, len(block), PART_FRAMES):
-            self._accumulator.add(block[start : start + PART_FRAMES])
-
-    def result(self) -> dict[str, Any]:
-        """Return the figures, by name."""
-        return self._accumulator.result()
-
-
-FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
-
-
-def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accumulator]:
-    """Return new accumulators for what a file has, one for each family but one for all faults."""
-    survey = Survey()
-    wanted = sorted(families)
-    accumulators: list[Accumulator] = []
-    for family in wanted:
-        if family in MAKERS:
-            made = MAKERS[family](layout, survey)
-            accumulators.append(InParts(made) if family in IN_PARTS else made)
-    if detectors := [family for family in wanted if family in DETECTORS]:
-        accumulators.append(Faults(*_size(layout), step=_step(layout), detectors=detectors, survey=survey))
-    return accumulators
 
 
 @dataclass(frozen=True)
@@ -221,6 +111,7 @@ class AudioFile:
         self.layout = self._sound.layout
         self._wanted: set[str] | None = None
         self._figures: dict[str, Any] = {}
+        self._errors: dict[str, Exception] = {}
         self._measured: set[str] = set()
         self._hashes: tuple[str, str] | None = None
         self._effective_bits: int | None = None
@@ -310,13 +201,21 @@ class AudioFile:
         self._hashed()
         return dict(self._figures)
 
+    @property
+    def errors(self) -> dict[str, Exception]:
+        """Why figures could not be measured, by figure; empty unless the tool has a bug. Streams the file once."""
+        self._hashed()
+        return dict(self._errors)
+
     def figure(self, name: str) -> Any:
-        """Return one figure; one that was not prepared costs another pass."""
+        """Return one figure; one that was not prepared costs another pass. Raise the error of one that failed."""
         family = FAMILIES[name]
         if self._hashes is None:
             self._stream(set(FIGURES) if self._wanted is None else self._wanted | {family})
         elif family not in self._measured:
             self._stream({family})
+        if name in self._errors:
+            raise self._errors[name]
         return self._figures[name]
 
     def judgement(self, name: str, kind: str | None = None) -> Judgement:
@@ -345,7 +244,7 @@ class AudioFile:
     def _stream(self, families: set[str]) -> None:
         """Read every byte once, for the hashes and the accumulators."""
         layout = self.layout
-        accumulators = accumulators_of(layout, families)
+        measuring = Pass(layout, families)
         hashes = Hashes()
         gathering = Gathering(layout.chunks)
         self._file.seek(0)
@@ -354,13 +253,13 @@ class AudioFile:
             hashes.add_around(head)
             gathering.pass_by(at, head)
             at += len(head)
-        decoder = next((one for one in accumulators if isinstance(one, Faults)), None)
-        used, left, most = 0, layout.frames, wav.frames_at_once(layout)
+        used, left = 0, layout.frames
         self._file.seek(layout.data_offset)
-        piece = decoder.piece_frames() if decoder else most
+        piece = measuring.decoder.piece_frames() if measuring.decoder else wav.frames_at_once(layout)
         room = spare.taken("bytes", min(left, piece) * layout.frame_bytes)
         while left:
-            frames = min(left, decoder.room() if decoder else most)
+            decoder = measuring.decoder
+            frames = min(left, decoder.room() if decoder else piece)
             pieces = self._sound_bytes(room.data, frames, hashes)
             if decoder:
                 block, bits = wav.decode_to(decoder, pieces, frames, layout)
@@ -368,16 +267,16 @@ class AudioFile:
                 block, bits = wav.decode(next(pieces), layout)
             used |= bits
             left -= len(block)
-            for accumulator in accumulators:
-                accumulator.add(block)
+            measuring.add(block)
         spare.give_back("bytes", room)
         at = layout.data_offset + layout.data_size
         while tail := self._file.read(READ_BYTES):
             hashes.add_around(tail)
             gathering.pass_by(at, tail)
             at += len(tail)
-        for accumulator in accumulators:
-            self._figures.update(accumulator.result())
+        figures, errors = measuring.result()
+        self._figures |= figures
+        self._errors |= errors
         self._gathering = gathering
         self._measured |= families
         whole, pcm = hashes.result()

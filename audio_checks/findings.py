@@ -88,12 +88,40 @@ _FINDING_FIELDS = frozenset(Finding.__dataclass_fields__)
 
 
 @dataclass(frozen=True)
+class Unjudged:
+    """A check that could not judge a file because the tool failed; the rest of the report holds.
+
+    Attributes
+    ----------
+    check : str
+        Its name; the name of a judgement that no check reads, or "audio-checks" where the whole file failed.
+    figures : tuple of str
+        The measurements that failed, None in the report; empty where the check or judgement itself failed.
+    message : str
+        The type of the error, and what it says.
+    """
+
+    check: str
+    figures: tuple[str, ...]
+    message: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the entry as the report has it."""
+        return {"check": self.check, "figures": list(self.figures), "message": self.message}
+
+    @classmethod
+    def from_dict(cls, entry: Mapping[str, Any]) -> Self:
+        """Return the entry that a report holds."""
+        return cls(entry["check"], tuple(entry["figures"]), entry["message"])
+
+
+@dataclass(frozen=True)
 class FileReport:
     """All that is said of one file.
 
     Facts are None when the file cannot be read; measurements hold the figures that were asked for. By
     `likeness_print` nearly equal sounds are known; see `measure.likeness`. `loudness_presets` is information
-    on whole mixes, by preset.
+    on whole mixes, by preset. `unjudged` names the checks that failed; it is empty unless the tool has a bug.
     """
 
     path: str
@@ -107,6 +135,7 @@ class FileReport:
     findings: tuple[Finding, ...] = ()
     likeness_print: str | None = None
     loudness_presets: dict[str, Any] = field(default_factory=dict)
+    unjudged: tuple[Unjudged, ...] = ()
 
     def count(self, severity: Severity, *, waived: bool | None = None) -> int:
         """Return the number of findings of one severity; of those waived, or those not, when asked."""
@@ -126,6 +155,7 @@ class FileReport:
             "findings": [finding.to_dict() for finding in self.findings],
             **({"likeness_print": self.likeness_print} if self.likeness_print else {}),
             **({"loudness_presets": _plain(self.loudness_presets)} if self.loudness_presets else {}),
+            **({"unjudged": [one.to_dict() for one in self.unjudged]} if self.unjudged else {}),
         }
 
     def to_measured(self) -> dict[str, Any]:
@@ -136,7 +166,9 @@ class FileReport:
     def from_dict(cls, entry: Mapping[str, Any]) -> Self:
         """Return the entry that a report holds; a figure that was -inf comes back as None."""
         known = {key: value for key, value in entry.items() if key in _FILE_FIELDS}
-        return cls(**{**known, "findings": tuple(Finding.from_dict(one) for one in entry.get("findings", ()))})
+        findings = tuple(Finding.from_dict(one) for one in entry.get("findings", ()))
+        unjudged = tuple(Unjudged.from_dict(one) for one in entry.get("unjudged", ()))
+        return cls(**{**known, "findings": findings, "unjudged": unjudged})
 
 
 _FILE_FIELDS = frozenset(FileReport.__dataclass_fields__)
@@ -280,6 +312,15 @@ def schema() -> dict[str, Any]:
             "chunks": {"type": "array", "items": {"type": "string"}},
         },
     }
+    unjudged = {
+        "type": "object",
+        "required": ["check", "figures", "message"],
+        "properties": {
+            "check": {"type": "string"},
+            "figures": {"type": "array", "items": {"type": "string"}},
+            "message": {"type": "string"},
+        },
+    }
     entry = {
         "type": "object",
         "required": ["path", "sha256", "pcm_sha256", "category", "verdict", "facts", "measurements", "findings"],
@@ -295,6 +336,7 @@ def schema() -> dict[str, Any]:
             "findings": {"type": "array", "items": finding},
             "likeness_print": {"type": "string"},
             "loudness_presets": {"type": "object"},
+            "unjudged": {"type": "array", "items": unjudged},
         },
     }
     spec = {

@@ -1,24 +1,25 @@
 """Runs the checks that a spec asks for on files, and gives every finding its severity.
 
-A check that crashes is the tool's fault: the file is `unjudged`, whatever else was found.
+A check that crashes, or whose figure could not be measured, is the tool's fault: the file is `unjudged`,
+whatever else was found, and the report names the check.
 """
 
 import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from audio_checks import check_names
 from audio_checks import judge as judgements
 from audio_checks.audio import AudioFile
 from audio_checks.beside import DryStem, heeding, reverb_beside
 from audio_checks.checks import Check, all_checks
+from audio_checks.containment import failed_checks, make_judgements, run_checks
 from audio_checks.errors import Unreadable
-from audio_checks.findings import FileReport, Finding, Report, SpecRef, Verdict
+from audio_checks.findings import FileReport, Finding, Report, SpecRef, Unjudged, Verdict
 from audio_checks.loudness_presets import PRESETS
 from audio_checks.metadata.mark import cue_marked
 from audio_checks.sets import Judged, with_set_findings
-from audio_checks.severity import crash, graded, ordered
+from audio_checks.severity import crash, graded, in_words, ordered
 from audio_checks.sound_list import SoundList, parse_file_name
 from audio_checks.spec import CueFacts, DeliverySpec
 from audio_checks.version import TOOL_VERSION
@@ -150,8 +151,8 @@ def measure_file(
     wanted = {one: PRESETS[one] for one in presets}
     with AudioFile(path, name=name) as file:
         measurements = file.measurements.to_dict()
-        judged = {one: file.judgement(one, kind) for one in judgements.names()}
-        if dry is not None:
+        judged, failed = make_judgements(judgements.names(), file, kind)
+        if dry is not None and "reverb" in judged:
             compared = reverb_beside(path, dry)
             judged["reverb"] = heeding(judged["reverb"], compared, os.path.basename(os.fspath(dry)))
         return FileReport(
@@ -164,6 +165,7 @@ def measure_file(
             measurements=measurements,
             judgements={one: judgement.to_dict() for one, judgement in judged.items()},
             loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
+            unjudged=failed_checks(file, failed),
         )
 
 
@@ -277,17 +279,17 @@ def _judge(
                 file.prepare(figure for name in asked for figure in judgements.figures_of(name))
             facts, measurements = file.facts.to_dict(), file.measurements.to_dict()
             likeness_print = file.measurements.likeness_print
-            found, crashed = _found(selected, file, spec, task.cue)
-            judged, broken = _judged(asked, file, spec.kind)
+            found, crashed = run_checks(selected, file, spec, task.cue)
+            judged, failed = make_judgements(asked, file, spec.kind)
+            unjudged = failed_checks(file, failed)
     except Unreadable as error:
         return _refused(shown, error, spec)
     except Exception as error:  # whatever breaks in the tool must not be held against the file
-        return FileReport(shown, "unjudged", category=spec.category, findings=(crash("audio-checks", error),))
+        return broken(shown, error, spec.category)
     if task.unlisted:
         found.append(_unlisted())
     findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
     verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
-    crashed += broken
     findings = [*crashed, *findings]
     return FileReport(
         path=shown,
@@ -297,9 +299,18 @@ def _judge(
         category=spec.category,
         facts=facts,
         measurements=measurements,
-        judgements=judged,
+        judgements={one: judgement.to_dict() for one, judgement in judged.items()},
         findings=ordered(findings),
         likeness_print=likeness_print,
+        unjudged=unjudged,
+    )
+
+
+def broken(path: str, error: BaseException, category: str | None = None) -> FileReport:
+    """Return the report of a file that the tool failed on altogether."""
+    unjudged = Unjudged("audio-checks", (), in_words(error))
+    return FileReport(
+        path, "unjudged", category=category, findings=(crash("audio-checks", error),), unjudged=(unjudged,)
     )
 
 
@@ -314,36 +325,6 @@ def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | 
 
 def _judgements_of(checks: Iterable[Check]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(check.judgement for check in checks if check.judgement))
-
-
-def _found(
-    checks: Iterable[Check], file: AudioFile, spec: DeliverySpec, cue: CueFacts | None
-) -> tuple[list[Finding], list[Finding]]:
-    """Return what the checks found, and which of them broke."""
-    found: list[Finding] = []
-    crashed: list[Finding] = []
-    for check in checks:
-        try:
-            found += list(check.run(file, spec, cue))
-        except Unreadable:
-            raise
-        except Exception as error:  # a check's bug is the tool's, and the other checks still count
-            crashed.append(crash(check.name, error))
-    return found, crashed
-
-
-def _judged(names: Iterable[str], file: AudioFile, kind: str | None) -> tuple[dict[str, Any], list[Finding]]:
-    """Return the judgements by name, and which of them broke."""
-    judged: dict[str, Any] = {}
-    crashed: list[Finding] = []
-    for name in names:
-        try:
-            judged[name] = file.judgement(name, kind).to_dict()
-        except Unreadable:
-            raise
-        except Exception as error:  # as with a check, the others still count
-            crashed.append(crash(name, error))
-    return judged, crashed
 
 
 def _reads_flac(spec: DeliverySpec) -> bool:
@@ -388,5 +369,4 @@ def _judge_all(tasks: list[Task]) -> list[FileReport]:
 
 
 def _died(task: Task, error: BaseException) -> FileReport:
-    category = task.spec.category if task.spec else None
-    return FileReport(legible(task.path), "unjudged", category=category, findings=(crash("audio-checks", error),))
+    return broken(legible(task.path), error, task.spec.category if task.spec else None)

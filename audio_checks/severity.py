@@ -29,7 +29,12 @@ def crash(what: str, error: BaseException) -> Finding:
     """Return the finding that a check itself broke."""
     return Finding(
         code=f"{what}:crashed",
-        message=f"the check itself broke ({type(error).__name__}: {error}); nothing is known to be wrong with the file",
+        message=f"the check itself broke ({in_words(error)}); nothing is known to be wrong with the file",
         fix="report it to whoever maintains audio-checks, with the file",
         severity="error",
     )
+
+
+def in_words(error: BaseException) -> str:
+    """Return the type of an error, and what it says."""
+    return f"{type(error).__name__}: {error}"

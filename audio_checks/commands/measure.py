@@ -3,7 +3,7 @@
 import argparse
 
 from audio_checks import reporters
-from audio_checks.arguments import FOUND, OK, add_paths, found_files
+from audio_checks.arguments import FOUND, OK, WRONG, add_paths, found_files
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport
 from audio_checks.loudness_presets import PRESETS
@@ -52,7 +52,12 @@ def run(options: argparse.Namespace) -> int:
         except Unreadable as error:
             say(f"{shown}: {error}; {error.fix}")
             entries.append(FileReport(shown, "unreadable", category=options.category))
-            code = FOUND
+            code = max(code, FOUND)
+        except Exception as error:  # one file's trouble must not cost the others their figures
+            entries.append(runner.broken(shown, error, options.category))
+        for failed in entries[-1].unjudged:
+            say(f"{shown}: unjudged by {failed.check}: {failed.message}; this is a fault of the tool")
+            code = WRONG
     report = runner.report_on(entries, [])
     outputs.write(lambda name, colour: reporters.measured_as(name, report, reporters.Style(colour)))
     return code

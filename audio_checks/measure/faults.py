@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from audio_checks.measure.noise_floor import NoiseFloor
 from audio_checks.measure.repeats import HISTORY_S, Repeats
 from audio_checks.measure.survey import Room, Survey
 
+Answer = TypeVar("Answer")
 STRETCH_FRAMES = 1 << 20  # samples that are looked at together
 MOST_SAMPLES = 1 << 22  # of all channels, so that a header of many channels cannot ask for much memory
 UNIT_FRAMES = 1 << 11  # what the kernel adds up together: of pieces of whole units all sums are the same
@@ -98,6 +99,7 @@ class Faults:
         self._repeats = Repeats(sample_rate_hz, step) if "repeats" in wanted else None
         self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in wanted else None
         self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
+        self.errors: dict[str, Exception] = {}  # of detectors that failed: the others go on
 
     def room(self) -> int:
         """Return for how many more samples there is room until the next look."""
@@ -164,17 +166,31 @@ class Faults:
             self._samples[:, self._history : self._history + self._silence] = 0.0
             silent = self._samples[:, : self._history + self._silence]
             count = self._cells.measure(silent, self._history)
-            self._clicks.add(self._cells.newest(count), count, silent, self._history, self._peak)
-            figures |= self._clicks.result(self._peak)
+            newest = self._cells.newest(count)
+            self._ask("clicks", self._clicks.add, newest, count, silent, self._history, self._peak)
+            figures |= self._ask("clicks", self._clicks.result, self._peak) or {}
         if self._dropouts:
-            figures |= self._dropouts.result(self._peak, self._cell)
-        for detector in (self._repeats, self._flat_tops, self._hum, self._noise):
+            figures |= self._ask("dropouts", self._dropouts.result, self._peak, self._cell) or {}
+        others = {"repeats": self._repeats, "flat_tops": self._flat_tops, "hum": self._hum, "noise_floor": self._noise}
+        for name, detector in others.items():
             if detector:
-                figures |= detector.result()
+                figures |= self._ask(name, detector.result) or {}
         spare.give_back("samples", self._room)
         self._samples = self._samples[:, :0]  # others write there now
         self._cells.end()
         return figures
+
+    def _ask(self, detector: str, call: Callable[..., Answer], *given: object) -> Answer | None:
+        """Call a detector and return its answer; one that has failed is not called again."""
+        if detector in self.errors:
+            return None
+        try:
+            return call(*given)
+        except MemoryError:  # the machine's trouble, not the detector's
+            raise
+        except Exception as error:
+            self.errors[detector] = error
+            return None
 
     def _measure(self, samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
         """Return the maxima of all samples, the peaks of channels, and how many cells are new where one wants them."""
@@ -202,16 +218,17 @@ class Faults:
         if count:
             cells = self._cells.newest(count)
             if self._clicks:
-                self._clicks.add(cells, count, samples, self._history, self._peak)
-            for by_cells in (self._dropouts, self._noise):
-                if by_cells:
-                    by_cells.add(cells, count)
+                self._ask("clicks", self._clicks.add, cells, count, samples, self._history, self._peak)
+            if self._dropouts:
+                self._ask("dropouts", self._dropouts.add, cells, count)
+            if self._noise:
+                self._ask("noise_floor", self._noise.add, cells, count)
             if self._hum:
-                self._hum.add(self._cells.newest_sums(count), count)
+                self._ask("hum", self._hum.add, self._cells.newest_sums(count), count)
         if self._repeats:
-            self._repeats.add(samples, int(peaks.argmax()), self._history, self._frame)
+            self._ask("repeats", self._repeats.add, samples, int(peaks.argmax()), self._history, self._frame)
         if self._flat_tops:
-            self._flat_tops.add(samples, maxima, peaks, self._history, self._frame)
+            self._ask("flat_tops", self._flat_tops.add, samples, maxima, peaks, self._history, self._frame)
         return count
 
     def _move_on(self, cells: int) -> None:

@@ -83,7 +83,7 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
     if louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
     beside = [means[place] for place in (quietest - PAUSE, quietest + PAUSE) if 0 <= place < len(means)]
-    if min(beside) <= floor * 10 ** (PLATEAU_DB / 10) or not _dies_away(means, quietest):
+    if min(beside, default=math.inf) <= floor * 10 ** (PLATEAU_DB / 10) or not _dies_away(means, quietest):
         return floor
     return None
 

@@ -125,7 +125,8 @@ def _crashes(files: Iterable[FileReport]) -> Iterable[dict[str, Any]]:
     for entry in files:
         for finding in entry.findings:
             if finding.code.endswith(":crashed"):
-                yield _note("error", f"{printable(entry.path)}: {printable(finding.message)}")
+                text = f"{printable(entry.path)}: unjudged by {finding.check}: {printable(finding.message)}"
+                yield _note("error", text) | {"associatedRule": {"id": finding.code}}
 
 
 def _note(level: str, text: str) -> dict[str, Any]:

@@ -179,7 +179,7 @@ def _count(number: int, noun: str) -> str:
 def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
     yield "  ".join(part for part in (ink(printable(entry.path), BOLD), ink(", ".join(_facts(entry)), DIM)) if part)
     if entry.facts is None:
-        yield ink("  cannot be read", RED)
+        yield from _failures(entry, ink) if entry.unjudged else [ink("  cannot be read", RED)]
         return
     figures = {"effective_bits": entry.facts["effective_bits"], **entry.to_measured()["measurements"]}
     named = {name: _words(name) for name in figures}
@@ -196,6 +196,14 @@ def _figures(entry: FileReport, ink: Ink) -> Iterator[str]:
             yield from (f"    {ink(line, DIM)}" for line in drawn(judged.get("evidence") or {}))
     for name, stands in entry.loudness_presets.items():
         yield f"  {in_words(name, stands)}"
+    yield from _failures(entry, ink)
+
+
+def _failures(entry: FileReport, ink: Ink) -> Iterator[str]:
+    """Yield the checks that the tool failed in, and why."""
+    for failed in entry.unjudged:
+        figures = f" ({', '.join(failed.figures)})" if failed.figures else ""
+        yield f"  {ink('unjudged', MAGENTA)}  {printable(failed.check)}{figures}: {printable(failed.message)}"
 
 
 def _judged(judged: Mapping[str, Any]) -> str:

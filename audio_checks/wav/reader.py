@@ -11,6 +11,7 @@ import struct
 from typing import BinaryIO, Literal
 
 from audio_checks.errors import Unreadable
+from audio_checks.wav import oddities
 from audio_checks.wav.files import read_up_to, shrunk
 from audio_checks.wav.layout import (
     AMBISONIC_TAIL,
@@ -24,6 +25,7 @@ from audio_checks.wav.layout import (
     StructureWarning,
     WavLayout,
 )
+from audio_checks.wav.oddities import Sizes64
 from audio_checks.wav.other_containers import CODECS, OTHER_CONTAINERS
 
 MAX_CHUNKS = 10_000
@@ -80,14 +82,15 @@ class _Reading:
         start = self.read(0, 40)
         container = self.container(start)
         (riff_size,) = struct.unpack("<I", start[4:8])
-        sizes64: tuple[int, int, int] | None = None
+        sizes64: Sizes64 | None = None
+        told_riff_size = riff_size
         if container == "rf64":
             sizes64 = self.ds64(start)
             if riff_size == STREAM_SIZE:
-                riff_size = sizes64[0]
+                riff_size = sizes64.riff_size
         elif riff_size == STREAM_SIZE:
             raise _stream()
-        chunks = self.chunks(8 + riff_size, sizes64[1] if sizes64 else None)
+        chunks = self.chunks(8 + riff_size, sizes64.data_size if sizes64 else None)
         header, data = self.pair(chunks)
         tag, extensible, channels, rate, container_bits, bits, mask, ambisonic = self.format(header)
         frame_bytes = channels * container_bits // 8
@@ -104,13 +107,19 @@ class _Reading:
             raise Unreadable(
                 "the file holds no sound: its data chunk is empty", "R6", "structure:no-frames", EXPORT_AGAIN
             )
-        if sizes64 and sizes64[2] not in (0, frames):
+        counted, ds64_counts = oddities.of_counts(self.read, chunks, frames, sizes64)
+        if sizes64 and ds64_counts and sizes64.frames not in (0, frames):
             raise Unreadable(
-                f"the ds64 chunk counts {sizes64[2]} frames, but the data chunk holds {frames}",
+                f"the ds64 chunk counts {sizes64.frames} frames, but the data chunk holds {frames}",
                 "R11",
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
+        self.warnings += counted
+        if sizes64:
+            told_data_size = int.from_bytes(self.read(data.offset - 4, 4), "little")
+            self.warnings += oddities.of_sizes(told_riff_size, told_data_size, sizes64)
+        self.warnings += oddities.of_padding(self.read, chunks, self.size)
         loops, outside = self.loops(chunks, frames)
         return WavLayout(
             container=container,
@@ -184,8 +193,8 @@ class _Reading:
             )
         return "wav" if start[:4] == b"RIFF" else "rf64"
 
-    def ds64(self, start: bytes) -> tuple[int, int, int]:
-        """Return RIFF size, data size and frames of the ds64 chunk that an RF64 file must begin with."""
+    def ds64(self, start: bytes) -> Sizes64:
+        """Return what the ds64 chunk says that an RF64 file must begin with."""
         if start[12:16] != b"ds64":
             raise Unreadable(
                 "the file is RF64 but does not begin with a ds64 chunk, which carries its sizes",
@@ -207,7 +216,7 @@ class _Reading:
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
-        return riff_size, data_size, frames
+        return Sizes64(riff_size, data_size, frames, entries, told)
 
     def chunks(self, riff_end: int, data64: int | None) -> list[Chunk]:
         """Walk the chunks, and see that RIFF size and file agree (R1, R2, R12)."""
@@ -235,10 +244,7 @@ class _Reading:
             chunks, loose_pad = self.walk(riff_end, data64)
         except Unreadable as refusal:
             if excess == -8:
-                self.warnings.clear()
-                chunks, loose_pad = self.walk(self.size, data64)
-                self.warn("riff-size", "the RIFF size is 8 bytes too small")
-                return chunks
+                return self.walk_all(data64)
             if excess < 0 and refusal.code == "structure:truncated":
                 raise Unreadable(
                     f"the RIFF header says that the file has {riff_end} bytes, but it has {self.size},"
@@ -250,8 +256,17 @@ class _Reading:
             raise
         if excess == -1 and loose_pad:
             self.warn("riff-size", "the RIFF size does not count the pad byte at the end")
+        elif excess == -8 and self.sound(self.read(riff_end, 8), riff_end, self.size, data64):
+            return self.walk_all(data64)  # what is left out is the head of an empty chunk
         elif excess < 0:
             self.padding(riff_end)
+        return chunks
+
+    def walk_all(self, data64: int | None) -> list[Chunk]:
+        """List the chunks of a file whose RIFF size leaves out the last 8 bytes."""
+        self.warnings.clear()
+        chunks, _ = self.walk(self.size, data64)
+        self.warn("riff-size", "the RIFF size is 8 bytes too small")
         return chunks
 
     def padding(self, riff_end: int) -> None:
@@ -425,6 +440,7 @@ class _Reading:
                 f" {rate * block_align}",
                 "byte-rate",
             )
+        self.warnings += oddities.of_format(chunk, content)
         return tag, extensible, channels, rate, container_bits, bits, mask, ambisonic
 
     def tag_of(self, guid: bytes) -> tuple[int, bool]:

@@ -108,8 +108,8 @@ def test_every_byte_of_sound_is_read_once(tmp_path, counted, figures):
 
 def test_only_prepared_families_are_measured(tmp_path, monkeypatch):
     made = []
-    made_by = audio.accumulators_of
-    monkeypatch.setattr(audio, "accumulators_of", lambda layout, wanted: made.extend(wanted) or made_by(layout, wanted))
+    measuring = audio.Pass
+    monkeypatch.setattr(audio, "Pass", lambda layout, wanted: made.extend(wanted) or measuring(layout, wanted))
     file = AudioFile(write_wav(tmp_path / "tick.wav", sine(hz=997)))
     file.prepare(["true_peak_dbtp"])
     file.prepare(["rms_dbfs"])

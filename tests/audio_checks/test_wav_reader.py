@@ -14,7 +14,7 @@ import pytest
 
 from audio_checks.errors import Unreadable
 from audio_checks.wav import blocks, open_regular, read_layout
-from tests.support.mutants import DATA, FMT, GOOD, SOUND, mutant, rf64
+from tests.support.mutants import DATA, FMT, GOOD, SOUND, ds64, mutant, rf64
 from tests.support.waves import (
     FLOAT_GUID,
     chunk,
@@ -22,6 +22,7 @@ from tests.support.waves import (
     float_bytes,
     fmt,
     noise,
+    pcm_bytes,
     riff,
     smpl,
     wav_bytes,
@@ -40,6 +41,19 @@ def samples_of(content, block_frames=65_536):
 
 def with_format(**kinds):
     return riff(chunk(b"fmt ", fmt(**kinds)), DATA)
+
+
+STREAM = 0xFFFFFFFF
+
+
+def fact(frames):
+    return chunk(b"fact", struct.pack("<I", frames))
+
+
+def rf64_with_fact(told, frames=480):
+    """An RF64 file whose fact chunk and ds64 chunk each count frames."""
+    counts = ds64(4 + 36 + len(FMT) + len(fact(told)) + len(DATA), 960, frames)
+    return riff(counts, FMT, fact(told), b"data" + struct.pack("<I", STREAM) + SOUND, magic=b"RF64", size=STREAM)
 
 
 REFUSED = {
@@ -118,7 +132,7 @@ REFUSED = {
     "rf64 without ds64": (riff(FMT, DATA, magic=b"RF64"), "R11", "structure:ds64"),
     "rf64 short ds64": (riff(chunk(b"ds64", bytes(20)), FMT, DATA, magic=b"RF64"), "R11", "structure:ds64"),
     "rf64 table too long": (rf64(entries=7), "R11", "structure:ds64"),
-    "rf64 frames": (rf64(frames=481), "R11", "structure:ds64"),
+    "rf64 frames": (rf64_with_fact(STREAM, frames=481), "R11", "structure:ds64"),
     "rf64 data beyond file": (rf64(data_size=1 << 40, frames=0), "R1", "structure:truncated"),
     "rf64 riff beyond file": (rf64(riff_size=1 << 40), "R2", "structure:riff-size"),
     "bytes after the end": (GOOD + b"\0\0\0\0hidden", "R12", "structure:trailing-bytes"),
@@ -160,6 +174,76 @@ TOLERATED = {
     "zeros after the end": (GOOD + bytes(3_000), ["structure:padding"]),
     "zeros inside at the end": (riff(FMT, DATA, bytes(100)), ["structure:padding"]),
     "two zeros inside": (riff(FMT, DATA, bytes(2)), ["structure:padding"]),
+    "zeros after the end, one of them its pad byte": (
+        riff(FMT, DATA, chunk(b"note", b"odd", pad=False)) + bytes(9),
+        ["structure:padding"],
+    ),
+    "riff size leaves out an empty chunk": (
+        riff(FMT, DATA, chunk(b"note", b""), size=len(GOOD) - 8),
+        ["structure:riff-size"],
+    ),
+    "pad byte is not zero": (
+        riff(FMT, chunk(b"note", b"odd", pad=False) + b"x", DATA),
+        ["structure:pad-value"],
+    ),
+    "last pad byte is not zero": (
+        riff(FMT, DATA, chunk(b"note", b"odd", pad=False) + b"x"),
+        ["structure:pad-value"],
+    ),
+    "fact is right": (riff(FMT, fact(480), DATA), []),
+    "fact is wrong": (riff(FMT, fact(481), DATA), ["structure:fact"]),
+    "fact is left open": (riff(FMT, fact(STREAM), DATA), ["structure:fact"]),
+    "fact is short": (riff(FMT, chunk(b"fact", b"\xe0\x01"), DATA), ["structure:fact"]),
+    "two facts": (riff(FMT, fact(480), fact(480), DATA), ["structure:fact"]),
+    "a ds64 in a RIFF file": (riff(FMT, ds64(1, 2, 3), DATA), ["structure:ds64-size"]),
+    "fmt announces an extension that it lacks": (
+        riff(chunk(b"fmt ", fmt(extra=b"\x16\0")), DATA),
+        ["structure:fmt-extension"],
+    ),
+    "fmt has bytes that it does not announce": (
+        riff(chunk(b"fmt ", fmt(extra=bytes(6))), DATA),
+        ["structure:fmt-extension"],
+    ),
+    "fmt of 17 bytes": (riff(chunk(b"fmt ", fmt(extra=b"\0")), DATA), ["structure:fmt-extension"]),
+    "fmt with an empty extension": (riff(chunk(b"fmt ", fmt(extra=b"\0\0")), DATA), []),
+    "extensible fmt with more": (
+        riff(chunk(b"fmt ", extensible(container_bits=16, valid_bits=16) + b"\0\0"), DATA),
+        ["structure:fmt-extension"],
+    ),
+    "reserved speakers": (
+        riff(chunk(b"fmt ", extensible(container_bits=16, valid_bits=16, mask=1 << 20)), DATA),
+        ["structure:channel-mask"],
+    ),
+    "all speakers": (
+        riff(chunk(b"fmt ", extensible(container_bits=16, valid_bits=16, mask=1 << 31)), DATA),
+        [],
+    ),
+    "rf64": (rf64(), []),
+    "rf64, fact defers to ds64": (rf64_with_fact(STREAM), []),
+    "rf64, fact counts": (rf64_with_fact(480), []),
+    "rf64, fact counts and ds64 is wrong": (rf64_with_fact(480, frames=481), ["structure:ds64-count"]),
+    "rf64, fact counts and ds64 is empty": (rf64_with_fact(480, frames=0), ["structure:ds64-count"]),
+    "rf64, fact defers and ds64 is empty": (rf64_with_fact(STREAM, frames=0), ["structure:ds64-count"]),
+    "rf64, fact is wrong": (rf64_with_fact(481), ["structure:fact"]),
+    "rf64 without fact, ds64 is wrong": (rf64(frames=481), ["structure:ds64-count"]),
+    "rf64 with a 32-bit data size, 64-bit is wrong": (
+        riff(ds64(4 + 36 + len(FMT) + len(DATA), 7, 480), FMT, DATA, magic=b"RF64", size=STREAM),
+        ["structure:ds64-size"],
+    ),
+    "rf64 with a 32-bit riff size, 64-bit is wrong": (
+        riff(ds64(7, 960, 480), FMT, b"data\xff\xff\xff\xff" + SOUND, magic=b"RF64"),
+        ["structure:ds64-size"],
+    ),
+    "rf64 whose ds64 is longer than its table": (
+        riff(
+            chunk(b"ds64", struct.pack("<QQQI", 4 + 40 + len(FMT) + len(DATA), 960, 480, 0) + bytes(4)),
+            FMT,
+            DATA,
+            magic=b"RF64",
+            size=STREAM,
+        ),
+        ["structure:ds64-size"],
+    ),
 }
 
 
@@ -355,3 +439,12 @@ def test_thousands_of_mutants_are_read_or_refused():
     assert set(outcomes) >= {"read", "R1", "R2", "R3", "R4", "R5", "R7", "R11", "R12"}
     assert outcomes["read"] > 300
     assert not unclear
+
+
+@pytest.mark.parametrize("bits", [12, 20])
+def test_sample_sizes_that_are_no_whole_bytes_are_read_with_a_warning(bits):
+    whole = (bits + 7) // 8 * 8
+    content = riff(chunk(b"fmt ", fmt(bits=bits)), chunk(b"data", pcm_bytes(noise(seconds=0.01), whole)))
+    layout = layout_of(content)
+    assert [warning.code for warning in layout.warnings] == ["structure:sample-bytes"]
+    assert (layout.container_bits, layout.frames) == (whole, 480)
