@@ -15,6 +15,7 @@ from rich.table import Table
 
 from app import logs
 from app.kit.errors import Refused
+from app.kit.permissions import keep_new_files_private, tighten
 from app.kit.runtime import Runtime
 from app.settings import Settings, SettingsWrong, read_settings
 
@@ -32,6 +33,7 @@ STOP_WITHIN_S = 15  # what is being answered then may finish
 
 def main() -> None:
     """Run the command line."""
+    keep_new_files_private()
     cli()
 
 
@@ -48,7 +50,13 @@ def _refusal(lines: Iterable[str]) -> typer.Exit:
     return typer.Exit(2)
 
 
+def _tighten(paths: Iterable[Path]) -> None:
+    for line in tighten(paths):
+        typer.echo(line, err=True)
+
+
 def _opened(settings: Settings) -> Runtime:
+    _tighten(settings.private_paths)
     try:
         return Runtime.of(settings)
     except OSError as error:
@@ -162,6 +170,7 @@ def backup(
     from app.backup import BackupRefused, back_up
 
     runtime = _opened(_settings())
+    _tighten([folder, *folder.glob("database-*")])
     try:
         _tell_copied("backed up", back_up(runtime, folder, keep=keep))
     except (BackupRefused, Refused) as error:

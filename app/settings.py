@@ -11,6 +11,7 @@ from urllib.parse import parse_qsl, urlsplit
 
 from pydantic import Field, SecretStr, ValidationError, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
+from sqlalchemy.engine import make_url
 
 PREFIX = "SOUNDLIST_"
 # Names that are read elsewhere: by the lines for a game's CI, and by the tests that kill processes.
@@ -172,6 +173,17 @@ class Settings(BaseSettings):
     def blob_dir(self) -> Path:
         """The folder that holds masters and everything derived from them."""
         return Path(urlsplit(self.store_url).path) if self.store_url else self.data_dir / "blobs"
+
+    @property
+    def private_paths(self) -> list[Path]:
+        """Return the folders and files of this server that no other user may read; some may not exist."""
+        paths = [self.data_dir, self.data_dir / "secret_key"]
+        if not self.database_url or self.database_url.startswith("sqlite"):
+            database = Path(make_url(self.resolved_database_url).database or "")
+            paths += [database, *(database.with_name(database.name + end) for end in ("-wal", "-shm"))]
+        if self.bucket is None:
+            paths.append(self.blob_dir)
+        return paths
 
     @property
     def is_https(self) -> bool:

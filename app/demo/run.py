@@ -16,6 +16,7 @@ import httpx
 import typer
 
 from app.demo.project import make_demo_project
+from app.kit.permissions import tighten
 from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
@@ -33,6 +34,8 @@ def run_demo(port: int) -> int:
     """Serve the demo until stopped; return the exit code."""
     settings = Settings()
     settings.data_dir.mkdir(parents=True, exist_ok=True)
+    for line in tighten(settings.private_paths):
+        typer.echo(line, err=True)
     try:
         lock = _lock(settings.data_dir)
     except AlreadyRunning as error:

@@ -290,10 +290,11 @@ class TestUnits:
         shown = CliRunner().invoke(cli, [command, "--help"])
         assert (program, shown.exit_code) == ("/opt/soundlist/.venv/bin/soundlist", 0)
         assert all(option in shown.output for option in options if option.startswith("--"))
-        assert (service["User"], service["NoNewPrivileges"], service["ProtectSystem"]) == (
+        assert (service["User"], service["NoNewPrivileges"], service["ProtectSystem"], service["UMask"]) == (
             "soundlist",
             "true",
             "strict",
+            "0077",
         )
         named = re.findall(r"(SOUNDLIST_[A-Z_]+)=", path.read_text())
         assert set(named) <= {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields}

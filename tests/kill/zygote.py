@@ -15,6 +15,7 @@ import uvicorn.loops.auto
 import uvicorn.protocols.http.auto  # noqa: F401  what uvicorn imports when it starts
 
 from app import cli, main, migrate, rooms, row_security, worker  # noqa: F401
+from app.kit.permissions import keep_new_files_private
 
 
 def start(arguments: list[str], environment: dict[str, str], log: str) -> None:
@@ -26,6 +27,7 @@ def start(arguments: list[str], environment: dict[str, str], log: str) -> None:
         os.dup2(output, stream)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     signal.set_wakeup_fd(-1)
+    keep_new_files_private()
     cli.cli(arguments)
 
 

@@ -25,7 +25,7 @@ class FolderStore(Store):
         target = self.path(studio_id, sha256)
         with self._in_words():
             size_bytes = source.stat().st_size
-            source.chmod(0o440)
+            source.chmod(0o400)
             sync(source)
             made = make_folder(target.parent)
             with suppress(FileExistsError):

@@ -85,7 +85,7 @@ class Uploads:
         self._database.write_alone(BEGIN, row_of(upload))
         staging = self._staging(upload)
         made = make_folder(staging.parent)
-        os.close(os.open(staging, os.O_CREAT | os.O_WRONLY, 0o640))
+        os.close(os.open(staging, os.O_CREAT | os.O_WRONLY, 0o600))
         for folder in {staging.parent, *made}:
             sync(folder)
         return upload if length else self._settled(upload)
@@ -308,7 +308,7 @@ class Uploads:
     ) -> None:
         part = _part_of(self._staging(upload))
         digest = hashlib.new(checksum.algorithm, usedforsecurity=False)
-        aside = os.open(part, os.O_CREAT | os.O_TRUNC | os.O_RDWR, 0o640)
+        aside = os.open(part, os.O_CREAT | os.O_TRUNC | os.O_RDWR, 0o600)
         try:
             await _pour(stream, aside, room, digest.update)
             if digest.digest() != checksum.digest:
