@@ -11,9 +11,12 @@ RUN npm run build
 FROM python:3.13-slim-trixie AS wheels
 RUN apt-get update && apt-get install -y --no-install-recommends gcc libc6-dev && rm -rf /var/lib/apt/lists/*
 WORKDIR /src
-COPY pyproject.toml setup.py MANIFEST.in constraints.txt README.md LICENSE ./
+COPY constraints-server.txt ./
+RUN pip wheel --no-cache-dir --wheel-dir /wheels --require-hashes --only-binary :all: --requirement constraints-server.txt
+COPY pyproject.toml setup.py MANIFEST.in README.md LICENSE ./
 COPY audio_checks ./audio_checks
-RUN pip wheel --no-cache-dir --wheel-dir /wheels --constraint constraints.txt '.[server]'
+RUN pip install --no-cache-dir --no-index --find-links /wheels setuptools \
+    && pip wheel --no-cache-dir --wheel-dir /wheels --no-deps --no-build-isolation .
 
 FROM python:3.13-slim-trixie
 # pg_dump and pg_restore, for `soundlist backup` and `soundlist restore`: of no older version than the server. A voice

@@ -7,13 +7,14 @@ BESIDE ?= 2
 # First what says soonest that something is wrong, then the longest; what is short fills the gap at the end.
 PARTS := check unit e2e unit-postgres frontend-test
 BIN := .venv/bin
+COMPILE = $(BIN)/uv pip compile --quiet --no-header --universal --python-version 3.11 --generate-hashes $(if $(UPGRADE),--upgrade)
 SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
 # Where images and shells set it, each of the thousand processes of a test run would compile all it imports anew: 3.5 s.
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz bench weights docs openapi clean
+.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -85,15 +86,27 @@ openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend
 	$(BIN)/soundlist openapi frontend/openapi.json
 	cd frontend && npm run --silent gen
 
+audit-dependencies: .make/python  ## Look for known vulnerabilities in what is locked, where advisories can be reached
+	@REQUIRED=$(REQUIRED) .ci/audit-dependencies
+
+pins:  ## Pin images and actions by digest (needs docker, gh and their registries)
+	@$(PYTHON) deploy/pin_digests.py
+
+constraints: .make/python  ## Pin every Python package with its hashes (UPGRADE=1 takes the newest versions)
+	@echo uv | $(COMPILE) --no-annotate --output-file constraints-uv.txt -
+	@$(COMPILE) --extra server --extra dev --output-file constraints.txt pyproject.toml
+	@echo setuptools | $(COMPILE) --extra server --constraint constraints.txt --no-annotate --output-file constraints-server.txt pyproject.toml -
+
 clean:  ## Remove what set-up made; data stays
 	rm -rf .venv .make frontend/node_modules frontend/dist
 
-.make/python: pyproject.toml constraints.txt
+.make/python: pyproject.toml constraints.txt constraints-uv.txt
 	@mkdir -p .make
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: PYTHON=/path/to/python make"; exit 1; }
 	@$(PYTHON) -m venv .venv || { echo "Python lacks venv: apt-get install python3-venv"; exit 1; }
-	@echo "Installing Python packages" && $(BIN)/pip install --quiet --disable-pip-version-check uv
-	@$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[server,dev]'
+	@echo "Installing Python packages" && $(BIN)/pip install --quiet --disable-pip-version-check --require-hashes --requirement constraints-uv.txt
+	@$(BIN)/uv pip install --quiet --python $(BIN)/python --require-hashes --no-build --requirement constraints.txt
+	@$(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation --editable .
 	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
 	@touch $@
@@ -109,7 +122,7 @@ clean:  ## Remove what set-up made; data stays
 	@touch $@
 
 .make/kernel: .make/python setup.py $(wildcard audio_checks/kernel/*.c audio_checks/kernel/*.h)
-	@echo "Compiling the kernel" && $(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --editable .
+	@echo "Compiling the kernel" && $(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation --editable .
 	@touch $@
 
 .make/node: frontend/package-lock.json

@@ -20,7 +20,7 @@ from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
-from app.kit import clock
+from app.kit import clock, job_format
 from app.kit.db import Base, Database, beyond_reach
 
 if TYPE_CHECKING:
@@ -60,6 +60,7 @@ FORGOTTEN_AT_ONCE = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
+job_format.refuse_pickled_classes()
 
 
 class Heartbeat(Base):
@@ -149,6 +150,7 @@ class JobQueue:
         self._client = DBOSClient(
             system_database_url=system_url(database),
             application_name=APPLICATION,
+            serializer=job_format.SERIALIZER,
             lazy=True,
             retry_connection_errors=False,
         )

@@ -16,7 +16,7 @@ from dbos import DBOS, DBOSConfig
 from dbos._core import WorkflowHandleFuture, execute_dequeued_workflow
 
 from app import logs
-from app.kit import clock, metrics, queue
+from app.kit import clock, job_format, metrics, queue
 from app.kit.db import Database, ensure_open, is_away
 from app.kit.queue import Heartbeat, Payload, Work
 
@@ -213,6 +213,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "system_database_url": queue.system_url(database),
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
+        "serializer": job_format.SERIALIZER,
         "sys_db_pool_size": 5 + jobs_at_once,
         "db_engine_kwargs": {
             "pool_pre_ping": False,

@@ -1,16 +1,22 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
+import inspect
+import json
+import re
 import time
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 from typing import Any
 from uuid import UUID
 
+import dbos
 import pytest
 import sqlalchemy as sa
 from dbos import DBOSClient
+from dbos._serialization import DefaultSerializer
 
 from app import worker
-from app.kit import queue, workers
+from app.kit import job_format, queue, workers
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -209,6 +215,58 @@ def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     client.enqueue(options, "tests.note", {"word": "three arguments"}, {"request_id": "long ago"})
     client.destroy()
     until(lambda: len(calls) == 2)
+
+
+def test_arguments_are_stored_as_json(runtime: Runtime, server: RunningServer):
+    enqueue(runtime, "tests.note", "plain")
+    until(lambda: calls == ["plain"])
+    server.wait_for_jobs()
+    of_this = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
+    (stored,) = of_this._sys_db.get_workflow_statuses(["key of plain"])
+    of_this.destroy()
+    assert stored["serialization"] == "portable_json"
+    assert json.loads(stored["inputs"] or "")["positionalArgs"][:2] == ["tests.note", {"word": "plain"}]
+
+
+class WritesWhenRead:
+    """An object whose pickle runs a function of its writer's choice where it is read."""
+
+    def __init__(self, written: Path) -> None:
+        self._written = written
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Path.touch, (self._written,)
+
+
+def test_a_pickle_that_would_run_code_is_refused_and_others_go_on(runtime: Runtime, tmp_path: Path):
+    """As whoever can write the database could store one: the row itself says how it is to be read."""
+    written = tmp_path / "written"
+    client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
+    options: Any = {
+        "workflow_name": queue.RUN_JOB,
+        "workflow_id": "hostile",
+        "queue_name": queue.JOB_QUEUE,
+        "app_version": queue.STEPS_VERSION,
+        "priority": queue.URGENT,
+    }
+    client.enqueue(options, "tests.note", WritesWhenRead(written))
+    client.destroy()
+    enqueue(runtime, "tests.note", "beside a pickle")
+    until(lambda: calls == ["beside a pickle"])
+    until(lambda: [job.state for job in runtime.queue.unfinished() if job.id == "hostile"] == ["broken"])
+    assert not written.exists()
+    runtime.queue._client.list_workflows(workflow_ids=["hostile"])  # which reads arguments and error once more
+    runtime.queue._client.delete_workflows(["hostile"])
+    assert not written.exists()
+
+
+def test_every_pickle_that_dbos_reads_is_read_by_ours():
+    package = Path(dbos.__file__).parent
+    importing = [path.name for path in package.rglob("*.py") if re.search(r"import (c?pickle|dill)", path.read_text())]
+    assert importing == ["_serialization.py"]
+    assert (package / "_serialization.py").read_text().count("pickle.load") == 1
+    assert "pickle.loads" in inspect.getsource(DefaultSerializer)
+    assert DefaultSerializer.deserialize is job_format._read
 
 
 def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer):
