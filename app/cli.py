@@ -150,6 +150,7 @@ def worker() -> None:
 @cli.command()
 def migrate() -> None:
     """Bring the database to the tables of this version."""
+    from app.migrate import login_warning
     from app.migrate import migrate as bring_up_to_date
     from app.row_security import CannotGuardRows
 
@@ -158,6 +159,8 @@ def migrate() -> None:
         bring_up_to_date(runtime.database)
     except CannotGuardRows as error:
         raise _refusal([str(error)]) from None
+    if warning := login_warning(runtime.database):
+        typer.echo(warning, err=True)
     runtime.close()
 
 

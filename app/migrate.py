@@ -3,6 +3,7 @@
 from functools import cache
 from pathlib import Path
 
+import sqlalchemy as sa
 from alembic import command
 from alembic.config import Config
 from alembic.migration import MigrationContext
@@ -32,6 +33,20 @@ def migrate(database: Database, revision: str = "head") -> None:
     command.upgrade(alembic_config(database), revision)
     if revision == "head":
         guard_rows(database)
+
+
+def login_warning(database: Database) -> str | None:
+    """Return what is wrong with a login that may do more than it needs; None where nothing is."""
+    if database.is_sqlite:
+        return None
+    with database.engine.connect() as connection:
+        is_superuser = connection.scalar(sa.text("select rolsuper from pg_roles where rolname = session_user"))
+    if not is_superuser:
+        return None
+    return (
+        f"the login {database.engine.url.username} is a superuser of PostgreSQL, who may read files and run programs "
+        "on its machine; Soundlist needs none. docs/operate.md, PostgreSQL, says how to give it a login of its own"
+    )
 
 
 @cache
