@@ -3,13 +3,16 @@
 import argparse
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from audio_checks.discovery import Found, NotThere, SpecFinder, audio_files
 from audio_checks.errors import AudioChecksError
+from audio_checks.progress import Progress
 from audio_checks.spec import DeliverySpec
 
 OK, FOUND, WRONG = 0, 1, 2
+FORMAT_HELP = "{}; to a file if one is named; may be repeated"
 
 
 class UsageError(AudioChecksError):
@@ -29,6 +32,36 @@ def add_spec(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list: what each cue asks for")
 
 
+def add_run(parser: argparse.ArgumentParser, formats: Sequence[str] = (), *, jobs: bool = True) -> None:
+    """Take what every command over files takes: formats, the number of processes, and how much it says."""
+    shown = parser.add_argument_group("how it runs, and what is shown")
+    if formats:
+        shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(formats)))
+    if jobs:
+        shown.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
+    shown.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+    shown.add_argument(
+        "-q", "--quiet", action="store_true", help="only what was found or refused: no summary, notes or progress"
+    )
+
+
+def add_fail_level(parser: argparse._ActionsContainer, what: str) -> None:
+    """Take the mildest severity that fails."""
+    parser.add_argument("--fail-level", choices=("error", "warning"), default="error", help=what)
+
+
+def progress_over(count: int, options: argparse.Namespace) -> Progress:
+    """Return the progress line of a run, unless the command line asks for none."""
+    return Progress(count, shown=not (options.no_progress or options.quiet))
+
+
+def out_folder(options: argparse.Namespace) -> Path:
+    """Return the folder of `--out`; UsageError for "-", since several files do not fit standard output."""
+    if options.out == "-":
+        raise UsageError("--out wants a folder: standard output (-) has room for one text, not for sound files")
+    return Path(options.out)
+
+
 def number_of_jobs(text: str) -> int:
     """Return a number of processes, as `-j` takes it."""
     jobs = int(text)
@@ -44,6 +77,11 @@ def found_files(options: argparse.Namespace, *, may_be_none: bool = False) -> li
         paths += _paths_from(options.files_from)
     elif not paths:
         raise UsageError("no path given")
+    if "-" in paths:
+        raise UsageError(
+            "- is standard input, and a sound read from there has no name to judge: write it to a file first;"
+            " --files-from - reads paths from standard input, and ./- is a file of that name"
+        )
     try:
         found = list(audio_files(paths))
     except NotThere as error:

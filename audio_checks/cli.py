@@ -14,14 +14,14 @@ from typing import NoReturn
 
 from audio_checks.arguments import WRONG, UsageError
 from audio_checks.errors import AudioChecksError, SpecError
-from audio_checks.terminal import say
+from audio_checks.terminal import say, set_quiet
 from audio_checks.version import TOOL_VERSION
 
 COMMANDS = {
     "check": ("audio_checks.commands.check", "judge files and folders"),
     "measure": ("audio_checks.commands.measure", "every figure, no verdict"),
     "render": ("audio_checks.commands.render", "make game files from masters"),
-    "mend": ("audio_checks.commands.mend", "make repaired copies, and say what no mend answers"),
+    "fix": ("audio_checks.commands.fix", "make repaired copies, and say what no repair answers"),
     "export-master": ("audio_checks.commands.export_master", "copy masters with what is known of them written in"),
     "placeholders": ("audio_checks.commands.placeholders", "make stand-ins for cues that have no take"),
     "memory": ("audio_checks.commands.memory", "what a sound list will take in memory, by target"),
@@ -34,11 +34,14 @@ COMMANDS = {
     "completion": ("audio_checks.commands.completion", "print a script that completes commands in a shell"),
 }
 """Every command: the module that has it, and what it does."""
+FORMER_NAMES = {"mend": "fix"}
 
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Say what is wrong without repeating raw control characters, and leave."""
+        if "unrecognized arguments" in message or "ignored explicit argument" in message:
+            message += "; a name that begins with - comes after --"
         raise UsageError(f"{message}\n{self.format_usage().strip()}")
 
 
@@ -49,8 +52,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):  # a file or a program on Windows would get another encoding than CI reads
             stream.reconfigure(encoding=None if stream.isatty() else "utf-8", errors="backslashreplace")
     arguments = list(sys.argv[1:] if argv is None else argv)
+    arguments[:1] = [FORMER_NAMES.get(name, name) for name in arguments[:1]]
     try:
         options = parser_of([name for name in COMMANDS if name in arguments]).parse_args(arguments)
+        set_quiet(getattr(options, "quiet", False))
         command: Callable[[argparse.Namespace], int] = options.run
         code = command(options)
         sys.stdout.flush()

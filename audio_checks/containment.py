@@ -52,11 +52,14 @@ def make_judgements(
 
 def failed_checks(file: AudioFile, failed: Mapping[str, Exception]) -> tuple[Unjudged, ...]:
     """Return the checks that figures or judgements are missing for, whether the spec asks them or not."""
+    errors = file.errors
+    if not (errors or failed):
+        return ()  # as ever, and no judgement that nobody asked for is imported
     entries = []
     for check in all_checks().values():
         read = [*check.figures, *(judgements.figures_of(check.judgement) if check.judgement else ())]
-        figures = tuple(one for one in dict.fromkeys(read) if one in file.errors)
-        error = file.errors[figures[0]] if figures else failed.get(check.judgement or "")
+        figures = tuple(one for one in dict.fromkeys(read) if one in errors)
+        error = errors[figures[0]] if figures else failed.get(check.judgement or "")
         if error is not None:
             entries.append(Unjudged(check.name, figures, in_words(error)))
     return tuple(entries)

@@ -97,7 +97,8 @@ def without_dry_stems(found: Sequence[Found], sound_list: SoundList | None = Non
 class SpecFinder:
     """Finds the spec of a file: the one that is named, or the nearest, walking up from the file.
 
-    The nearest is an audio-checks.toml, or a pyproject.toml with a table for it.
+    The nearest is an audio-checks.toml, or a pyproject.toml with a table for it. A file that lies under none
+    is judged by the one that is nearest to the working directory.
     """
 
     def __init__(self, named: str | None = None) -> None:
@@ -106,8 +107,8 @@ class SpecFinder:
         self._by_folder: dict[Path, DeliverySpec | None] = {}
 
     def spec_of(self, path: str) -> DeliverySpec | None:
-        """Return the spec that a file stands under; None where no folder above it has one."""
-        return self._named or self._in(Path(path).absolute().parent)
+        """Return the spec of a file; None where there is one neither above it nor above the working directory."""
+        return self._named or self._in(Path(path).absolute().parent) or self._in(Path.cwd())
 
     def file_of(self, spec: DeliverySpec) -> Path:
         """Return the file that a spec was read from, by this finder."""

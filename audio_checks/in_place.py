@@ -2,7 +2,7 @@
 
 A file is either as it was or put right whole: a new header is written into a copy beside it, read
 again by the strict reader, and moved over the old. Nothing is ever overwritten by a new name. What
-a repair would have to guess, or whose samples it would change, is for `audio-checks mend`.
+a repair would have to guess, or whose samples it would change, is for `audio-checks fix`.
 """
 
 import os
@@ -164,9 +164,7 @@ def _right_header(path: str, *, keep: bool) -> tuple[str, ...]:
     try:
         words, cut_bytes = with_right_sizes(path, copy)
         if cut_bytes and not _ends_in_zeros(path, cut_bytes):
-            raise CannotBePutRight(
-                "what follows its end is not only zeros; `audio-checks mend` makes a copy without it"
-            )
+            raise CannotBePutRight("what follows its end is not only zeros; `audio-checks fix` makes a copy without it")
         if keep:
             shutil.copymode(path, copy)
             os.replace(copy, path)

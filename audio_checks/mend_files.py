@@ -2,8 +2,9 @@
 
 import os
 import textwrap
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from audio_checks.sound_list import SoundList
 from audio_checks.spec import DeliverySpec
 from audio_checks.terminal import BOLD, DIM, GREEN, RED, YELLOW, Ink, width
 from audio_checks.version import TOOL_VERSION
+from audio_checks.workload import CORES, size_of
 
 LEVELS = {
     "sample-peak": ("sample_peak_dbfs", "sample peak", "dBFS"),
@@ -45,7 +47,9 @@ class MendedFile:
 
     @property
     def is_our_fault(self) -> bool:
-        """Whether a check broke, so that nothing is known of the file."""
+        """Whether a check or the process broke, so that nothing is known of the file."""
+        if self.refusal is not None and self.refusal.code == "mend:crashed":
+            return True
         return self.mended is not None and (self.mended.after or self.mended.before).verdict == "unjudged"
 
     @property
@@ -86,6 +90,36 @@ class MendRun:
         self.files.append(one)
         return one
 
+    def mend_all(
+        self, tasks: Sequence[tuple[Found, DeliverySpec]], *, jobs: int = 1, done: Callable[[str], None] | None = None
+    ) -> None:
+        """Mend files in so many processes, 0 for one a core; those of one folder are mended in order, by one process.
+
+        Two copies can only get the same name where their masters lie in one folder.
+        """
+        folders: dict[str, list[tuple[Found, DeliverySpec]]] = defaultdict(list)
+        for found, spec in tasks:
+            folders[os.path.dirname(found.relative)].append((found, spec))
+        jobs = min(jobs or CORES, len(folders))
+        if jobs <= 1:
+            for found, spec in tasks:
+                self.mend(found, spec)
+                if done:
+                    done(found.relative)
+            return
+        from audio_checks.processes import in_processes  # costs what one process need not pay
+
+        orders = [(replace(self, files=[]), folder) for folder in folders.values()]
+
+        def tell(made: dict[str, MendedFile]) -> None:
+            if done:
+                for relative in made:
+                    done(relative)
+
+        made = in_processes(_mend_folders, orders, workers=jobs, size=_bytes_of, died=_died, done=tell)
+        by_place = {place: one for folder in made for place, one in folder.items()}
+        self.files += [by_place[found.relative] for found, _ in tasks]
+
     def _mended(self, found: Found, spec: DeliverySpec) -> Mended:
         place = self.folder / Path(found.relative).parent
         slot = self.sound_list.slot_of_file(os.path.basename(found.relative)) if self.sound_list else None
@@ -103,10 +137,12 @@ class MendRun:
         finally:
             _remove_if_empty(place, self.folder)
 
-    def to_text(self, *, colour: bool) -> str:
-        """Return what was done to each file and what is left, with a line that sums up."""
+    def to_text(self, *, colour: bool, summary: bool = True) -> str:
+        """Return what was done to each file and what is left, with a line that sums up unless it is left out."""
         ink = Ink(colour)
         blocks = ["\n".join(_lines(one, ink)) + "\n" for one in self.files if one.state != "fine"]
+        if not summary:
+            return "\n".join(blocks)
         counts, files = self._counts(), f"{len(self.files)} file{'' if len(self.files) == 1 else 's'}"
         summed = f"{files}: {counts['mended']} mended, {counts['partly']} in part, {counts['left']} not"
         return "\n".join([*blocks, f"{summed}, {counts['fine']} had nothing to mend\n"])
@@ -122,6 +158,19 @@ class MendRun:
 
     def _counts(self) -> dict[str, int]:
         return {state: sum(one.state == state for one in self.files) for state in STATES}
+
+
+def _mend_folders(orders: list[tuple[MendRun, list[tuple[Found, DeliverySpec]]]]) -> list[dict[str, MendedFile]]:
+    return [{found.relative: run.mend(found, spec) for found, spec in tasks} for run, tasks in orders]
+
+
+def _bytes_of(order: tuple[MendRun, list[tuple[Found, DeliverySpec]]]) -> int:
+    return sum(size_of(found.path) for found, _ in order[1])
+
+
+def _died(order: tuple[MendRun, list[tuple[Found, DeliverySpec]]], error: BaseException) -> dict[str, MendedFile]:
+    broken = MendRefused(f"the process that repaired it died: {error}", "mend:crashed", "run again with -j 1")
+    return {found.relative: MendedFile(legible(found.path), None, broken) for found, _ in order[1]}
 
 
 def _remove_if_empty(place: Path, top: Path) -> None:

@@ -8,8 +8,6 @@ from audio_checks import reporters
 from audio_checks.arguments import UsageError
 from audio_checks.terminal import in_colour
 
-FORMAT_HELP = "{}; to a file if one is named; may be repeated"
-
 
 class Outputs:
     """The formats that were asked for, and the place of each."""
@@ -18,6 +16,7 @@ class Outputs:
         self._places: list[tuple[str, str]] = []
         for one in asked or ["text"]:
             name, _, place = one.partition(":")
+            place = "" if place == "-" else place
             if name not in known:
                 raise UsageError(f'no format "{name}"; formats: {", ".join(known)}')
             self._places.append((name, place))

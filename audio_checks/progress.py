@@ -24,7 +24,7 @@ class Progress:
         self._total = total
         self._done = 0
         self._stream = sys.stderr
-        self._shown = shown and total > 1 and self._stream.isatty()
+        self._shown = shown and total > 1 and self._stream.isatty()  # never in a log
         self._ink = Ink(in_colour(self._stream))
         self._began_s = time.monotonic()
         self._drawn_s = 0.0

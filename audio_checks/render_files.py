@@ -1,18 +1,26 @@
 """Renders files of a folder to the places where the game expects them."""
 
+from __future__ import annotations
+
 import filecmp
 import os
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from audio_checks.errors import RenderRefused, Unreadable
+from audio_checks.errors import AudioChecksError, RenderRefused, Unreadable
 from audio_checks.render.recipe import MONO_LOSS_LIMIT_DB
 from audio_checks.render.render import render_master
 from audio_checks.render.rendered import Rendered
 from audio_checks.runner import Task, is_placeholder
 from audio_checks.sound_list import parse_file_name
+from audio_checks.workload import CORES, size_of
 
 AUDIBLE_DB = -60.0  # what lies below is lost on everyone
+
+
+class RenderBroke(AudioChecksError):
+    """The renderer itself died; nothing is known to be wrong with the master."""
 
 
 class RenderRun:
@@ -31,46 +39,48 @@ class RenderRun:
         self._replaces = replaces
         self._made: dict[Path, str] = {}
 
-    def render(self, task: Task, relative: str) -> tuple[Rendered, bool]:
-        """Render one master to the target of its task; return it, and whether it is new.
+    def render_all(
+        self, tasks: Sequence[tuple[Task, str]], *, jobs: int = 1, done: Callable[[Outcome], None] | None = None
+    ) -> list[Outcome]:
+        """Render masters to the targets of their tasks, in so many processes, 0 for one a core.
 
-        A file that would be the same is left as it is, so that depots do not grow. A stand-in gives way.
+        A file that would be the same is left as it is, so that depots do not grow. A stand-in gives way. What
+        would harm the sound is refused, and so is what would overwrite a master, another render of this run, or
+        a different one of an earlier run.
 
-        Raises
-        ------
-        RenderRefused
-            The render would harm the sound, or overwrite a master, another render of this run, or a
-            different one of an earlier run.
-        Unreadable
-            The master breaks a rule of structure.
+        Parameters
+        ----------
+        tasks : sequence of (Task, str)
+            Each with the master's place below the folder that was given.
+        jobs : int
+            The number of processes.
+        done : callable, optional
+            Hears of each as it is finished.
         """
-        spec = task.spec
-        if spec is None or spec.target is None:
+        orders = [self._order(task, relative) for task, relative in tasks]
+        jobs = min(jobs or CORES, len(orders))
+        if jobs > 1:
+            from audio_checks.processes import in_processes  # costs what one process need not pay
+
+            return in_processes(_make_all, orders, workers=jobs, size=_bytes_of, died=_died, done=done)
+        outcomes = []
+        for order in orders:
+            outcomes.append(_make(order))
+            if done:
+                done(outcomes[-1])
+        return outcomes
+
+    def _order(self, task: Task, relative: str) -> _Order:
+        """Return where a render goes, or why it may not; what was planned before has taken its place."""
+        if task.spec is None or task.spec.target is None:
             raise ValueError("a render needs a target")
-        out = self._place(spec.target.name, relative)
-        self._ensure_free(out, task.path)
-        out.parent.mkdir(parents=True, exist_ok=True)
-        limit_db = spec.limits.mono_loss_db
-        beside = out.with_name(f".{out.name}.{os.getpid()}.new")
+        out = self._place(task.spec.target.name, relative)
         try:
-            rendered = render_master(
-                task.path,
-                spec.target,
-                beside,
-                loop=task.cue is not None and task.cue.loop,
-                sample_peak_limit_dbfs=spec.limits.sample_peak_dbfs,
-                true_peak_limit_dbtp=spec.limits.true_peak_dbtp,
-                tolerance_db=spec.limits.tolerance_db,
-                mono_loss_limit_db=MONO_LOSS_LIMIT_DB if limit_db is None else limit_db,
-            )
-            is_new = not (out.exists() and filecmp.cmp(beside, out, shallow=False))
-            if is_new:
-                self._ensure_replaceable(out)
-                os.replace(beside, out)
-        finally:
-            beside.unlink(missing_ok=True)
+            self._ensure_free(out, task.path)
+        except RenderRefused as refusal:
+            return _Order(task, out, self._replaces, refusal)
         self._made[out] = task.path
-        return replace(rendered, path=out), is_new
+        return _Order(task, out, self._replaces)
 
     def _place(self, target: str, relative: str) -> Path:
         """Return where a render goes: the master's place, under the name without the mark of an alternate."""
@@ -87,13 +97,86 @@ class RenderRun:
         if out.exists() and os.path.samefile(out, master):
             raise RenderRefused("the render would overwrite its master", "render:over-master", "name another --out")
 
-    def _ensure_replaceable(self, out: Path) -> None:
-        if out.exists() and not self._replaces and not _is_stand_in(out):
-            raise RenderRefused(
-                f"{out} is there already, and differs: its master, its target or the renderer was another",
-                "render:exists",
-                "name another --out to keep both, or say --replace",
-            )
+
+@dataclass(frozen=True)
+class _Order:
+    """One render to make, or why not."""
+
+    task: Task
+    out: Path
+    replaces: bool
+    refusal: RenderRefused | None = None
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one render.
+
+    Attributes
+    ----------
+    rendered : Rendered or None
+        What was made.
+    is_new : bool
+        Whether the file is another one than before.
+    refusal : RenderRefused, Unreadable or None
+        Why nothing was made.
+    """
+
+    rendered: Rendered | None = None
+    is_new: bool = False
+    refusal: RenderRefused | Unreadable | None = None
+
+
+def _make_all(orders: list[_Order]) -> list[Outcome]:
+    return [_make(order) for order in orders]
+
+
+def _make(order: _Order) -> Outcome:
+    if order.refusal is not None:
+        return Outcome(refusal=order.refusal)
+    spec, out = order.task.spec, order.out
+    if spec is None or spec.target is None:
+        raise ValueError("a render needs a target")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    limit_db = spec.limits.mono_loss_db
+    beside = out.with_name(f".{out.name}.{os.getpid()}.new")
+    try:
+        rendered = render_master(
+            order.task.path,
+            spec.target,
+            beside,
+            loop=order.task.cue is not None and order.task.cue.loop,
+            sample_peak_limit_dbfs=spec.limits.sample_peak_dbfs,
+            true_peak_limit_dbtp=spec.limits.true_peak_dbtp,
+            tolerance_db=spec.limits.tolerance_db,
+            mono_loss_limit_db=MONO_LOSS_LIMIT_DB if limit_db is None else limit_db,
+        )
+        is_new = not (out.exists() and filecmp.cmp(beside, out, shallow=False))
+        if is_new:
+            _ensure_replaceable(out, replaces=order.replaces)
+            os.replace(beside, out)
+    except (RenderRefused, Unreadable) as refusal:
+        return Outcome(refusal=refusal.with_traceback(None))
+    finally:
+        beside.unlink(missing_ok=True)
+    return Outcome(replace(rendered, path=out), is_new)
+
+
+def _ensure_replaceable(out: Path, *, replaces: bool) -> None:
+    if out.exists() and not replaces and not _is_stand_in(out):
+        raise RenderRefused(
+            f"{out} is there already, and differs: its master, its target or the renderer was another",
+            "render:exists",
+            "name another --out to keep both, or say --replace",
+        )
+
+
+def _bytes_of(order: _Order) -> int:
+    return size_of(order.task.path)
+
+
+def _died(order: _Order, error: BaseException) -> Outcome:
+    raise RenderBroke(f"{order.task.path}: the process that rendered it died: {error}; run again with -j 1")
 
 
 def _is_stand_in(path: Path) -> bool:

@@ -23,6 +23,7 @@ from audio_checks.severity import crash, graded, in_words, ordered
 from audio_checks.sound_list import SoundList, parse_file_name
 from audio_checks.spec import CueFacts, DeliverySpec
 from audio_checks.version import TOOL_VERSION
+from audio_checks.workload import size_of
 
 PathLike = str | os.PathLike[str]
 _NO_SPEC = DeliverySpec(tables={})
@@ -357,11 +358,7 @@ def _unlisted() -> Finding:
 
 
 def _bytes_of(task: Task) -> int:
-    """Return how large a file is; 0 for what is none."""
-    try:
-        return os.stat(task.path).st_size
-    except (OSError, ValueError):
-        return 0
+    return size_of(task.path)
 
 
 def _judge_all(tasks: list[Task]) -> list[FileReport]:

@@ -3,6 +3,7 @@
 import os
 import shutil
 import sys
+from contextvars import ContextVar
 from typing import IO
 
 from audio_checks.findings import printable
@@ -21,6 +22,20 @@ class Ink:
     def __call__(self, text: str, *codes: str) -> str:
         """Return the text between the codes that colour it and the one that ends them."""
         return f"\x1b[{';'.join(codes)}m{text}\x1b[0m" if self._colour and codes and text else text
+
+
+_quiet: ContextVar[bool] = ContextVar("quiet", default=False)
+
+
+def set_quiet(quiet: bool) -> None:
+    """Print notes or leave them out, from now on."""
+    _quiet.set(quiet)
+
+
+def note(message: str) -> None:
+    """Print what is worth knowing and no fault, as `say` does; nothing when the run is quiet."""
+    if not _quiet.get():
+        say(message)
 
 
 def say(message: str) -> None:

@@ -8,6 +8,14 @@ MUCH_BYTES = 64 << 20  # starting processes costs a fifth of a second, which les
 MANY_FILES = 200
 
 
+def size_of(path: str) -> int:
+    """Return how large a file is, in bytes; 0 for what is none."""
+    try:
+        return os.stat(path).st_size
+    except (OSError, ValueError):
+        return 0
+
+
 def worth(paths: Sequence[str]) -> int:
     """Return how many processes some files are worth: one a core when they are many or large, else one."""
     if len(paths) < 2:

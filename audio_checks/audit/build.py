@@ -127,9 +127,11 @@ def _all_alike(approved: Sequence[Heard], built: Sequence[Heard]) -> list[dict[i
     ]
     waves = _Kept()
     known = [place for place, one in enumerate(approved) if one.fingerprint is not None]
-    search = Search([cells_of(waves.of(approved[place]).wave) for place in known])
     asked = [at for at, one in enumerate(built) if one.fingerprint is not None]
-    found = search.found([cells_of(waves.of(built[at]).wave) for at in asked]) if known and asked else []
+    if not (known and asked):
+        return alike
+    search = Search([cells_of(waves.of(approved[place]).wave) for place in known])
+    found = search.found([cells_of(waves.of(built[at]).wave) for at in asked])
     for at, candidates in zip(asked, found, strict=True):
         own = places.get(built[at].path, places.get(_stem(built[at].path)))
         wanted = {known[candidate] for candidate in candidates} | ({own} if own in known else set())

@@ -18,6 +18,7 @@ Wave = NDArray[np.float32]
 
 FINGERPRINT_VERSION = 1
 RATE_HZ = 8_000
+LARGEST = 1e6  # 120 dB over full scale; squares of what is far larger are endless in 32 bits
 LISTENED_S = 60  # of a longer sound its first minute counts
 LOW_HZ, TOP_HZ = 60.0, 3_800.0
 NYQUIST_SHARE = 0.9  # of a lower rate's band; what lies above is its filter's
@@ -116,8 +117,8 @@ def _mono(blocks: Iterable[NDArray[np.float64]], most: int) -> tuple[Wave, float
     means, firsts, power, left = [], [], 0.0, most
     for block in blocks:
         part = block[:left]
-        means.append(part.mean(axis=1).astype(np.float32))
-        firsts.append(part[:, 0].astype(np.float32))
+        means.append(part.mean(axis=1).clip(-LARGEST, LARGEST).astype(np.float32))
+        firsts.append(part[:, 0].clip(-LARGEST, LARGEST).astype(np.float32))
         power += float(np.einsum("ij,ij->", part, part)) / part.shape[1]
         left -= len(part)
         if left <= 0:

@@ -32,7 +32,12 @@ MOST_FRAMES = 1 << 40
 
 def write_manifest(path: str | Path, heard: Iterable[Heard]) -> None:
     """Write a manifest in one step; OSError when it cannot be written."""
-    write_whole(path, json.dumps(manifest_of([manifest_entry(one) for one in heard]), indent=1) + "\n")
+    write_whole(path, manifest_text(heard))
+
+
+def manifest_text(heard: Iterable[Heard]) -> str:
+    """Return a manifest as its file holds it."""
+    return json.dumps(manifest_of([manifest_entry(one) for one in heard]), indent=1) + "\n"
 
 
 def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:

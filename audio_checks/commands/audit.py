@@ -4,7 +4,7 @@ import argparse
 import json
 
 from audio_checks import reporters
-from audio_checks.arguments import FOUND, OK, UsageError, add_paths, number_of_jobs
+from audio_checks.arguments import FOUND, OK, UsageError, add_paths, add_run
 from audio_checks.audit.build import audit_build, listen_to
 from audio_checks.audit.heard import Heard
 from audio_checks.audit.manifest import read_manifest
@@ -13,7 +13,7 @@ from audio_checks.audit.statuses import STATUSES
 from audio_checks.audit.words import as_findings, in_words
 from audio_checks.commands.manifest import heard_below
 from audio_checks.discovery import NotThere, audio_files
-from audio_checks.outputs import FORMAT_HELP, Outputs
+from audio_checks.outputs import Outputs
 
 FORMATS = ("text", "json", "junit", "github")
 ALLOWED = tuple(status for status in STATUSES if status != "same")
@@ -32,9 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="what is no drift, such as re-encoded where the engine packs sounds; may be repeated",
     )
-    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
-    parser.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
-    parser.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+    add_run(parser, FORMATS)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -12,20 +12,21 @@ from audio_checks.arguments import (
     OK,
     WRONG,
     UsageError,
+    add_fail_level,
     add_paths,
+    add_run,
     add_spec,
     found_files,
-    number_of_jobs,
+    progress_over,
     spec_for,
 )
 from audio_checks.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_bytes, read_baseline
-from audio_checks.discovery import Found, SpecFinder, dry_stems
+from audio_checks.discovery import SPEC_NAMES, Found, SpecFinder, dry_stems
 from audio_checks.findings import FileReport, Report, printable, with_waivers
-from audio_checks.outputs import FORMAT_HELP, Outputs
-from audio_checks.progress import Progress
+from audio_checks.outputs import Outputs
 from audio_checks.sound_list import read_sound_list
 from audio_checks.spec import DeliverySpec
-from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, say, width
+from audio_checks.terminal import BOLD, GREEN, RED, Ink, in_colour, note, say, width
 from audio_checks.workload import CORES, worth
 
 if TYPE_CHECKING:
@@ -45,7 +46,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--allow-empty", action="store_true", help="no audio at all is no fault")
 
     fails = parser.add_argument_group("what fails")
-    fails.add_argument("--fail-level", choices=("error", "warning"), default="error", help="what makes the exit code 1")
+    add_fail_level(fails, "what makes the exit code 1")
+    fails.add_argument(
+        "--require-spec", action="store_true", help="a file without a delivery spec is an error (exit 2)"
+    )
     fails.add_argument("--baseline", metavar="FILE", help="findings that are let through, as the server exports them")
     fails.add_argument(
         "--add-baseline", action="store_true", help=f"let through what is found now; kept in FILE, or {DEFAULT_NAME}"
@@ -55,12 +59,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     mended.add_argument("--fix", action="store_true", help="names, sizes in headers and zero padding, in place")
     mended.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
 
-    shown = parser.add_argument_group("how it runs, and what is shown")
-    shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
-    shown.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
-    shown.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
-    shown.add_argument("--no-cache", action="store_true", help="judge every file, and remember no verdict")
-    shown.add_argument("--cache-dir", metavar="DIR", help="where verdicts are remembered")
+    kept = parser.add_argument_group("what is remembered")
+    kept.add_argument("--no-cache", action="store_true", help="judge every file, and remember no verdict")
+    kept.add_argument("--cache-dir", metavar="DIR", help="where verdicts are remembered")
+    add_run(parser, FORMATS)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -96,7 +98,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _style(options: argparse.Namespace, *, colour: bool) -> reporters.Style:
     on_terminal = colour and sys.stdout.isatty()
-    return reporters.Style(colour, options.fail_level, width() if on_terminal else None)
+    return reporters.Style(colour, options.fail_level, width() if on_terminal else None, summary=not options.quiet)
 
 
 class _Judging:
@@ -118,6 +120,8 @@ class _Judging:
 
     def tasks(self) -> list["Task"]:
         """Return a task for every file that is meant, and say what is doubtful about the specs."""
+        from audio_checks import runner
+
         options = self._options
         found = found_files(options, may_be_none=options.allow_empty)
         self._spec_of = {one.path: spec_for(one.path, self._finder, options) for one in found}
@@ -129,9 +133,15 @@ class _Judging:
         specs = [self._spec_of[one.path] for one in found]
         self.specs = list({id(spec): spec for spec in specs if spec is not None}.values())
         for warning in dict.fromkeys(f"{spec.name}: {one}" for spec in self.specs for one in spec.warnings):
-            say(warning)
+            note(warning)
         if None in specs:
-            say(f"no delivery spec for {specs.count(None)} of {len(specs)} files: only their structure is judged")
+            without = f"no delivery spec for {specs.count(None)} of {len(specs)} files"
+            if options.require_spec:
+                first = runner.legible(found[specs.index(None)].path)
+                raise UsageError(
+                    f"{without}, {first} the first: name one with --spec, or put {SPEC_NAMES[0]} above them"
+                )
+            note(f"{without}: only their structure is judged")
         return [self._task(one.path, spec) for one, spec in zip(found, specs, strict=True)]
 
     def _task(self, path: str, spec: DeliverySpec | None) -> "Task":
@@ -157,7 +167,7 @@ class _Judging:
             new = [rule for rule in rules if changes.touch(rule)]
             of_all[id(spec)] = bool(new)
             for rule in new:
-                say(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
+                note(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
         touched = [
             one
             for one in found
@@ -165,7 +175,7 @@ class _Judging:
             or any(changes.touch(path) for path in (one.path, self._dry.get(one.path)) if path)
         ]
         if not touched:
-            say(f"nothing to judge: no audio differs from {options.changed_since}")
+            note(f"nothing to judge: no audio differs from {options.changed_since}")
         return touched
 
     def entries(self, tasks: Sequence["Task"]) -> list[FileReport]:
@@ -201,7 +211,7 @@ class _Judging:
         options = self._options
         cache = VerdictCache(options.cache_dir or default_folder(), threads=options.jobs or CORES)
         if options.cache_dir and not cache.usable:
-            say(f"{options.cache_dir}: verdicts cannot be kept there, so every file is judged")
+            note(f"{options.cache_dir}: verdicts cannot be kept there, so every file is judged")
         known = cache.recall(tasks)
         unknown = [task for task, entry in zip(tasks, known, strict=True) if entry is None]
         judged = self._judged(unknown)
@@ -215,7 +225,7 @@ class _Judging:
 
         options = self._options
         jobs = worth([task.path for task in tasks]) if options.jobs is None else options.jobs
-        with Progress(len(tasks), shown=not options.no_progress) as progress:
+        with progress_over(len(tasks), options) as progress:
             return runner.judge(list(tasks), jobs=jobs, done=lambda entry: progress.step(entry.path))
 
 
@@ -261,7 +271,7 @@ def _put_right(changes: Sequence["Change"]) -> tuple[dict[str, str], bool]:
         else:
             done[change.path] = change.new_path
             new_name = [] if change.new_path == change.path else [f"renamed to {legible(Path(change.new_path).name)}"]
-            say(f"{legible(change.path)}: {'; '.join([*new_name, *change.header])}")
+            note(f"{legible(change.path)}: {'; '.join([*new_name, *change.header])}")
     return done, len(done) < len(changes)
 
 
@@ -269,7 +279,7 @@ def _let_through(entries: list[FileReport], options: argparse.Namespace) -> list
     """Write down what was found, so that it counts no more."""
     place = options.baseline or DEFAULT_NAME
     added = add_to_baseline(place, entries)
-    say(f"{place}: {added} findings let through from now on; read it with --baseline {place}")
+    note(f"{place}: {added} findings let through from now on; read it with --baseline {place}")
     waived = read_baseline(place)
     return [with_waivers(entry, waived) for entry in entries]
 
@@ -278,7 +288,7 @@ def _offer_baseline(report: Report, options: argparse.Namespace) -> None:
     """Tell who meets a large tree for the first time how to begin with what is new."""
     failing = sum(_fails(entry, options.fail_level) for entry in report.files)
     if failing >= MANY_FAILING and not options.baseline:
-        say(
+        note(
             f"{_files(failing)} at once is much to mend: with --add-baseline this run lets through what is there"
             " already, and only what is new fails from then on"
         )

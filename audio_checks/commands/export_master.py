@@ -1,14 +1,19 @@
 """`audio-checks export-master`: masters handed out with what is known of them."""
 
 import argparse
-import os
+import json
 from pathlib import Path
+from typing import Any
 
-from audio_checks.arguments import FOUND, OK, UsageError, add_paths, found_files
+from audio_checks.arguments import FOUND, OK, UsageError, add_paths, add_run, found_files, out_folder, progress_over
+from audio_checks.discovery import Found
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.findings import printable
-from audio_checks.sound_list import read_sound_list
+from audio_checks.outputs import Outputs
+from audio_checks.sound_list import SoundList, read_sound_list
 from audio_checks.spec import CueFacts
+
+FORMATS = ("text", "json")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -23,12 +28,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--field", metavar="NAME=TEXT", action="append", default=[], help="one more field of ASWG-G006; may be repeated"
     )
+    add_run(parser, FORMATS, jobs=False)
 
 
 def run(options: argparse.Namespace) -> int:
     """Copy every master with its provenance, and say what was refused."""
     from audio_checks import runner
-    from audio_checks.provenance import Provenance, export_master
 
     fields = {}
     for one in options.field:
@@ -37,30 +42,56 @@ def run(options: argparse.Namespace) -> int:
             raise UsageError(f'--field wants NAME=TEXT, as in catId=GUNAuto, not "{one}"')
         fields[name] = text
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
-    code = OK
-    for one in found_files(options):
-        slot = sound_list.slot_of_file(one.path) if sound_list else None
-        cue = slot[0] if slot else CueFacts("")
-        looped = {"isLoop": "true"} if cue.loop else {}
-        try:
-            provenance = Provenance(
-                project=options.project,
-                studio=options.studio,
-                originator=options.originator,
-                number=cue.number,
-                name=cue.name,
-                notes=cue.more.get("description", ""),
-                made_on=options.made_on,
-                fields=looped | fields,
-            )
-        except ValueError as error:
-            raise UsageError(str(error)) from None
-        out = Path(options.out, Path(one.relative).with_suffix(".wav"))
-        out.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            exported = export_master(one.path, out, provenance)
-            line = "; ".join([os.fspath(exported.path), *exported.left])
-        except (RenderRefused, Unreadable) as error:
-            line, code = f"refused: {error}; {error.fix}", FOUND
-        print(printable(f"{runner.legible(one.path)} -> {line}"))
-    return code
+    outputs, folder = Outputs(options.format, FORMATS), out_folder(options)
+    found = found_files(options)
+    told: list[dict[str, Any]] = []
+    with progress_over(len(found), options) as progress:
+        for one in found:
+            told.append({"master": runner.legible(one.path)} | _exported(one, folder, sound_list, fields, options))
+            progress.step(one.relative)
+    outputs.write(lambda name, _: _as(name, told, quiet=options.quiet))
+    return FOUND if any("refused" in one for one in told) else OK
+
+
+def _exported(
+    one: Found, folder: Path, sound_list: SoundList | None, fields: dict[str, str], options: argparse.Namespace
+) -> dict[str, Any]:
+    """Copy one master, and return what became of it."""
+    from audio_checks import runner
+    from audio_checks.provenance import Provenance, export_master
+
+    slot = sound_list.slot_of_file(one.path) if sound_list else None
+    cue = slot[0] if slot else CueFacts("")
+    looped = {"isLoop": "true"} if cue.loop else {}
+    try:
+        provenance = Provenance(
+            project=options.project,
+            studio=options.studio,
+            originator=options.originator,
+            number=cue.number,
+            name=cue.name,
+            notes=cue.more.get("description", ""),
+            made_on=options.made_on,
+            fields=looped | fields,
+        )
+    except ValueError as error:
+        raise UsageError(str(error)) from None
+    out = folder / Path(one.relative).with_suffix(".wav")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        exported = export_master(one.path, out, provenance)
+    except (RenderRefused, Unreadable) as error:
+        return {"refused": {"code": error.code, "message": str(error), "fix": error.fix}}
+    return {"path": runner.legible(exported.path), "left": list(exported.left)}
+
+
+def _as(name: str, told: list[dict[str, Any]], *, quiet: bool) -> str:
+    if name == "json":
+        return f"{json.dumps({'masters': told}, indent=1)}\n"
+    lines = []
+    for one in told:
+        if refused := one.get("refused"):
+            lines.append(f"{one['master']} -> refused: {refused['message']}; {refused['fix']}")
+        elif one["left"] or not quiet:
+            lines.append(f"{one['master']} -> {'; '.join([one['path'], *one['left']])}")
+    return "".join(f"{printable(line)}\n" for line in lines)

@@ -1,15 +1,15 @@
 """`audio-checks manifest`: write down what approved sounds are known by, for audits of game builds."""
 
 import argparse
+import sys
 from dataclasses import replace
 from pathlib import Path
 
-from audio_checks.arguments import FOUND, OK, add_paths, found_files, number_of_jobs
+from audio_checks.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
 from audio_checks.audit.build import listen_to
 from audio_checks.audit.heard import Heard
-from audio_checks.audit.manifest import write_manifest
+from audio_checks.audit.manifest import manifest_text, write_manifest
 from audio_checks.findings import printable
-from audio_checks.progress import Progress
 from audio_checks.sound_list import SoundList, read_sound_list
 from audio_checks.terminal import say
 from audio_checks.workload import worth
@@ -18,10 +18,9 @@ from audio_checks.workload import worth
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Take folders of approved sounds, and where the manifest goes."""
     add_paths(parser)
-    parser.add_argument("--out", metavar="FILE", required=True, help="where the manifest goes")
+    parser.add_argument("--out", metavar="FILE", required=True, help="where the manifest goes; - is stdout")
     parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list, to name the cue of each file")
-    parser.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
-    parser.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+    add_run(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -32,8 +31,12 @@ def run(options: argparse.Namespace) -> int:
         if one.trouble:
             say(f"{one.path}: left out: {one.trouble}")
     kept = [_with_cue(one, sound_list) for one in heard if not one.trouble]
+    if options.out == "-":
+        sys.stdout.write(manifest_text(kept))
+        return FOUND if len(kept) < len(heard) else OK
     write_manifest(options.out, kept)
-    print(printable(f"{options.out}: {len(kept)} sounds"))
+    if not options.quiet:
+        print(printable(f"{options.out}: {len(kept)} sounds"))
     return FOUND if len(kept) < len(heard) else OK
 
 
@@ -42,7 +45,7 @@ def heard_below(options: argparse.Namespace) -> list[Heard]:
     found = found_files(options)
     jobs = worth([one.path for one in found]) if options.jobs is None else options.jobs
     files = [(one.path, one.relative.replace("\\", "/")) for one in found]
-    with Progress(len(files), shown=not options.no_progress) as progress:
+    with progress_over(len(files), options) as progress:
         return listen_to(files, jobs=jobs, done=lambda one: progress.step(one.path))
 
 

@@ -1,14 +1,18 @@
 """`audio-checks measure`: every figure and judgement, no verdict."""
 
 import argparse
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
 
 from audio_checks import reporters
-from audio_checks.arguments import FOUND, OK, WRONG, add_paths, found_files
+from audio_checks.arguments import FOUND, OK, WRONG, add_paths, add_run, found_files, progress_over
 from audio_checks.errors import Unreadable
 from audio_checks.findings import FileReport
 from audio_checks.loudness_presets import PRESETS
-from audio_checks.outputs import FORMAT_HELP, Outputs
+from audio_checks.outputs import Outputs
 from audio_checks.terminal import say
+from audio_checks.workload import CORES, size_of, worth
 
 FORMATS = reporters.measured_formats()
 KINDS = ("event", "natural-decay", "ambience", "voice", "music")
@@ -32,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="the same sound without reverb, a dry stem or an earlier take, to judge beside",
     )
-    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
+    add_run(parser, FORMATS)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -40,24 +44,79 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks import runner
 
     outputs = Outputs(options.format, FORMATS)
-    entries, code = [], OK
-    for one in found_files(options):
-        shown = runner.legible(one.path)
-        try:
-            entries.append(
-                runner.measure_file(
-                    one.path, category=options.category, kind=options.kind, dry=options.dry, presets=options.preset
-                )
-            )
-        except Unreadable as error:
-            say(f"{shown}: {error}; {error.fix}")
-            entries.append(FileReport(shown, "unreadable", category=options.category))
+    order = _Order(options.category, options.kind, options.dry, tuple(options.preset))
+    tasks = [(one.path, order) for one in found_files(options)]
+    jobs = worth([path for path, _ in tasks]) if options.jobs is None else options.jobs or CORES
+    with progress_over(len(tasks), options) as progress:
+        measured = _measured(tasks, jobs, lambda one: progress.step(one.entry.path))
+    code = OK
+    for one in measured:
+        if one.trouble:
+            say(f"{one.entry.path}: {one.trouble}")
             code = max(code, FOUND)
-        except Exception as error:  # one file's trouble must not cost the others their figures
-            entries.append(runner.broken(shown, error, options.category))
-        for failed in entries[-1].unjudged:
-            say(f"{shown}: unjudged by {failed.check}: {failed.message}; this is a fault of the tool")
+        for failed in one.entry.unjudged:
+            say(f"{one.entry.path}: unjudged by {failed.check}: {failed.message}; this is a fault of the tool")
             code = WRONG
-    report = runner.report_on(entries, [])
+    report = runner.report_on([one.entry for one in measured], [])
     outputs.write(lambda name, colour: reporters.measured_as(name, report, reporters.Style(colour)))
     return code
+
+
+@dataclass(frozen=True)
+class _Order:
+    """What is the same for all files of a run."""
+
+    category: str | None
+    kind: str | None
+    dry: str | None
+    presets: tuple[str, ...]
+
+
+class _Measured(NamedTuple):
+    """The entry of one file, and why it cannot be read."""
+
+    entry: FileReport
+    trouble: str = ""
+
+
+def _measured(tasks: list[tuple[str, _Order]], jobs: int, done: Callable[[_Measured], None]) -> list[_Measured]:
+    if jobs > 1 and len(tasks) > 1:
+        from audio_checks.processes import in_processes  # costs what a single file need not pay
+
+        return in_processes(
+            _measure_all,
+            tasks,
+            workers=min(jobs, len(tasks)),
+            size=lambda task: size_of(task[0]),
+            died=_died,
+            done=done,
+        )
+    measured = []
+    for path, order in tasks:
+        measured.append(_measure(path, order))
+        done(measured[-1])
+    return measured
+
+
+def _measure_all(tasks: list[tuple[str, _Order]]) -> list[_Measured]:
+    return [_measure(path, order) for path, order in tasks]
+
+
+def _measure(path: str, order: _Order) -> _Measured:
+    from audio_checks import runner
+
+    try:
+        return _Measured(
+            runner.measure_file(path, category=order.category, kind=order.kind, dry=order.dry, presets=order.presets)
+        )
+    except Unreadable as error:
+        entry = FileReport(runner.legible(path), "unreadable", category=order.category)
+        return _Measured(entry, f"{error}; {error.fix}")
+    except Exception as error:  # one file's trouble must not cost the others their figures
+        return _Measured(runner.broken(runner.legible(path), error, order.category))
+
+
+def _died(task: tuple[str, _Order], error: BaseException) -> _Measured:
+    from audio_checks import runner
+
+    return _Measured(runner.broken(runner.legible(task[0]), error, task[1].category))

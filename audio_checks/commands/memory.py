@@ -2,14 +2,17 @@
 
 import argparse
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
-from audio_checks.arguments import FOUND, OK, UsageError
+from audio_checks.arguments import FORMAT_HELP, FOUND, OK, UsageError
 from audio_checks.findings import printable
-from audio_checks.memory_budget import MemoryUse, memory_use, sizes_asked_for
+from audio_checks.memory_budget import Memory, MemoryUse, memory_use, sizes_asked_for
+from audio_checks.outputs import Outputs
 from audio_checks.sound_list import read_sound_list
 from audio_checks.spec import load_spec
 
+FORMATS = ("text", "json")
 KIB = 1024
 
 
@@ -18,7 +21,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--spec", metavar="FILE", required=True, help="delivery spec that names targets")
     parser.add_argument("--list", metavar="CSV", dest="sound_list", required=True, help="sound list with durations")
     parser.add_argument("--target", metavar="NAME", action="append", help="only this target; may be repeated")
-    parser.add_argument("--format", choices=("text", "json"), default="text", help="text, or one JSON document")
+    parser.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(FORMATS)))
+    parser.add_argument("-q", "--quiet", action="store_true", help="only the budgets that are exceeded")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -29,15 +33,23 @@ def run(options: argparse.Namespace) -> int:
     if not names:
         raise UsageError(f"{options.spec}: the spec names no targets")
     found = [memory_use(spec, name, sounds) for name in names]
-    if options.format == "json":
-        print(json.dumps({"targets": [one.to_dict() for one in found]}, indent=1))
-    else:
-        for memory in found:
-            print(f"{memory.target}: {_in_words(memory.total)}")
-            for use in memory.categories:
-                print(printable(f"  {use.category or 'no category'}: {_in_words(use)}"))
+    Outputs(options.format, FORMATS).write(
+        lambda name, _: (
+            f"{json.dumps({'targets': [one.to_dict() for one in found]}, indent=1)}\n"
+            if name == "json"
+            else "".join(f"{line}\n" for memory in found for line in _lines(memory, quiet=options.quiet))
+        )
+    )
     uses = [use for memory in found for use in (memory.total, *memory.categories)]
     return FOUND if any((use.over_bytes or 0) > 0 for use in uses) else OK
+
+
+def _lines(memory: Memory, *, quiet: bool) -> Iterator[str]:
+    if not quiet or (memory.total.over_bytes or 0) > 0:
+        yield f"{memory.target}: {_in_words(memory.total)}"
+    for use in memory.categories:
+        if not quiet or (use.over_bytes or 0) > 0:
+            yield printable(f"  {use.category or 'no category'}: {_in_words(use)}")
 
 
 def _in_words(use: MemoryUse) -> str:

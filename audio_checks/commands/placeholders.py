@@ -1,13 +1,34 @@
 """`audio-checks placeholders`: stand-ins for the cues of a sound list that have no take yet."""
 
-import argparse
-from pathlib import Path
+from __future__ import annotations
 
-from audio_checks.arguments import FOUND, OK, UsageError, add_paths, found_files
+import argparse
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from audio_checks.arguments import (
+    FOUND,
+    OK,
+    UsageError,
+    add_paths,
+    add_run,
+    found_files,
+    out_folder,
+    progress_over,
+)
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.findings import printable
+from audio_checks.outputs import Outputs
 from audio_checks.sound_list import parse_file_name, read_sound_list
 from audio_checks.spec import load_spec
+
+if TYPE_CHECKING:
+    from audio_checks.placeholders.make import Placeholder
+
+FORMATS = ("text", "json")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -20,6 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--out", metavar="DIR", required=True, help="where they go")
     parser.add_argument("--no-voice", action="store_true", help="patterns only, even where espeak-ng is installed")
+    add_run(parser, FORMATS, jobs=False)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -34,21 +56,43 @@ def run(options: argparse.Namespace) -> int:
     for target in options.target or ():
         if target not in spec.targets:
             raise UsageError(f'no target "{target}"; targets of the spec: {", ".join(spec.targets) or "none"}')
-    made, code = 0, OK
-    for target in options.target or [None]:
-        folder = Path(options.out, target) if target else Path(options.out)
-        for one in make_placeholders(sound_list, spec, folder, target=target, taken=taken, voice=not options.no_voice):
-            if isinstance(one, RenderRefused):
-                print(printable(f"refused: {one}; {one.fix}"))
-                code = FOUND
-                continue
-            made += 1
+    out, outputs = out_folder(options), Outputs(options.format, FORMATS)
+    names = options.target or [None]
+    told: list[Placeholder | RenderRefused] = []
+    with progress_over(len(names) * len(sound_list.cues), options) as progress:
+        for target in names:
+            folder = out / target if target else out
+            for one in make_placeholders(
+                sound_list, spec, folder, target=target, taken=taken, voice=not options.no_voice
+            ):
+                told.append(one)
+                progress.step("" if isinstance(one, RenderRefused) else str(one.path))
+    outputs.write(lambda name, _: _as(name, told, len(taken), quiet=options.quiet))
+    return FOUND if any(isinstance(one, RenderRefused) for one in told) else OK
+
+
+def _as(name: str, told: Sequence[Placeholder | RenderRefused], taken: int, *, quiet: bool) -> str:
+    made = [one for one in told if not isinstance(one, RenderRefused)]
+    refused = [one for one in told if isinstance(one, RenderRefused)]
+    if name == "json":
+        document = {
+            "placeholders": [{**vars(one), "path": os.fspath(one.path)} for one in made],
+            "refused": [{"code": one.code, "message": str(one), "fix": one.fix} for one in refused],
+            "taken": taken,
+        }
+        return f"{json.dumps(document, indent=1)}\n"
+    lines = []
+    for one in told:
+        if isinstance(one, RenderRefused):
+            lines.append(f"refused: {one}; {one.fix}")
+        elif not quiet:
             what = "spoken" if one.is_spoken else "a pattern"
-            news = "" if one.is_new else ", as before"
-            print(printable(f"{one.number} -> {one.path}: {what}, {one.duration_s:.3f} s{news}"))
-    waiting = "stand-in" if made == 1 else "stand-ins"
-    print(f"{made} {waiting}; {len(taken)} takes need none")
-    return code
+            lines.append(
+                f"{one.number} -> {one.path}: {what}, {one.duration_s:.3f} s{'' if one.is_new else ', as before'}"
+            )
+    if not quiet:
+        lines.append(f"{len(made)} {'stand-in' if len(made) == 1 else 'stand-ins'}; {taken} takes need none")
+    return "".join(f"{printable(line)}\n" for line in lines)
 
 
 def _is_stand_in(path: str) -> bool:

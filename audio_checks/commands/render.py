@@ -1,15 +1,36 @@
 """`audio-checks render`: game files from masters."""
 
+from __future__ import annotations
+
 import argparse
 import json
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from audio_checks.arguments import FOUND, OK, UsageError, add_paths, add_spec, found_files, spec_for
+from audio_checks.arguments import (
+    FOUND,
+    OK,
+    UsageError,
+    add_fail_level,
+    add_paths,
+    add_run,
+    add_spec,
+    found_files,
+    out_folder,
+    progress_over,
+    spec_for,
+)
 from audio_checks.discovery import SpecFinder, without_dry_stems
-from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.findings import printable
+from audio_checks.outputs import Outputs
 from audio_checks.sound_list import read_sound_list
+from audio_checks.workload import worth
+
+if TYPE_CHECKING:
+    from audio_checks.render_files import Outcome
+
+FORMATS = ("text", "json")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -19,21 +40,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--target", metavar="NAME", action="append", help="only this target; may be repeated")
     parser.add_argument("--out", metavar="DIR", required=True, help="renders go to DIR/TARGET/relative path")
     parser.add_argument("--replace", action="store_true", help="let a game file that differs replace an earlier one")
-    parser.add_argument("--format", choices=("text", "json"), default="text", help="text, or the loss reports as JSON")
+    add_fail_level(parser, "what makes the exit code 1: what is refused, or what is made with a warning too")
+    add_run(parser, FORMATS)
 
 
 def run(options: argparse.Namespace) -> int:
     """Render every master to every target, and say what was made or refused."""
     from audio_checks import runner
-    from audio_checks.render_files import RenderRun, in_words
+    from audio_checks.render_files import RenderRun
 
     if options.spec is None:
         raise UsageError("renders are made to the targets of a spec: name it with --spec")
+    outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
     found = without_dry_stems(found_files(options), sound_list)
-    run, code = RenderRun(options.out, replaces=options.replace), OK
-    told: list[dict[str, Any]] = []
+    tasks, targets_of = [], []
     for one in found:
         spec = spec_for(one.path, finder, options)
         targets = options.target or list(spec.targets if spec else ())
@@ -41,17 +63,65 @@ def run(options: argparse.Namespace) -> int:
             raise UsageError(f"{options.spec}: the spec names no targets")
         for target in targets:
             task = runner.task_for(one.path, spec, target=target, category=options.category, sound_list=sound_list)
-            entry: dict[str, Any] = {"master": runner.legible(one.path), "target": target}
-            try:
-                rendered, is_new = run.render(task, one.relative)
-                entry |= {"path": runner.legible(rendered.path), "is_new": is_new, **rendered.to_dict()}
-                line = f"{rendered.path}, {in_words(rendered)}{'' if is_new else '; as before'}"
-            except (RenderRefused, Unreadable) as error:
-                entry["refused"] = {"code": error.code, "message": str(error), "fix": error.fix}
-                line, code = f"refused: {error}; {error.fix}", FOUND
-            told.append(entry)
-            if options.format == "text":
-                print(printable(f"{entry['master']} -> {target}: {line}"))
-    if options.format == "json":
-        print(json.dumps({"renders": told}, indent=1))
-    return code
+            tasks.append((task, one.relative))
+            targets_of.append(target)
+    run = RenderRun(out_folder(options), replaces=options.replace)
+    jobs = worth([task.path for task, _ in tasks]) if options.jobs is None else options.jobs
+    with progress_over(len(tasks), options) as progress:
+        outcomes = run.render_all(
+            tasks, jobs=jobs, done=lambda one: progress.step(str(one.rendered.path if one.rendered else one.refusal))
+        )
+    told = [
+        _Told(runner.legible(task.path), target, outcome)
+        for (task, _), target, outcome in zip(tasks, targets_of, outcomes, strict=True)
+    ]
+    outputs.write(
+        lambda name, _: (
+            f"{json.dumps({'renders': [one.to_dict() for one in told]}, indent=1)}\n"
+            if name == "json"
+            else "".join(f"{printable(one.line)}\n" for one in told if one.is_worth_saying or not options.quiet)
+        )
+    )
+    return FOUND if any(one.fails(options.fail_level) for one in told) else OK
+
+
+@dataclass(frozen=True)
+class _Told:
+    """What is said of one render."""
+
+    master: str
+    target: str
+    outcome: Outcome
+
+    @property
+    def is_worth_saying(self) -> bool:
+        """Whether a quiet run says it: what was refused, or made with a warning."""
+        return self.outcome.rendered is None or bool(self.outcome.rendered.warnings)
+
+    @property
+    def line(self) -> str:
+        """What was made, or why not, in one line."""
+        rendered, refusal = self.outcome.rendered, self.outcome.refusal
+        if rendered is None:
+            return f"{self.master} -> {self.target}: refused: {refusal}; {refusal.fix if refusal else ''}"
+        from audio_checks.render_files import in_words
+
+        same = "" if self.outcome.is_new else "; as before"
+        return f"{self.master} -> {self.target}: {rendered.path}, {in_words(rendered)}{same}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the entry of the JSON document."""
+        from audio_checks.runner import legible
+
+        entry: dict[str, Any] = {"master": self.master, "target": self.target}
+        if (rendered := self.outcome.rendered) is not None:
+            return entry | {"path": legible(rendered.path), "is_new": self.outcome.is_new, **rendered.to_dict()}
+        if (refusal := self.outcome.refusal) is not None:
+            entry["refused"] = {"code": refusal.code, "message": str(refusal), "fix": refusal.fix}
+        return entry
+
+    def fails(self, level: str) -> bool:
+        """Whether this makes the exit code 1."""
+        if self.outcome.rendered is None:
+            return True
+        return level == "warning" and bool(self.outcome.rendered.warnings)

@@ -147,6 +147,7 @@ def _after_ringing(samples: NDArray[np.float64], rate_hz: int) -> float:
     rise = top - int(np.flatnonzero(sizes[:top] <= RING_SHARE * sizes[top])[-1])
     if not _jumps(samples[top::rise], EDGE_SHARE * float(sizes.max())):
         return 0.0
-    turning = float(np.square(np.diff(ring)).sum() / np.square(ring).sum())  # 4 sin²(pi hz / rate) of a tone
+    whole = ring / np.abs(ring).max()  # squares of very small numbers are 0
+    turning = float(np.square(np.diff(whole)).sum() / np.square(whole).sum())  # 4 sin²(pi hz / rate) of a tone
     fast = 2 * math.sin(math.pi * RING_HZ / spread)
     return float(sizes[top]) if turning >= fast**2 else 0.0

@@ -40,7 +40,7 @@ class NoiseFloor:
         self._frames = CELLS * cell_frames
         self._channels = channels
         self._waiting = 0  # cells that fill no step yet
-        self._steps: list[NDArray[np.float32]] = []
+        self._steps: list[NDArray[np.float64]] = []
 
     def add(self, cells: Cells, new: int) -> None:
         """Take the next cells, the last `new` of these; at least BACK others come before them."""
@@ -48,7 +48,7 @@ class NoiseFloor:
         count = fresh.shape[1] // CELLS
         sums = np.empty((self._channels, count))
         kernel.group_sums(fresh, CELLS, sums)
-        self._steps.append((sums / self._frames).astype(np.float32))
+        self._steps.append(sums / self._frames)
         self._waiting = fresh.shape[1] - count * CELLS
 
     def result(self) -> dict[str, Any]:
@@ -61,7 +61,7 @@ class NoiseFloor:
         return {"noise_floor_dbfs": power_decibels(max(floors)) if floors else None}
 
 
-def _floor(steps: NDArray[np.float32]) -> float | None:
+def _floor(steps: NDArray[np.float64]) -> float | None:
     """Return the power of the quietest pause of one channel."""
     if len(steps) < 2 * PAUSE:
         return None
@@ -69,7 +69,7 @@ def _floor(steps: NDArray[np.float32]) -> float | None:
     steps.cumsum(dtype=np.float64, out=sums[1:])
     means = (sums[PAUSE:] - sums[:-PAUSE]) / PAUSE
     quietest = int(means.argmin())
-    pause = steps[quietest : quietest + PAUSE].astype(np.float64)
+    pause = steps[quietest : quietest + PAUSE]
     floor = mean_of(pause)
     if floor * DEEP > means[means.argmax()]:
         return None

@@ -386,7 +386,7 @@ def _stereo(sides: Floats, rows: Rows) -> tuple[Floats, float, float]:
     heard = (left + right).sum(axis=0) > TINY
     totals = (chosen / (chosen[:, :, :2].sum(axis=(1, 2), keepdims=True) + TINY)).mean(axis=0).sum(axis=0)
     power, product = totals[0] + totals[1], 2 * totals[2]
-    side = math.log10(max(0.0, power - product) / (power + product + TINY) + 1e-4)
+    side = math.log10(max(0.0, power - product) / (max(0.0, power + product) + TINY) + 1e-4)
     balance = abs(math.log10((totals[0] + 1e-9) / (totals[1] + 1e-9)))
     return np.where(heard, alike.mean(axis=0), math.nan), side, balance
 

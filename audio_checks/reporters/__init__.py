@@ -17,7 +17,7 @@ from audio_checks.findings import Report
 
 @dataclass(frozen=True)
 class Style:
-    """How a report is shown: coloured or not, the mildest severity that fails, and where lines for people break.
+    """How a report is shown: coloured or not, the mildest severity that fails, where lines for people break, summed up.
 
     Without `columns` no line is broken: whoever searches a log finds a sentence whole.
     """
@@ -25,6 +25,7 @@ class Style:
     colour: bool = False
     fail_level: Severity = "error"
     columns: int | None = None
+    summary: bool = True
 
     @property
     def failing(self) -> tuple[Severity, ...]:

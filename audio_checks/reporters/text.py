@@ -45,7 +45,8 @@ def judged(report: Report, style: Style) -> str:
     ink = Ink(style.colour)
     shown = sorted((entry for entry in report.files if _counting(entry)), key=_badness)
     blocks = ["\n".join(_file(entry, ink, style.columns)) + "\n" for entry in shown]
-    return "\n".join([*blocks, "\n".join(_summary(report, ink)) + "\n"])
+    summary = ["\n".join(_summary(report, ink)) + "\n"] if style.summary else []
+    return "\n".join([*blocks, *summary])
 
 
 def measured(report: Report, style: Style) -> str:

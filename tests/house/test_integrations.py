@@ -8,6 +8,7 @@ import re
 import stat
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -24,6 +25,8 @@ GOOD = sine(hz=997, dbfs=-6, seconds=0.2)
 LOUD = sine(hz=997, dbfs=0.0, seconds=0.2)
 ACTION = yaml.safe_load((ROOT / "action.yml").read_text())
 GITLAB = yaml.safe_load((ROOT / "integrations/gitlab/audio-checks.gitlab-ci.yml").read_text())["audio-checks"]
+WHEELS = yaml.safe_load((ROOT / ".github/workflows/wheels.yml").read_text())
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 HOOKS = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text())
 
 
@@ -102,6 +105,81 @@ class TestAction:
         for step in ACTION["runs"]["steps"]:
             assert "${{" not in step.get("run", ""), step["name"]
 
+    def test_a_sound_without_a_spec_fails_unless_that_is_allowed(self, tree):
+        (tree / "audio-checks.toml").unlink()
+        done, _ = self.run_check(tree, paths="assets/good.wav")
+        assert (done.returncode, "no delivery spec" in done.stderr) == (2, True)
+        done, _ = self.run_check(tree, paths="assets/good.wav", require_spec="false")
+        assert done.returncode == 0, done.stderr
+
+    def test_what_it_installs_is_known_by_hashes(self):
+        (step,) = [step for step in ACTION["runs"]["steps"] if step["name"].startswith("Install")]
+        first, second = step["run"].strip().splitlines()
+        assert '--require-hashes -r "$GITHUB_ACTION_PATH/integrations/requirements.txt"' in first
+        assert "--no-deps --no-build-isolation" in second
+
+
+class TestInstalling:
+    def test_nothing_installs_by_a_name_that_is_on_no_index(self):
+        """Anybody could take the name: pip would fetch theirs."""
+        texts = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("integrations/**/*"), ROOT / "action.yml"]
+        for path in texts:
+            if path.is_file() and path.suffix != ".pyc":
+                found = re.findall(r"pip install[^\n]*\baudio-checks\b(?! @)[^\n]*", path.read_text())
+                assert not found, f"{path}: {found}"
+
+    def test_every_dependency_has_its_hashes(self):
+        text = (ROOT / "integrations/requirements.txt").read_text()
+        entries = re.split(r"^(?=[a-z])", text, flags=re.MULTILINE)[1:]
+        assert all("--hash=sha256:" in one for one in entries)
+        needed = [re.match(r"[a-z]+", one)[0] for one in PROJECT["project"]["dependencies"]]
+        assert {one.partition("==")[0] for one in entries} >= {*needed, "setuptools"}
+
+    def test_their_versions_are_those_that_are_tested(self):
+        constraints = (ROOT / "constraints.txt").read_text().lower()
+        pinned = re.findall(r"^([a-z-]+)==([\w.]+)", (ROOT / "integrations/requirements.txt").read_text(), re.MULTILINE)
+        assert all(f"{name}==" not in constraints or f"{name}=={version}" in constraints for name, version in pinned)
+
+    def test_a_tag_that_is_another_commit_is_not_installed(self, tmp_path):
+        git = ["git", "-C", str(tmp_path / "source"), "-c", "user.name=x", "-c", "user.email=x@example.com"]
+        (tmp_path / "source").mkdir()
+        for command in (["init", "-q"], ["commit", "-q", "--allow-empty", "-m", "x"], ["tag", "v0.1.0"]):
+            assert subprocess.run([*git, *command]).returncode == 0
+        commit = subprocess.run([*git, "rev-parse", "HEAD"], capture_output=True, text=True).stdout.strip()
+        clone, guard, *_ = GITLAB["before_script"]
+        for expected, code in ((commit, 0), ("0" * 40, 1), ("", 1)):
+            place = tmp_path / f"clone of {expected}"
+            done = run_in(
+                tmp_path,
+                ["sh", "-e", "-c", f"{clone}\n{guard}"],
+                AUDIO_CHECKS_REPOSITORY=f"file://{tmp_path}/source",
+                AUDIO_CHECKS_TAG=GITLAB["variables"]["AUDIO_CHECKS_TAG"],
+                AUDIO_CHECKS_COMMIT=expected,
+                AUDIO_CHECKS_SOURCE=str(place),
+            )
+            assert done.returncode == code, done.stderr
+
+    def test_a_release_is_published_by_trusted_publishing(self):
+        publish = WHEELS["jobs"]["publish"]
+        assert publish["permissions"] == {"id-token": "write"}
+        assert set(publish["needs"]) == set(WHEELS["jobs"]) - {"publish"}
+        (step,) = [one for one in publish["steps"] if "gh-action-pypi-publish" in one.get("uses", "")]
+        assert "with" not in step, "no password, no token"
+
+    @pytest.mark.parametrize(("version", "code"), [("0.1.0", 0), ("0.1.1", 1)])
+    def test_a_tag_that_is_not_the_version_is_not_published(self, tmp_path, version, code):
+        (tmp_path / "dist").mkdir()
+        (tmp_path / "dist" / f"audio_checks-{version}-cp311-abi3-win_amd64.whl").touch()
+        (tmp_path / "dist" / f"audio_checks-{version}.tar.gz").touch()
+        (step,) = [one for one in WHEELS["jobs"]["publish"]["steps"] if "run" in one]
+        assert run_in(tmp_path, ["bash", "-e", "-c", step["run"]], GITHUB_REF_NAME="v0.1.0").returncode == code
+
+    def test_the_tag_in_the_documents_is_this_version(self):
+        tag = f"v{PROJECT['project']['version']}"
+        assert GITLAB["variables"]["AUDIO_CHECKS_TAG"] == tag
+        for document in ("README.md", "docs/ci.md"):
+            assert tag in (ROOT / document).read_text()
+
 
 class TestGitLab:
     def run_script(self, folder, **environment):
@@ -140,6 +218,12 @@ class TestPreCommit:
     def test_its_command_judges_the_files_of_a_commit(self, tree, name, code):
         entry = HOOKS[0]["entry"].split()
         assert run_in(tree, [*entry, f"assets/{name}"]).returncode == code
+
+    @pytest.mark.parametrize("hook", HOOKS, ids=lambda hook: hook["id"])
+    def test_a_sound_without_a_spec_is_an_error(self, tree, hook):
+        (tree / "audio-checks.toml").unlink()
+        done = run_in(tree, [*hook["entry"].split(), "assets/good.wav"])
+        assert (done.returncode, "no delivery spec" in done.stderr) == (2, True)
 
     def test_the_other_puts_names_right(self, tree):
         (tree / "assets" / "good.wav").rename(tree / "assets" / "Good One.WAV")

@@ -1,4 +1,4 @@
-"""`audio-checks mend`: copies below a folder, what was done and what is left, and the exit code."""
+"""`audio-checks fix`: copies below a folder, what was done and what is left, and the exit code."""
 
 import io
 import json
@@ -29,7 +29,7 @@ def mend(capsys):
     """Run the command; return its exit code and what it printed."""
 
     def run(*arguments):
-        code = main(["mend", "--spec", "spec.toml", "--out", "out", *map(str, arguments)])
+        code = main(["fix", "--spec", "spec.toml", "--out", "out", *map(str, arguments)])
         captured = capsys.readouterr()
         return code, captured.out, captured.err
 
@@ -108,7 +108,7 @@ def test_two_masters_never_make_one_copy(folder, mend):
 def test_a_master_is_never_replaced(folder, capsys):
     master = write_wav(folder / "in" / "laser.wav", LOUD)
     content = master.read_bytes()
-    assert main(["mend", "--spec", "spec.toml", "--out", "in", "in"]) == 1
+    assert main(["fix", "--spec", "spec.toml", "--out", "in", "in"]) == 1
     assert "replace its master" in capsys.readouterr().out
     assert master.read_bytes() == content
 
@@ -145,7 +145,7 @@ def test_the_list_says_what_loops(folder, mend):
 )
 def test_asked_wrongly(folder, capsys, arguments, told):
     write_wav(folder / "in" / "a.wav", FINE)
-    assert main(["mend", *arguments]) == 2
+    assert main(["fix", *arguments]) == 2
     assert told in capsys.readouterr().err
 
 
