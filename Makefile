@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -61,8 +61,12 @@ false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names
 audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m tests.audio_checks.audit
 
-fuzz: setup  ## Feed the reader a million mutants
+fuzz: setup  ## Feed the reader a million mutants, and everything 200,000 sounds of every shape (SOUNDS=, FIRST=)
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
+	$(BIN)/python -m tests.audio_checks.sound_fuzz --count $(or $(SOUNDS),200000) --first $(or $(FIRST),0)
+
+parity: setup  ## Ask server, command line and Python about 1,000 sounds by 6 specs
+	$(BIN)/python -m tests.app.conformance.parity
 
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks

@@ -61,7 +61,8 @@ bit_depth = 32
 encoding = "float"
 over_peak = "refuse"
 """)
-TOLD_EVERY = 500
+TOLD_EVERY = 100
+TWICE_EVERY = 4  # are also judged by what the checks read alone, as the command line does
 
 
 class Failed(AssertionError):
@@ -101,7 +102,7 @@ def survive(seed: int, *, longest_s: float = 20.0) -> None:
         path = folder / "any_sound.wav"
         content = any_sound(seed, longest_s=longest_s).content
         path.write_bytes(content)
-        _judge(path)
+        _judge(path, twice=seed % TWICE_EVERY == 0)
         _mend(path, folder)
         games = _render_and_draw(path, folder)
         _audit([path, *games])
@@ -109,16 +110,17 @@ def survive(seed: int, *, longest_s: float = 20.0) -> None:
             raise Failed("the master was changed")
 
 
-def _judge(path: Path) -> None:
+def _judge(path: Path, *, twice: bool) -> None:
     entry = audio_checks.check_file(path, EVERYTHING, all_figures=True)
     if entry.verdict in ("unjudged", "unreadable") or entry.unjudged:
         raise Failed(f"{entry.verdict}: {entry.unjudged or entry.findings}")
     dumps(entry.to_dict())
     _ensure_numbers("measurements", entry.measurements)
     _ensure_numbers("judgements", entry.judgements)
-    quick = audio_checks.check_file(path, EVERYTHING)
-    if (quick.verdict, quick.findings) != (entry.verdict, entry.findings):
-        raise Failed(f"measuring everything changes the verdict: {quick.findings} and {entry.findings}")
+    if twice:
+        quick = audio_checks.check_file(path, EVERYTHING)
+        if (quick.verdict, quick.findings) != (entry.verdict, entry.findings):
+            raise Failed(f"measuring everything changes the verdict: {quick.findings} and {entry.findings}")
     for finding in entry.findings:
         if not (finding.message and finding.fix and finding.severity):
             raise Failed(f"a finding without words: {finding}")

@@ -287,3 +287,14 @@ def test_a_file_that_was_closed_is_gone_when_nobody_holds_it(tmp_path):
         assert left() is None
     finally:
         gc.enable()
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+@pytest.mark.parametrize("gain", [1e-300, 1e-44, 1e6, 1e18])
+def test_every_figure_of_numbers_that_only_float_holds(tmp_path, gain):
+    samples = join(silence(seconds=0.1), noise(seconds=0.3, channels=2)[:, :1], silence(seconds=0.2)) * gain
+    with AudioFile(write_wav(tmp_path / "a.wav", samples, bits=64, encoding="float")) as file:
+        figures = file.measurements.to_dict()
+        assert file.errors == {}
+    numbers = [value for value in figures.values() if isinstance(value, float)]
+    assert not [value for value in numbers if np.isnan(value) or value == np.inf]

@@ -27,8 +27,9 @@ LISTED_RATES_HZ = (
 )
 ODD_RATES_HZ = (1_000, 1_001, 3_999, 7_919, 44_056, 47_952, 384_000, 768_000)
 FORMATS = ((8, "pcm"), (16, "pcm"), (24, "pcm"), (32, "pcm"), (32, "float"), (64, "float"))
-CHANNELS, CHANNEL_ODDS = (1, 2, 3, 4, 5, 6, 7, 8), (0.4, 0.4, 0.03, 0.05, 0.02, 0.05, 0.02, 0.03)
+CHANNELS, CHANNEL_ODDS = (1, 2, 3, 4, 5, 6, 7, 8), (0.5, 0.4, 0.02, 0.02, 0.01, 0.02, 0.01, 0.02)
 LONGEST_S = 20.0
+MOST_SHORT_FRAMES = 30_000
 LARGEST_SAMPLES = 1 << 22  # of all channels: 20 s at 96 kHz in stereo
 
 
@@ -67,18 +68,17 @@ def any_sound(seed: int, *, longest_s: float = LONGEST_S) -> AnySound:
 
 
 def _length(rng: np.random.Generator, rate: int, channels: int, longest_s: float) -> int:
+    """Return how many frames; most are few, and up to where most figures begin to have enough to go by."""
     draw = rng.random()
-    if draw < 0.08:
-        return int(rng.integers(1, 65))
     if draw < 0.5:
-        seconds = 10 ** rng.uniform(-3, -0.5)
+        frames = int(MOST_SHORT_FRAMES ** rng.random())
     elif draw < 0.97:
-        seconds = rng.uniform(0.2, 0.8)  # where most figures begin to have enough to go by
-    elif draw < 0.995:
-        seconds = 10 ** rng.uniform(-0.1, 0.6)
+        frames = int(rng.integers(1, MOST_SHORT_FRAMES))
+    elif draw < 0.997:
+        frames = round(rate * 10 ** rng.uniform(-0.3, 0.5))
     else:
-        seconds = 10 ** rng.uniform(0.6, np.log10(LONGEST_S))
-    return max(1, min(round(min(seconds, longest_s) * rate), LARGEST_SAMPLES // channels))
+        frames = round(rate * 10 ** rng.uniform(0.5, np.log10(LONGEST_S)))
+    return max(1, min(frames, round(longest_s * rate), LARGEST_SAMPLES // channels))
 
 
 def _float_gain(rng: np.random.Generator) -> float:
@@ -89,7 +89,7 @@ def _float_gain(rng: np.random.Generator) -> float:
     if draw < 0.85:
         return float(10 ** rng.uniform(0, 6))
     if draw < 0.9:
-        return float(10 ** rng.uniform(6, 37))
+        return float(10 ** rng.uniform(6, 18))
     return float(10 ** rng.uniform(-44, -6))
 
 

@@ -227,3 +227,15 @@ def test_a_manifest_names_cues_and_leaves_out_what_it_cannot_read(folders, sound
     assert "broken.wav: left out" in said
     (entry,) = json.loads(Path("m.json").read_text())["files"]
     assert (entry["path"], entry["cue"], entry["sample_rate_hz"]) == ("door_01.wav", "12", 48_000)
+
+
+def test_approved_sounds_that_are_all_silent(folders, sound, audit):
+    approved, build = folders
+    write_wav(approved / "a.wav", silence())
+    write_wav(build / "a.wav", silence())
+    write_wav(build / "b.wav", sound("bell"))
+    code, entries, _ = audit()
+    assert (code, {path: entry["status"] for path, entry in entries.items()}) == (
+        1,
+        {"a.wav": "same", "b.wav": "unknown"},
+    )

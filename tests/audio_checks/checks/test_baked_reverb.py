@@ -1,5 +1,6 @@
 """`baked-reverb`: a finding only where the spec asks, the verdict is positive, and the list wants no tail."""
 
+import numpy as np
 import pytest
 
 from audio_checks import check_file, figures, parse_spec
@@ -79,3 +80,8 @@ class TestInTheReport:
         assert entry.verdict == "unjudged"
         assert [one.code for one in entry.findings] == ["baked-reverb:crashed"]
         assert [one.check for one in entry.unjudged] == ["baked-reverb"]
+
+
+def test_channels_in_opposite_phase(codes_of):
+    opposite = np.concatenate((WET[:, :1], -WET[:, :1]), axis=1)
+    assert codes_of("baked-reverb", opposite, ADDS) in ([], HEARD)

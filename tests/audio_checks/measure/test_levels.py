@@ -99,3 +99,10 @@ def test_effective_bits(values, container, bits):
     for value in values:
         used |= value << (8 if container == 24 else 0)
     assert effective_bits(used, container) == bits
+
+
+@pytest.mark.parametrize("peak", [1e-200, 1e-300, 5e-324])
+def test_numbers_whose_squares_are_zero_have_no_crest(peak):
+    figures = levels(np.full((100, 1), peak))
+    assert (figures["crest_db"], figures["rms_dbfs"]) == (0.0, -np.inf)
+    assert figures["sample_peak_dbfs"] < -3_900
