@@ -52,7 +52,7 @@ from app.kit.http import (
     problems,
     runtime_of,
 )
-from app.kit.turns import Asking, InOneTurn
+from app.kit.turns import Asking, Authentication, InOneTurn
 from app.settings import Settings
 
 __all__ = [
@@ -88,7 +88,7 @@ def _place_of(request: Request) -> str:
     return request.client.host if request.client else ""
 
 
-class Allowed:
+class Allowed(Authentication):
     """The dependency that an endpoint's policy becomes."""
 
     def __init__(self, policy: Policy) -> None:
@@ -99,6 +99,12 @@ class Allowed:
         return Asking(request, partial(self._who, request, background))
 
     def _who(self, request: Request, background: BackgroundTasks) -> Actor:
+        actor = self.authenticate(request)
+        if actor.token_id is not None and self.policy.sight is not Sight.ANYONE:
+            background.add_task(_note_token_use, database_of(request), actor.token_id)
+        return actor
+
+    def authenticate(self, request: Request) -> Actor:
         """Return who asks, where the policy lets them in at all; services check the project and the role."""
         if self.policy.sight is Sight.ANYONE:
             doors.ensure_our_origin(runtime_of(request).settings, _visit(request))
@@ -114,7 +120,6 @@ class Allowed:
                 raise PersonNeeded("a build's token cannot do this; sign in as a person")
             if self.policy.build not in actor.scopes:
                 raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
-            background.add_task(_note_token_use, database_of(request), actor.token_id)
         come_in(request, actor.reach)
         return actor
 

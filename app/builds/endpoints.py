@@ -40,6 +40,7 @@ from app.builds.schemas import (
     TargetsRead,
 )
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
+from app.kit.bodies import REPORT_BODY_BYTES
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
@@ -296,6 +297,7 @@ def download_sealed_pack(
     status_code=201,
     response_model=BuildSummary,
     responses=problems(ProjectNotFound, TeamNeeded, ReportInvalid),
+    max_body_size=REPORT_BODY_BYTES,
 )
 def post_build(
     project_id: UUID,

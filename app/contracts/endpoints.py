@@ -30,6 +30,7 @@ from app.contracts.rules import ContractState, Party
 from app.contracts.sight import contract_in_sight
 from app.contracts.template_endpoints import attachment, clauses_of
 from app.contracts.text import Block, blocks_of
+from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
@@ -158,6 +159,7 @@ def read_contract(contract_id: UUID, session: DbSession, actor: Actor = allows(S
 @router.put(
     "/contracts/{contract_id}/draft",
     responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftMovedOn, BadDraft),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def save_contract_draft(
     contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -169,7 +171,11 @@ def save_contract_draft(
     return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 
 
-@router.post("/contracts/{contract_id}/preview", responses=problems(ContractNotFound, ProducerNeeded))
+@router.post(
+    "/contracts/{contract_id}/preview",
+    responses=problems(ContractNotFound, ProducerNeeded),
+    max_body_size=LARGE_BODY_BYTES,
+)
 def preview_contract(
     contract_id: UUID, body: schemas.DraftChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
 ) -> schemas.DraftPreview:

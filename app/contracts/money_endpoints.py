@@ -43,6 +43,7 @@ from app.contracts.errors import (
     WorkedDayNotFound,
 )
 from app.contracts.milestones import PlannedCue, PlannedMilestone
+from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.kit.turns import InOneTurn
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
@@ -61,7 +62,9 @@ def read_plan(contract_id: UUID, session: DbSession, actor: Actor = allows(Sight
 
 
 @router.put(
-    "/contracts/{contract_id}/milestones", responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan)
+    "/contracts/{contract_id}/milestones",
+    responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def save_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -84,7 +87,11 @@ def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
     ]
 
 
-@router.post("/contracts/{contract_id}/plan-check", responses=problems(ContractNotFound, ProducerNeeded))
+@router.post(
+    "/contracts/{contract_id}/plan-check",
+    responses=problems(ContractNotFound, ProducerNeeded),
+    max_body_size=LARGE_BODY_BYTES,
+)
 def check_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
 ) -> schemas.PlanChecked:

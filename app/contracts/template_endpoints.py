@@ -14,6 +14,7 @@ from app.contracts import clauses, schemas, templates
 from app.contracts.errors import BadTemplate, ContractNotFound, TemplateNameTaken, TemplateNotFound
 from app.contracts.models import ContractTemplate
 from app.contracts.rules import ContractKind
+from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import DbSession, Route, Router, problems
 from app.projects.errors import ProducerNeeded
 
@@ -88,6 +89,7 @@ def list_contract_templates(
     "/studios/{studio_id}/contract-templates",
     status_code=201,
     responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def add_contract_template(
     studio_id: UUID, body: schemas.TemplateAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -110,6 +112,7 @@ def add_contract_template(
     "/studios/{studio_id}/contract-templates/import",
     status_code=201,
     responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def import_contract_template(
     studio_id: UUID, body: schemas.TemplateImport, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
@@ -132,6 +135,7 @@ def read_contract_template(
 @router.put(
     "/studios/{studio_id}/contract-templates/{template_id}",
     responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound, BadTemplate, TemplateNameTaken),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def change_contract_template(
     studio_id: UUID,

@@ -117,6 +117,7 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE
     "/uploads",
     status_code=201,
     response_class=Response,
+    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra=BINARY_BODY,
     responses=problems(
         BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
@@ -177,6 +178,7 @@ def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tu
     "/uploads/{upload_id}",
     status_code=204,
     response_class=Response,
+    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra=BINARY_BODY,
     responses=problems(
         BadUploadHeader, ChecksumMismatch, OffsetMismatch, SentInParts, StoreFull, StoreUnavailable,
@@ -251,6 +253,7 @@ def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) 
     "/uploads",
     status_code=201,
     response_model=UploadRead,
+    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra={
         "requestBody": {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}}
     },

@@ -27,6 +27,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import clock, kill, metrics
+from app.kit.bodies import BodyTooLarge, BodyTooSlow
 from app.kit.db import Base, Database, is_away, is_crossed, new_id
 from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
@@ -161,9 +162,9 @@ BackSession = Annotated[Session, Depends(_back_session)]  # of what an upload be
 class Route(InOneTurn):
     """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
 
-    async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+    async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
-        await _once(super().handle)(scope, receive, send)
+        await _once(super().answer)(scope, receive, send)
 
 
 class Router(APIRouter):
@@ -325,12 +326,19 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
         wait_s = AWAY_RETRY_S if error.status == 503 else error.retry_after_s
         if wait_s is not None:
             answer.headers["Retry-After"] = str(wait_s)
+        if isinstance(error, BodyTooLarge | BodyTooSlow):
+            answer.headers["Connection"] = "close"  # the rest is not read
         return answer
 
     @app.exception_handler(RequestValidationError)
     def _invalid(request: Request, error: RequestValidationError) -> JSONResponse:
         errors: list[FieldProblem] = [
-            {"where": ".".join(str(part) for part in e["loc"] if part != "body"), "message": _in_words(e)}
+            {
+                "where": ""
+                if e["type"] == "json_invalid"
+                else ".".join(str(part) for part in e["loc"] if part != "body"),
+                "message": _in_words(e),
+            }
             for e in error.errors()
         ]
         detail = "; ".join(f"{e['where']}: {e['message']}" if e["where"] else e["message"] for e in errors[:5])
@@ -432,6 +440,10 @@ def _in_words(error: Any) -> str:
             return "this must not be empty" if not given else f"at least {limits['min_length']} characters are wanted"
         case "string_too_long":
             return f"this has {len(given)} characters; at most {limits['max_length']} are taken"
+        case "json_invalid" if limits["error"].startswith("recursion"):
+            return "this is nested deeper than 200 levels"
+        case "json_invalid":
+            return f"this is no JSON: {limits['error']}"
         case "uuid_parsing" | "uuid_type":
             return "this is no id"
         case "enum" | "literal_error":

@@ -14,6 +14,7 @@ from starlette.datastructures import MutableHeaders
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.kit.connections import BoundedHttpProtocol
 from app.kit.handshakes import stop_handshakes
 
 READY = "/readyz"
@@ -37,6 +38,7 @@ def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: i
     config = uvicorn.Config(
         _Leaving(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,
         server_header=False, timeout_graceful_shutdown=finish_s, timeout_keep_alive=IDLE_LINE_S,
+        http=BoundedHttpProtocol, ws="none",
     )  # fmt: skip
     server = _Server(config, stopping, drain_s)
     with contextlib.suppress(KeyboardInterrupt):  # the signal that ended it, raised once more

@@ -6,20 +6,33 @@ made where every other request waits for it.
 
 import functools
 import inspect
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Coroutine
 from contextlib import AbstractAsyncContextManager, AbstractContextManager
 from typing import Any
 
 from fastapi import Request, Response
+from fastapi.dependencies.models import Dependant
 from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
+from starlette.types import Receive, Scope, Send
 
+from app.kit import bodies
 from app.kit.errors import Refused
 from app.kit.seats import Crowded
 
 OK = 200
+
+
+class Authentication(ABC):
+    """A dependency that says who asks, which a route may also ask before it reads a large body."""
+
+    @abstractmethod
+    def authenticate(self, request: Request) -> Any:
+        """Return who asks, or raise what the policy says."""
 
 
 class Asking:
@@ -52,10 +65,35 @@ class Pending:
 
 
 class InOneTurn(APIRoute):
-    """A route whose endpoint has one thread, and whose answer leaves once its transaction is committed."""
+    """A route whose endpoint has one thread, and whose answer leaves once its transaction is committed.
 
-    def __init__(self, path: str, endpoint: Callable[..., Any], **more: Any) -> None:
+    `max_body_size` is held here and not by FastAPI, whose answer would say neither number.
+    """
+
+    def __init__(
+        self, path: str, endpoint: Callable[..., Any], *, max_body_size: int | None = None, **more: Any
+    ) -> None:
         super().__init__(path, self._in_one_turn(endpoint), **more)
+        self.body_limit = bodies.SMALL_BODY_BYTES if max_body_size is None else max_body_size
+        self.authentication = _authentication_of(self.dependant)
+
+    async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request whose body is within the limit; read a large one only once it is known who sends it."""
+        if (length := bodies.content_length(scope)) != 0:
+            receive = await self._bounded(scope, receive, length)
+        await self.answer(scope, receive, send)
+
+    async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request whose body is bounded."""
+        await super().handle(scope, receive, send)
+
+    async def _bounded(self, scope: Scope, receive: Receive, length: int | None) -> Receive:
+        bodies.ensure_fits(length, self.body_limit)
+        if self.body_field is None:
+            return bodies.counted(receive, self.body_limit)
+        if self.body_limit > bodies.SMALL_BODY_BYTES and self.authentication is not None:
+            await run_in_threadpool(self.authentication.authenticate, Request(scope))
+        return await bodies.read_whole(receive, length, self.body_limit)
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Let no answer out before it is known who asks, not even what is wrong with what was sent."""
@@ -63,12 +101,16 @@ class InOneTurn(APIRoute):
 
         async def handle_in_turn(request: Request) -> Response:
             try:
-                answer = await handle(request)
+                answer = await handle(bodies.JsonRequest(request.scope, request.receive))
             except Crowded:
                 raise
-            except (RequestValidationError, Refused):
+            except (RequestValidationError, HTTPException, Refused) as error:
                 if (asking := _unasked(request)) is not None:
                     await run_in_threadpool(asking)
+                elif self.authentication is not None and not hasattr(request.state, "asking"):  # the body is no JSON
+                    await run_in_threadpool(self.authentication.authenticate, request)
+                if isinstance(error.__cause__, Refused):  # of the body, as FastAPI passes it on
+                    raise error.__cause__ from None
                 raise
             if _unasked(request) is not None:
                 raise AssertionError(f"{self.name} never looked who asks")
@@ -118,3 +160,12 @@ class InOneTurn(APIRoute):
 def _unasked(request: Request) -> Asking | None:
     asking: Asking | None = getattr(request.state, "asking", None)
     return None if asking is None or asking.has_looked else asking
+
+
+def _authentication_of(dependant: Dependant) -> Authentication | None:
+    for dependency in dependant.dependencies:
+        if isinstance(dependency.call, Authentication):
+            return dependency.call
+        if (found := _authentication_of(dependency)) is not None:
+            return found
+    return None

@@ -28,6 +28,7 @@ from app.accounts.errors import (
 from app.accounts.models import Person, Token
 from app.accounts.rules import Actor, Scope, Sight
 from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
+from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Router, cursor_of, problems, uuid_cursor
 from app.projects import engagements, queries, schemas, service, specs
 from app.projects.errors import (
@@ -252,7 +253,11 @@ def read_spec_version(
     return _spec(service.spec_version(session, actor, project_id, version))
 
 
-@router.put("/projects/{project_id}/spec", responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec))
+@router.put(
+    "/projects/{project_id}/spec",
+    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec),
+    max_body_size=LARGE_BODY_BYTES,
+)
 def save_spec(
     project_id: UUID, body: schemas.SpecChange, session: DbSession, actor: Actor = allows(Sight.TEAM)
 ) -> schemas.SpecRead:
@@ -264,7 +269,11 @@ def save_spec(
     )
 
 
-@router.post("/projects/{project_id}/spec/form", responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec))
+@router.post(
+    "/projects/{project_id}/spec/form",
+    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec),
+    max_body_size=LARGE_BODY_BYTES,
+)
 def save_spec_form(
     project_id: UUID, body: schemas.SpecFormChange, session: DbSession, actor: Actor = allows(Sight.TEAM)
 ) -> schemas.SpecRead:
@@ -275,7 +284,11 @@ def save_spec_form(
     )
 
 
-@router.post("/projects/{project_id}/spec/check-toml", responses=problems(ProjectNotFound, BadSpec))
+@router.post(
+    "/projects/{project_id}/spec/check-toml",
+    responses=problems(ProjectNotFound, BadSpec),
+    max_body_size=LARGE_BODY_BYTES,
+)
 def try_spec(
     project_id: UUID, body: schemas.SpecTry, session: DbSession, actor: Actor = allows(Sight.PROJECT)
 ) -> schemas.SpecTried:

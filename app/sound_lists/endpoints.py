@@ -10,6 +10,7 @@ from fastapi import Query, Response
 from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
+from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
@@ -100,6 +101,7 @@ def export_sound_list(
     status_code=201,
     response_model=list[CueRead],
     responses=problems(ProjectNotFound, TeamNeeded, RowsInvalid),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def add_cues(project_id: UUID, body: CuesAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> list[CueRead]:
     """Add typed rows to the end of the list: all of them, or none."""
@@ -161,6 +163,7 @@ def _changed(
     "/projects/{project_id}/cues/order",
     status_code=204,
     responses=problems(ProjectNotFound, TeamNeeded, OrderInvalid),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> None:
     """Put cues in another order; those left out keep their places."""
@@ -171,6 +174,7 @@ def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Acto
     "/projects/{project_id}/sound-list/import",
     response_model=ImportRead,
     responses=problems(ProjectNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown),
+    max_body_size=LARGE_BODY_BYTES,
 )
 def import_sound_list(
     project_id: UUID, body: ImportAsk, session: DbSession, actor: Actor = allows(Sight.TEAM)

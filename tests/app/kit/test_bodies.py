@@ -1,0 +1,245 @@
+"""What a request may send, over real sockets: heads and bodies that are too large, too slow, or not what they say."""
+
+import json
+import socket
+import time
+import tracemalloc
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+
+from app import rooms
+from app.accounts.endpoints import policy_of
+from app.accounts.rules import Sight
+from app.kit import bodies, connections
+from app.kit.bodies import SMALL_BODY_BYTES
+from app.kit.turns import InOneTurn
+from tests.house.routes import api_routes
+from tests.support.listening import listening
+from tests.support.server import RunningServer, World
+
+KIB, MIB = 1 << 10, 1 << 20
+
+
+@pytest.fixture(scope="module")
+def port(server: RunningServer) -> Iterator[int]:
+    with listening(server.application, lifespan="off", http=connections.BoundedHttpProtocol, ws="none") as port:
+        yield port
+
+
+@contextmanager
+def connected(port: int) -> Iterator[socket.socket]:
+    with socket.create_connection(("127.0.0.1", port), timeout=10) as line:
+        yield line
+
+
+def head(method: str, path: str, *headers: str) -> bytes:
+    return "\r\n".join([f"{method} {path} HTTP/1.1", "Host: 127.0.0.1:8000", *headers, "", ""]).encode()
+
+
+def answer_on(line: socket.socket) -> tuple[int, Any, bytes]:
+    """Return status, problem and head of all that comes until the server closes."""
+    came = b""
+    try:
+        while piece := line.recv(65_536):
+            came += piece
+    except ConnectionResetError:
+        pass
+    first, _, body = came.partition(b"\r\n\r\n")
+    return int(first.split()[1]) if first else 0, json.loads(body) if body.startswith(b"{") else None, first.lower()
+
+
+JSON = "Content-Type: application/json"
+TOO_LARGE = "this request may have 256 KiB; this one has "
+
+
+def test_a_body_that_announces_too_much_is_refused_unread(port: int):
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, f"Content-Length: {60 * MIB}") + b'{"email": "')
+        status, problem, first = answer_on(line)
+    assert (status, problem["code"]) == (413, "body-too-large")
+    assert problem["detail"] == f"{TOO_LARGE}60 MiB"
+    assert b"connection: close" in first
+
+
+def test_a_body_without_a_length_is_counted(port: int):
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, "Transfer-Encoding: chunked"))
+        try:
+            for _ in range(64):
+                line.sendall(b"%x\r\n%s\r\n" % (64 * KIB, b" " * 64 * KIB))
+        except OSError:
+            pytest.fail("the line was cut before the answer could be read")
+        status, problem, _ = answer_on(line)
+    assert (status, problem["detail"]) == (413, f"{TOO_LARGE}more")
+
+
+def test_whoever_waits_to_be_told_to_send_is_told_not_to(port: int):
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, f"Content-Length: {MIB}", "Expect: 100-continue"))
+        status, _, first = answer_on(line)
+    assert (status, b"100 continue" in first) == (413, False)
+
+
+def test_a_stranger_is_turned_away_before_a_large_body_is_read(port: int, world: World):
+    path = f"/v1/projects/{world.project_id}/sound-list/import"
+    with connected(port) as line:
+        line.sendall(
+            head("POST", path, JSON, f"Content-Length: {4 * MIB}", "Expect: 100-continue", "Connection: close")
+        )
+        status, problem, first = answer_on(line)
+    assert (status, problem["code"], b"100 continue" in first) == (401, "not-signed-in", False)
+
+
+def test_a_large_sheet_of_somebody_known_is_read(world: World):
+    body = {"format": "csv", "text": "name\n" + "Radar ping\n" * 100_000, "dry_run": True}
+    answer = world.producer.post(f"/v1/projects/{world.project_id}/sound-list/import", json=body)
+    assert answer.status_code != 413
+    assert len(json.dumps(body)) > MIB
+
+
+def test_nobody_unknown_may_send_more_than_the_default():
+    routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
+    large = [route for route in routes if isinstance(route, InOneTurn) and route.body_limit > SMALL_BODY_BYTES]
+    assert len(large) > 10
+    for route in large:
+        policy = policy_of(route.endpoint, route.dependant.dependencies)
+        assert policy is not None
+        assert policy.sight is not Sight.ANYONE, route.name
+        assert route.authentication is not None, route.name
+
+
+def test_a_refused_body_costs_no_more_than_the_limit(port: int):
+    much = b" " * 200 * MIB
+    tracemalloc.start()
+    try:
+        with connected(port) as line:
+            line.sendall(head("POST", "/v1/sign-in", JSON, f"Content-Length: {200 * MIB}"))
+            with pytest.raises(OSError):  # noqa: PT011  a reset or a broken pipe: the line is cut
+                line.sendall(much)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 4 * MIB
+
+
+def test_a_body_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(bodies, "FIRST_S", 0.3)
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, "Content-Length: 100"))
+        begun = time.monotonic()
+        for _ in range(4):
+            line.sendall(b" ")
+            time.sleep(0.05)
+        status, problem, first = answer_on(line)
+    assert (status, problem["code"]) == (408, "body-too-slow")
+    assert time.monotonic() - begun < 5
+    assert b"connection: close" in first
+
+
+@pytest.mark.parametrize("sent", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "])
+def test_a_head_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch, sent: bytes):
+    monkeypatch.setattr(connections, "HEAD_S", 0.3)
+    with connected(port) as line:
+        for byte in sent:
+            line.sendall(bytes([byte]))
+        begun = time.monotonic()
+        status, problem, _ = answer_on(line)
+    assert status == (408 if sent else 0)
+    assert not sent or problem["code"] == "request-timeout"
+    assert time.monotonic() - begun < 5
+
+
+def test_the_second_head_on_a_line_may_not_trickle_either(port: int, monkeypatch: pytest.MonkeyPatch):
+    with connected(port) as line:
+        line.sendall(head("GET", "/healthz"))
+        assert b"200 OK" in line.recv(65_536)
+        monkeypatch.setattr(connections, "HEAD_S", 0.3)
+        line.sendall(b"GET /hea")
+        assert answer_on(line)[0] == 408
+
+
+@pytest.mark.parametrize(
+    ("request_head", "status", "code"),
+    [
+        (head("GET", "/" + "a" * 20_000), 414, "request-uri-too-long"),
+        (head("GET", "/", f"X-Much: {'a' * 70_000}"), 431, "request-header-fields-too-large"),
+        (head("GET", "/", *[f"X-{number}: a" for number in range(200)]), 431, "request-header-fields-too-large"),
+        (head("GET", "/", *[f"X-{number}: {'a' * 1_000}" for number in range(80)]), 431, None),
+        (b"GET / HTTP/1.1\r\nX-Endless: " + b"a" * 200_000, 431, None),
+        (b"this is no HTTP\r\n\r\n", 400, "bad-request"),
+        (head("POST", "/v1/sign-in", "Content-Length: 5", "Transfer-Encoding: chunked"), 400, "bad-request"),
+        (head("POST", "/v1/sign-in", "Content-Length: -5"), 400, "bad-request"),
+        (head("POST", "/v1/sign-in", f"Content-Length: {'9' * 30}"), 400, "bad-request"),
+    ],
+)
+def test_a_head_beyond_the_limits_is_refused_in_words(port: int, request_head: bytes, status: int, code: str | None):
+    with connected(port) as line:
+        line.sendall(request_head)
+        found, problem, first = answer_on(line)
+    assert found == status
+    assert code is None or problem["code"] == code
+    assert b"application/problem+json" in first
+
+
+def test_a_body_shorter_than_it_says_hurts_nobody(port: int):
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, "Content-Length: 100") + b"{}")
+        line.shutdown(socket.SHUT_WR)
+        answer_on(line)
+    with connected(port) as line:
+        line.sendall(head("GET", "/healthz", "Connection: close"))
+        assert answer_on(line)[0] == 200
+
+
+def test_what_follows_a_body_is_no_second_request(port: int):
+    body = b"{}"
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/sign-in", JSON, "Content-Length: 2") + body + b"garbage\r\n\r\n")
+        status, _, _ = answer_on(line)
+    assert status in (0, 400, 422)  # cut, at the latest once the first was answered
+
+
+def test_a_line_is_kept_where_a_small_body_was_not_wanted(port: int):
+    with connected(port) as line:
+        for _ in range(2):
+            line.sendall(head("GET", "/healthz", "Content-Length: 5"))
+            assert b"200 OK" in line.recv(65_536)
+            time.sleep(0.05)
+            line.sendall(b"12345")
+        line.sendall(head("GET", "/healthz", "Connection: close"))
+        assert answer_on(line)[0] == 200
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        (b"[" * 250_000, "nested"),
+        (b'{"email": ' * 20_000, "nested"),
+        (b'{"email": "a\\u0000b", "password": "x"}', "email: the character U+0000 cannot be stored"),
+        (b'{"email": "\\ud800", "password": "x"}', "hex escape"),
+        (b'{"email": 9999999999999999999, "password": "x"}', "email: a whole number may be 9007199254740991"),
+        (b'{"email": 1e999, "password": "x"}', "email: a number may be 1.8e308"),
+        (b'{"email": NaN}', "JSON"),
+        (b"\xff\xfe", "JSON"),
+    ],
+)
+def test_json_beyond_its_limits_is_refused_in_words(server: RunningServer, body: bytes, words: str):
+    answer = server.browser().post("/v1/sign-in", content=body, headers={"Content-Type": "application/json"})
+    assert (answer.status_code, words in answer.json()["detail"]) == (422, True), answer.text
+
+
+def test_a_backslash_before_u0000_is_text():
+    assert bodies.read_json(b'["\\\\u0000"]') == ["\\u0000"]
+
+
+def test_an_upload_may_not_send_more_than_any_file_has(world: World):
+    answer = world.designer.put(
+        "/v1/uploads",
+        params={"delivery_id": str(world.project_id), "file_name": "a.wav"},
+        headers={"Content-Length": str(5 << 30)},
+        content=b"",
+    )
+    assert answer.json()["detail"] == "this request may have 4 GiB; this one has 5 GiB"
