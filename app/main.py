@@ -8,29 +8,20 @@ from pathlib import Path
 import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
-from starlette.datastructures import MutableHeaders
 from starlette.staticfiles import StaticFiles
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import rooms
 from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
 from app.kit import events, health, http
+from app.kit.response_headers import WithResponseHeaders, security_headers
 from app.kit.runtime import Runtime
+from app.kit.saved_answers import forget_old_answers
 from app.kit.uploads import Uploads
 from app.migrate import ensure_at_head
+from app.projects.queries import rights_of
 
 SWEEP_EVERY_S = 3600.0
 log = structlog.get_logger(__name__)
-
-
-def content_security_policy(store_origin: str | None) -> str:
-    """Return what the page may load; from the store, if browsers are sent there, sounds and nothing else."""
-    store = f" {store_origin}" if store_origin else ""
-    return (
-        f"default-src 'self'; connect-src 'self'{store}; img-src 'self' data: blob:; media-src 'self' blob:{store}; "
-        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'; "
-        "form-action 'self'"
-    )
 
 
 def create_app(runtime: Runtime) -> FastAPI:
@@ -38,7 +29,7 @@ def create_app(runtime: Runtime) -> FastAPI:
 
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
-        sweeping = asyncio.create_task(_sweep_uploads(runtime))
+        sweeping = asyncio.create_task(_sweep(runtime))
         yield
         sweeping.cancel()
         runtime.close()
@@ -48,7 +39,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         version="1",
         description="Sound lists, deliveries, reviews and packs; one spec and one verdict everywhere.",
         openapi_url="/v1/openapi.json",
-        docs_url="/docs",
+        docs_url=None,  # the frontend's docs/index.html, which loads nothing from elsewhere
         redoc_url=None,
         lifespan=lifespan,
         generate_unique_id_function=lambda route: route.name,
@@ -56,43 +47,26 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.runtime = runtime
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
-    http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE))
+    http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
-    app.add_middleware(_WithSecurityHeaders, policy=content_security_policy(runtime.store.public_origin))
+    headers = security_headers(runtime.store.public_origin, is_https=runtime.settings.is_https)
+    app.state.security_headers = headers
+    app.add_middleware(WithResponseHeaders, headers=headers)
     _serve_frontend(app, runtime.settings.frontend_dir)
     return app
 
 
-async def _sweep_uploads(runtime: Runtime) -> None:
-    """Clear away, now and then, what was left unfinished on this process's own disk, which no worker may see."""
+async def _sweep(runtime: Runtime) -> None:
+    """Clear away, now and then, old answers, and what was left unfinished on this process's own disk."""
     while True:
         await asyncio.sleep(SWEEP_EVERY_S)
         try:
             await asyncio.to_thread(Uploads(runtime.database, runtime.store).sweep)
+            await asyncio.to_thread(forget_old_answers, runtime.database)
         except Exception:
-            log.exception("uploads could not be swept")
-
-
-class _WithSecurityHeaders:
-    """Tells browsers what a page of ours may load and do."""
-
-    def __init__(self, app: ASGIApp, policy: str) -> None:
-        self._app = app
-        self._policy = policy
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        async def say(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                headers.setdefault("X-Content-Type-Options", "nosniff")
-                headers.setdefault("Referrer-Policy", "same-origin")
-                if not scope["path"].startswith("/docs"):
-                    headers.setdefault("Content-Security-Policy", self._policy)
-            await send(message)
-
-        await self._app(scope, receive, say)
+            log.exception("old uploads and answers could not be cleared away")
 
 
 def _serve_frontend(app: FastAPI, folder: Path) -> None:
@@ -104,8 +78,20 @@ def _serve_frontend(app: FastAPI, folder: Path) -> None:
         """Answer every address that is not the API's with the one page, which routes by itself."""
         if path.startswith("v1/") or not (folder / "index.html").is_file():
             detail = f"nothing is at /{path}" if path.startswith("v1/") else "the frontend is not built; run make"
-            return JSONResponse({"title": "Not found", "status": 404, "code": "not-found", "detail": detail}, 404)
-        named = (folder / path).resolve()
-        if path and named.is_file() and named.is_relative_to(folder.resolve()):
+            problem = {"title": "Not found", "status": 404, "code": "not-found", "detail": detail}
+            return JSONResponse(problem, 404, media_type=http.PROBLEM_TYPE)
+        named = _file_in(folder, path)
+        if named is not None:
             return FileResponse(named)
-        return FileResponse(folder / "index.html", headers={"Cache-Control": "no-cache"})
+        return FileResponse(folder / "index.html")
+
+
+def _file_in(folder: Path, path: str) -> Path | None:
+    """Return the file of the frontend at this address; None where there is none, or it lies outside."""
+    try:
+        named = (folder / path).resolve()
+        if path and (named / "index.html").is_file():
+            named /= "index.html"
+        return named if path and named.is_file() and named.is_relative_to(folder.resolve()) else None
+    except (OSError, ValueError):  # a name that no file system takes
+        return None

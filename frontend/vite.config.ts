@@ -12,12 +12,18 @@ export default defineConfig({
     host: '127.0.0.1',
     port: 5173,
     // As objects: the short form would change the Host, and the server takes writes from its own page only.
-    proxy: { '/v1': { target: server }, '/docs': { target: server } },
+    proxy: { '/v1': { target: server } },
     // The checks' pages lie beside the frontend, in docs/checks.
     fs: { allow: ['..'] },
   },
   preview: { host: '127.0.0.1', port: 4173 },
-  build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    // The application, and the API's documentation at /docs.
+    rollupOptions: { input: ['index.html', 'docs/index.html'] },
+  },
   test: {
     environment: 'jsdom',
     include: ['src/**/*.test.{ts,tsx}'],

@@ -76,7 +76,7 @@ def ensure_our_origin(settings: Settings, visit: Visit) -> None:
     origin = visit.headers.get("origin")
     if visit.method in SAFE_METHODS or origin is None or origin == _origin_of(settings.base_url):
         return
-    if urlsplit(origin).netloc != visit.headers.get("host"):
+    if _host_of(origin) != visit.headers.get("host"):
         raise CsrfMismatch("this request did not come from our page; open Soundlist itself and try again")
 
 
@@ -115,7 +115,14 @@ def _ensure_our_page(settings: Settings, visit: Visit, secret: str) -> None:
 
 def _without_port(host: str) -> str:
     name, _, port = host.lower().rpartition(":")
-    return name if name and port.isdigit() else host.lower()
+    return name if name and port.isdecimal() else host.lower()
+
+
+def _host_of(origin: str) -> str | None:
+    try:
+        return urlsplit(origin).netloc
+    except ValueError:  # a bracket without its pair
+        return None
 
 
 def _origin_of(address: str) -> str:

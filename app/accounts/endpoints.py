@@ -291,6 +291,7 @@ def sign_out(request: Request, response: Response, session: DbSession, _actor: A
     people.end_sign_in(session, request.cookies.get(SESSION_COOKIE, ""))
     for cookie in (SESSION_COOKIE, doors.CSRF_COOKIE):
         response.delete_cookie(cookie, samesite="lax")
+    response.headers["Clear-Site-Data"] = '"cache", "storage"'
 
 
 @_secret_router.post("/password-resets", status_code=202, responses=problems(TooManyTries))

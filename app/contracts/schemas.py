@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, StringConstraints
 
 from app.accounts.schemas import Line, PersonBrief, Prose
 from app.contracts.rules import ContractKind, ContractState, Party, ReleaseClause
-from app.kit.http import Schema
+from app.kit.http import LARGEST_NUMBER, Schema
 
 Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
 BasisPoints = Annotated[int, Field(ge=0, le=10_000)]
@@ -142,7 +142,7 @@ class DraftSave(DraftChange):
     """The draft to save, and the version that it was made from."""
 
     note: Prose = ""
-    based_on_version: int = Field(ge=1)
+    based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
 
 
 class SpanRead(Schema):

@@ -17,13 +17,12 @@ from app.dashboards.standing import counted, preview_url, status_of
 from app.dashboards.standing_queries import LikeCues, ListRow
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.http import Page, cursor_of, instant_cursor
+from app.kit.http import Page, cursor_of, instant_cursor, place_cursor
 from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.projects.service import standing_in
 from app.reviews.silence import last_days
 from app.sound_lists.models import Cue
-from app.sound_lists.service import place_in
 
 UNFINISHED = frozenset(
     {CueStatus.TO_MAKE, CueStatus.PLACEHOLDER, CueStatus.QUESTION, CueStatus.PARTLY_ACCEPTED}
@@ -111,7 +110,7 @@ class Desk:
     ) -> tuple[list[ListRow], str | None]:
         """Walk the list from a place in it until a page of cues is found that stand so."""
         found: list[ListRow] = []
-        after = place_in(cursor)
+        after = place_cursor(cursor)
         while len(found) <= CUES:
             stretch = standing_queries.list_rows(
                 self._session, self._project.id, self._designer_id, after=after, limit=STRETCH, only=only

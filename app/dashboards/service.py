@@ -19,6 +19,7 @@ from app.dashboards.rules import CueStatus
 from app.dashboards.standing import counted, preview_url, status_of, viewer_of, worst_in
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
+from app.kit.http import number_in
 from app.projects.models import Project
 from app.projects.queries import deciders_of
 from app.projects.service import Standing, nda_is_open, standing_in
@@ -192,7 +193,8 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
         schemas.Found(kind="cue", cue=brief(project, cue), text=cue.use or cue.description, take_id=None)
         for cue in _by_nearness(queries.find_cues(session, project_id, words), typed)
     ]
-    if number.isdigit() and (cue := queries.cue_by_number(session, project_id, int(number))):
+    cue_number = number_in(number)
+    if cue_number is not None and (cue := queries.cue_by_number(session, project_id, cue_number)):
         hits.insert(0, schemas.Found(kind="cue", cue=brief(project, cue), text=cue.use, take_id=None))
     if len(hits) >= queries.HITS:
         return schemas.FindResult(hits=hits[: queries.HITS])

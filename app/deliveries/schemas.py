@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Field
 
 from app.accounts.schemas import PersonBrief, Prose
 from app.deliveries.rules import ArchiveState, TakeState, shown_name
-from app.kit.http import Schema
+from app.kit.http import Schema, Whole
 
 GivenName = Annotated[str, Field(min_length=1, max_length=100_000, description="Never used as a path.")]
 ShownName = Annotated[str, BeforeValidator(shown_name)]
@@ -26,7 +26,7 @@ class UploadRead(Schema):
 class PartAsk(Schema):
     """A part that is to be sent next."""
 
-    number: int = Field(description="Parts count from 1.")
+    number: Whole = Field(description="Parts count from 1.")
     sha256: str = Field(
         pattern="^[0-9a-f]{64}$", description="Of the part's bytes, in hex; the store holds it to them."
     )
@@ -89,7 +89,7 @@ class TakeAdd(Schema):
     upload_id: UUID
     file_name: GivenName
     cue_id: UUID | None = None
-    variation: int | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
+    variation: Whole | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
     note: Prose = ""
 
 
@@ -164,7 +164,7 @@ class TakeMatch(Schema):
     """The cue that a take is for."""
 
     cue_id: UUID
-    variation: int | None = None
+    variation: Whole | None = None
 
 
 class ArchiveAdd(Schema):

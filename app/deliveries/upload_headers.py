@@ -1,7 +1,6 @@
 """What the headers of an upload say: lengths, names, ids and digests, or BadUploadHeader."""
 
 import base64
-import binascii
 import re
 from uuid import UUID
 
@@ -32,9 +31,12 @@ def named_values(header: str | None) -> dict[str, str]:
 
 def _text(name: str, value: str) -> str:
     try:
-        return base64.b64decode(value.strip(), validate=True).decode()
-    except (binascii.Error, UnicodeDecodeError):
+        text = base64.b64decode(value.strip(), validate=True).decode()
+    except ValueError:  # binascii.Error and UnicodeDecodeError are two of its kind
         raise BadUploadHeader(f"the value of {name!r} in Upload-Metadata is not UTF-8 in Base64") from None
+    if "\0" in text:
+        raise BadUploadHeader(f"the value of {name!r} in Upload-Metadata holds the character U+0000, which no name has")
+    return text
 
 
 def uuid_in(name: str, value: str) -> UUID:
@@ -53,7 +55,7 @@ def checksum_of(header: str | None) -> Checksum | None:
     algorithm, _, value = header.strip().partition(" ")
     try:
         digest = base64.b64decode(value, validate=True)
-    except binascii.Error:
+    except ValueError:
         digest = b""
     if algorithm not in CHECKSUMS or not digest:
         raise BadUploadHeader("Upload-Checksum must be sha256 or sha1, a space and the digest in Base64")
@@ -76,7 +78,7 @@ def sha256_of_digest(header: str | None) -> str | None:
         return None
     try:
         digest = base64.b64decode(found[1], validate=True)
-    except binascii.Error:
+    except ValueError:
         digest = b""
     if len(digest) != 32:
         raise BadUploadHeader("Repr-Digest must hold the 32 bytes of a SHA-256 in Base64")

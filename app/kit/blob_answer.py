@@ -10,11 +10,12 @@ from fastapi.responses import RedirectResponse, StreamingResponse
 
 from app.kit.storage import Store
 
-# What is stored never changes, and is for the eyes of whoever was let in.
+# What is stored never changes, and is for the eyes of whoever was let in; so no shared cache keeps it.
 FOR_EVER = "private, max-age=31536000, immutable"
+WHILE_ASKED = "private, no-cache"  # a file to keep: whoever asks again is asked who they are again
 WHILE_SIGNED = "private, max-age=300"  # well within the time that a signed link works
 PLAIN_NAME = re.compile(r"[A-Za-z0-9._ -]+")
-RANGE = re.compile(r"bytes=([0-9]*)-([0-9]*)")
+RANGE = re.compile(r"bytes=([0-9]{0,18})-([0-9]{0,18})")  # no file has more bytes
 
 
 def blob_answer(
@@ -38,7 +39,8 @@ def blob_answer(
         if url is not None:
             return RedirectResponse(url, 307, {"Cache-Control": WHILE_SIGNED})
     etag = f'"{sha256}"'
-    given = {"ETag": etag, "Accept-Ranges": "bytes", "Cache-Control": FOR_EVER, **(headers or {})}
+    kept = FOR_EVER if disposition is None else WHILE_ASKED
+    given = {"ETag": etag, "Accept-Ranges": "bytes", "Cache-Control": kept, **(headers or {})}
     if disposition is not None:
         given["Content-Disposition"] = disposition
     if etag in request.headers.get("if-none-match", ""):

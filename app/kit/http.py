@@ -1,41 +1,40 @@
 """What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
 
-import hashlib
 import re
 import time
 from collections.abc import AsyncIterator, Iterator, Sequence
 from contextlib import contextmanager
-from datetime import datetime
+from datetime import UTC, datetime
 from functools import cached_property, partial
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
 import structlog
-from fastapi import APIRouter, Depends, FastAPI, HTTPException, Request, Response
+from fastapi import APIRouter, Depends, FastAPI, HTTPException, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from fastapi.routing import APIRoute
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.exc import DBAPIError, IntegrityError, SQLAlchemyError
 from sqlalchemy.exc import TimeoutError as PoolTimeout
-from sqlalchemy.orm import Mapped, Session, mapped_column
-from starlette.concurrency import run_in_threadpool
+from sqlalchemy.orm import Session
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.routing import Match, compile_path
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
-from app.kit import clock, kill, metrics
+from app.kit import kill, metrics
 from app.kit.bodies import BodyTooLarge, BodyTooSlow
-from app.kit.db import Base, Database, is_away, is_crossed, new_id
-from app.kit.errors import Conflict, FieldProblem, Invalid, Refused
+from app.kit.db import Database, is_away, is_crossed, new_id
+from app.kit.errors import FieldProblem, Invalid, Refused
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
+from app.kit.saved_answers import SAFE_METHODS as SAFE_METHODS
+from app.kit.saved_answers import RightsOf, SavedAnswer, once
 from app.kit.seats import Seat, seats
 from app.kit.turns import InOneTurn, Pending
 
-SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 GROUP_NAME = re.compile(r"\?P<\w+>")
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
@@ -63,27 +62,6 @@ class Problem(BaseModel):
     fix: str | None = None
     errors: list[FieldProblem] = []
     request_id: str | None = None
-
-
-class IdempotencyKeyReused(Conflict):
-    """The same Idempotency-Key came with another request."""
-
-
-class AlreadyDone(Conflict):
-    """The request with this Idempotency-Key was carried out; its answer was lost before it could be kept."""
-
-
-class SavedAnswer(Base):
-    """The answer to a write that carried an Idempotency-Key, written in the write's own transaction."""
-
-    __tablename__ = "kit_saved_answers"
-
-    key: Mapped[str] = mapped_column(primary_key=True)  # hash of caller, method, path and Idempotency-Key
-    request_sha256: Mapped[str]
-    status: Mapped[int | None]
-    media_type: Mapped[str | None]
-    body: Mapped[str | None]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 def problems(*errors: type[Refused]) -> dict[int | str, dict[str, Any]]:
@@ -164,7 +142,7 @@ class Route(InOneTurn):
 
     async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
-        await _once(super().answer)(scope, receive, send)
+        await once(super().answer, self.authentication)(scope, receive, send)
 
 
 class Router(APIRouter):
@@ -190,79 +168,6 @@ def _paths(router: APIRouter) -> Iterator[str]:
             yield from (f"{router.prefix}{path}" for path in _paths(within.original_router))
 
 
-def _once(route: ASGIApp) -> ASGIApp:
-    async def answer_once(scope: Scope, receive: Receive, send: Send) -> None:
-        request = Request(scope, receive)
-        given = request.headers.get("idempotency-key")
-        is_json = request.headers.get("content-type", "application/json").startswith("application/json")
-        if given is None or request.method in SAFE_METHODS or not is_json:
-            await route(scope, receive, send)
-            return
-        body = await request.body()
-        credentials = [request.cookies.get(name, "") for name in request.app.state.credential_cookies]
-        caller = "\0".join([request.headers.get("authorization", ""), *credentials])
-        key = _digest(caller, request.method, str(request.url), given)
-        request_sha256 = hashlib.sha256(body).hexdigest()
-        database = database_of(request)
-        if (saved := await run_in_threadpool(_saved, database, key)) is not None:
-            await _replay(saved, request_sha256)(scope, receive, send)
-            return
-        request.state.saved_answer = SavedAnswer(key=key, request_sha256=request_sha256)
-        heard: list[Message] = []
-
-        async def say_again() -> Message:
-            return {"type": "http.request", "body": body, "more_body": False}
-
-        async def hear(message: Message) -> None:
-            heard.append(message)
-
-        try:
-            await route(scope, say_again, hear)
-        except IntegrityError:
-            if (saved := await run_in_threadpool(_saved, database, key)) is None:
-                request.state.saved_answer = None
-                raise
-            await _replay(saved, request_sha256)(scope, receive, send)  # a twin of this request was faster
-            return
-        await run_in_threadpool(_keep, database, key, heard)
-        for message in heard:
-            await send(message)
-
-    return answer_once
-
-
-def _digest(*parts: str) -> str:
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
-
-
-def _saved(database: Database, key: str) -> SavedAnswer | None:
-    with database.reading() as session:
-        return session.get(SavedAnswer, key)
-
-
-def _keep(database: Database, key: str, heard: Sequence[Message]) -> None:
-    with database.writing() as session:
-        saved = session.get(SavedAnswer, key)
-        if saved is None:  # the request was refused, and may be tried again
-            return
-        headers = {bytes(name).lower(): bytes(value) for name, value in heard[0].get("headers", [])}
-        saved.status = heard[0]["status"]
-        saved.media_type = headers.get(b"content-type", b"application/json").decode()
-        saved.body = b"".join(message.get("body", b"") for message in heard[1:]).decode()
-
-
-def _replay(saved: SavedAnswer, request_sha256: str) -> Response:
-    if saved.request_sha256 != request_sha256:
-        raise IdempotencyKeyReused(
-            "this Idempotency-Key came before with another body; use a new key for a new request"
-        )
-    if saved.status is None or saved.body is None:
-        raise AlreadyDone("this request was carried out before; read the list to see what it made")
-    answer = Response(saved.body, status_code=saved.status, media_type=saved.media_type)
-    answer.headers["Idempotent-Replayed"] = "true"
-    return answer
-
-
 class Page(BaseModel, Generic[Item]):
     """One page of a list; `next` is the cursor of the following page, null at the end."""
 
@@ -274,9 +179,26 @@ class BadCursor(Invalid):
     """The page cursor is not one of ours."""
 
 
+LARGEST_NUMBER = 2**31 - 1  # what an integer column holds on both databases
+Whole = Annotated[int, Field(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
+
+
+def number_in(text: str, largest: int = LARGEST_NUMBER) -> int | None:
+    """Return the whole number that a text is; None for any other text, for a larger one, and for digits like ²."""
+    if not (text.isascii() and text.isdecimal() and len(text) <= len(str(largest))):
+        return None
+    number = int(text)
+    return number if number <= largest else None
+
+
 def cursor_of(*values: str | int | UUID | None) -> str:
     """Pack the sort key of the last row of a page."""
     return ".".join("" if value is None else str(value) for value in values)
+
+
+def bad_cursor(cursor: str) -> BadCursor:
+    """Return what is said of a cursor that is none."""
+    return BadCursor(f"{cursor[:60]!r} is no page cursor; use the `next` of the page before")
 
 
 def uuid_cursor(cursor: str | None) -> UUID | None:
@@ -286,7 +208,27 @@ def uuid_cursor(cursor: str | None) -> UUID | None:
     try:
         return UUID(cursor)
     except ValueError:
-        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
+        raise bad_cursor(cursor) from None
+
+
+def number_cursor(cursor: str | None) -> int | None:
+    """Read a cursor that is one number."""
+    if cursor is None:
+        return None
+    if (number := number_in(cursor)) is None:
+        raise bad_cursor(cursor)
+    return number
+
+
+def place_cursor(cursor: str | None) -> tuple[int, int] | None:
+    """Read a cursor that is a position and a number."""
+    if cursor is None:
+        return None
+    before, _, after = cursor.partition(".")
+    position, number = number_in(before), number_in(after)
+    if position is None or number is None:
+        raise bad_cursor(cursor)
+    return position, number
 
 
 def instant_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
@@ -298,9 +240,9 @@ def instant_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
         instant = datetime.fromisoformat(at)
         if instant.tzinfo is None:
             raise ValueError(at)
-        return instant, UUID(id_)
-    except ValueError:
-        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before") from None
+        return instant.astimezone(UTC), UUID(id_)
+    except (ValueError, OverflowError):
+        raise bad_cursor(cursor) from None
 
 
 def _problem(request: Request, status: int, code: str, detail: str, **more: Any) -> JSONResponse:
@@ -316,9 +258,12 @@ def _problem(request: Request, status: int, code: str, detail: str, **more: Any)
     return JSONResponse(problem.model_dump(mode="json"), status, headers, media_type=PROBLEM_TYPE)
 
 
-def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
-    """Give the application its error answers and request ids, and say which cookies tell callers apart."""
+def install(
+    app: FastAPI, *, credential_cookies: Sequence[str], rights_of: RightsOf = lambda _session, _caller: frozenset()
+) -> None:
+    """Give the application its error answers and request ids; say what tells callers apart, and what each may do."""
     app.state.credential_cookies = credential_cookies
+    app.state.rights_of = rights_of
 
     @app.exception_handler(Refused)
     def _refused(request: Request, error: Refused) -> JSONResponse:
@@ -372,10 +317,20 @@ def install(app: FastAPI, *, credential_cookies: Sequence[str]) -> None:
     @app.exception_handler(Exception)
     def _broken(request: Request, _error: Exception) -> JSONResponse:
         answer = _problem(request, 500, "our-fault", "This is our fault; nothing that you sent was half-done.")
-        answer.headers["X-Request-ID"] = request.state.request_id  # this answer is made outside all that follows
+        # This answer is made outside all that follows.
+        answer.headers["X-Request-ID"] = getattr(request.state, "request_id", "")
+        answer.headers.update(getattr(app.state, "security_headers", {}) | {"Cache-Control": "no-store"})
         return answer
 
     app.add_middleware(_Watched)
+
+
+NUL_IN_ADDRESS = Problem(
+    title="Bad address",
+    status=400,
+    code="bad-address",
+    detail="the address holds the character U+0000 (%00), which nothing here is named by",
+).model_dump(mode="json")
 
 
 class _Watched:
@@ -389,6 +344,10 @@ class _Watched:
             await self._app(scope, receive, send)
             return
         begun, status = time.perf_counter(), 500
+        if "\0" in scope["path"] or b"%00" in scope["query_string"]:
+            answer = JSONResponse(NUL_IN_ADDRESS, 400, media_type=PROBLEM_TYPE)
+            await answer(scope, receive, send)
+            return
         request_id = _request_id(scope)
         scope.setdefault("state", {})["request_id"] = request_id
 

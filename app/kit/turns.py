@@ -45,11 +45,13 @@ class Asking:
         request.state.asking = self
         self._look = look
         self.has_looked = False
+        self.caller: Any = None
 
     def __call__(self) -> Any:
         """Return who asks, or raise what the policy says."""
         self.has_looked = True
-        return self._look()
+        self.caller = self._look()
+        return self.caller
 
 
 class Pending:

@@ -8,8 +8,9 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
+from app.kit.bodies import LARGEST_INTEGER
 from app.kit.db import beyond_reach
-from app.kit.http import BadCursor, Page
+from app.kit.http import Page, bad_cursor, number_in
 from app.kit.queue import JobCount, JobQueue, Lane, UnfinishedJob
 from app.kit.storage import Store
 from app.operations import queries
@@ -153,9 +154,9 @@ def _page(
     after = None
     if cursor is not None:
         instant_ms, _, job_id = cursor.partition(".")
-        if not (instant_ms.isdecimal() and len(instant_ms) <= len(str(2**63)) and job_id):
-            raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
-        after = (int(instant_ms), job_id)
+        if (begun_ms := number_in(instant_ms, LARGEST_INTEGER)) is None or not job_id:
+            raise bad_cursor(cursor)
+        after = (begun_ms, job_id)
     found = queue.unfinished(
         state=state.value if state else None, studio_id=studio_id, after=after, limit=PAGE_JOBS + 1
     )

@@ -29,7 +29,17 @@ from app.accounts.models import Person, Token
 from app.accounts.rules import Actor, Scope, Sight
 from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
 from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import (
+    BadCursor,
+    CurrentRuntime,
+    DbSession,
+    Page,
+    Router,
+    cursor_of,
+    number_cursor,
+    problems,
+    uuid_cursor,
+)
 from app.projects import engagements, queries, schemas, service, specs
 from app.projects.errors import (
     AlreadyEngaged,
@@ -233,9 +243,7 @@ def list_spec_versions(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.PROJECT)
 ) -> Page[schemas.SpecBrief]:
     """Return the versions of the spec, newest first."""
-    if cursor is not None and not (cursor.isascii() and cursor.isdigit() and len(cursor) < 10):
-        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
-    below = int(cursor) if cursor else None
+    below = number_cursor(cursor)
     found = service.spec_versions(session, actor, project_id, below=below, limit=PAGE_ROWS + 1)
     shown = found[:PAGE_ROWS]
     items = [schemas.SpecBrief.model_validate(spec) for spec in shown]

@@ -83,6 +83,18 @@ def projects_seen(
     return session.scalars(found.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
 
 
+def rights_of(session: Session, caller: Actor | None) -> frozenset[str]:
+    """Return what a caller may do at all: roles in studios, and running engagements."""
+    if caller is None:
+        return frozenset()
+    rights = {f"studio:{studio_id}:{role}" for studio_id, roles in caller.roles.items() for role in roles}
+    if caller.person_id is not None:
+        running = Engagement.designer_id == caller.person_id, Engagement.ended_at.is_(None)
+        engaged = session.scalars(select(Engagement.project_id).where(*running))
+        rights |= {f"project:{project_id}:designer" for project_id in engaged}
+    return frozenset(rights)
+
+
 def any_engagement_of(session: Session, project_id: UUID, person_id: UUID) -> Engagement | None:
     """Return a designer's engagement on a project, running or ended."""
     return session.scalar(

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, StringConstraints, model_validator
 
 from app.accounts.rules import Scope
 from app.accounts.schemas import Email, Line, PersonBrief, PersonRead, Prose, StudioBrief
-from app.kit.http import Schema
+from app.kit.http import LARGEST_NUMBER, Schema
 from app.projects.rules import EngagementKind
 
 CuePrefix = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z][A-Z0-9]{0,7}$")]
@@ -207,7 +207,7 @@ class SpecChange(Schema):
 
     toml: Toml
     note: Prose = ""
-    based_on_version: int = Field(ge=1)
+    based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
 
 
 class SpecFormChange(Schema):
@@ -215,7 +215,7 @@ class SpecFormChange(Schema):
 
     tables: dict[str, Any]
     note: Prose = ""
-    based_on_version: int = Field(ge=1)
+    based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
 
 
 class SpecTry(Schema):

@@ -11,7 +11,7 @@ from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
 from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
@@ -211,7 +211,7 @@ def _sheet_of(body: ImportAsk) -> Sheet:
 def list_revisions(
     project_id: UUID,
     session: DbSession,
-    cursor: Annotated[int | None, Query(ge=1)] = None,
+    cursor: Annotated[int | None, Query(ge=1, le=LARGEST_NUMBER)] = None,
     actor: Actor = allows(Sight.PROJECT),
 ) -> Page[RevisionRead]:
     """Return the saved changes of the list, the newest first."""
@@ -231,8 +231,8 @@ def list_revisions(
 def compare_revisions(
     project_id: UUID,
     session: DbSession,
-    first: Annotated[int, Query(alias="from", ge=0)],
-    last: Annotated[int, Query(alias="to", ge=0)],
+    first: Annotated[int, Query(alias="from", ge=0, le=LARGEST_NUMBER)],
+    last: Annotated[int, Query(alias="to", ge=0, le=LARGEST_NUMBER)],
     actor: Actor = allows(Sight.PROJECT),
 ) -> ListComparison:
     """Return what was added, changed and cut between two revisions; `from=0` is the empty list."""

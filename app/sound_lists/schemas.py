@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
-from app.kit.http import Schema
+from app.kit.http import Schema, Whole
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.sound_lists.rules import CueState, Reverb
@@ -70,9 +70,9 @@ class CueFields(Schema):
     frame_rate_fps: Figure | None = None
     loop: bool = False
     reverb: Reverb | None = None
-    variations: int = 1
+    variations: Whole = 1
     state: OpenState = "prototype"
-    playback_priority: int | None = None
+    playback_priority: Whole | None = None
     placeholder: bool = False
     palette: bool = False
     extra: dict[Text, Text] = Field(default_factory=dict)
@@ -91,7 +91,7 @@ class CuesAdd(Schema):
 class CuePatch(CueFields):
     """What to change in a cue; what is left out stays."""
 
-    edition: int = Field(description="The edition that was read.")
+    edition: Whole = Field(description="The edition that was read.")
 
 
 class CueOrder(Schema):

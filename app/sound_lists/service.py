@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Actor
-from app.kit.http import BadCursor, cursor_of
+from app.kit.http import cursor_of, place_cursor
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import Standing, standing_in
@@ -20,8 +20,6 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.saving import Edit, facts_of, whole_facts
 from app.sound_lists.schemas import CueRead, PreviewCue
-
-CURSOR_DIGITS = 10  # what a database column of whole numbers holds
 
 
 @dataclass(frozen=True)
@@ -58,7 +56,7 @@ def _cue_read(cue: Cue, cue_prefix: str, stems: list[str], open_questions: int) 
 
 def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: int) -> tuple[Sequence[Cue], str | None]:
     """Return one page of the list, and the cursor of the following page."""
-    after = place_in(cursor)
+    after = place_cursor(cursor)
     found = queries.cue_page(session, project_id, after=after, limit=limit + 1)
     page = found[:limit]
     return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
@@ -72,16 +70,6 @@ def cues_read(session: Session, project: Project, cues: Sequence[Cue]) -> list[C
         _cue_read(cue, project.cue_prefix, [stem for _, stem in stems[cue.id]], open_questions.get(cue.id, 0))
         for cue in cues
     ]
-
-
-def place_in(cursor: str | None) -> tuple[int, int] | None:
-    """Return the position and number in the list that a cursor of it means."""
-    if cursor is None:
-        return None
-    position, _, number = cursor.partition(".")
-    if not (position.isdecimal() and number.isdecimal() and max(len(position), len(number)) < CURSOR_DIGITS):
-        raise BadCursor(f"{cursor!r} is no page cursor; use the `next` of the page before")
-    return int(position), int(number)
 
 
 def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:

@@ -10,7 +10,7 @@ from app.accounts import passwords, rate_limits
 from app.accounts.doors import CSRF_COOKIE, SESSION_COOKIE
 from app.accounts.models import PasswordReset, Person, SignIn, Token
 from app.kit import clock
-from app.kit.http import SavedAnswer
+from app.kit.saved_answers import SavedAnswer
 from tests.support.links import mailed_links, secret_for
 from tests.support.server import RunningServer, World
 

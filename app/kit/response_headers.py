@@ -1,0 +1,68 @@
+"""What browsers and caches are told with every answer: what a page may load and do, and who may keep what."""
+
+from collections.abc import Mapping
+
+from starlette.datastructures import MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+PRIVATE = ("/v1/", "/healthz", "/readyz", "/metrics")  # never kept, unless an endpoint says for how long
+HASHED = "/assets/"  # named after what is in them
+FOR_EVER = "public, max-age=31536000, immutable"
+NO_STORE = "no-store"
+ASK_AGAIN = "no-cache"
+UNUSED = ("accelerometer", "camera", "display-capture", "geolocation", "gyroscope", "microphone", "payment", "usb")
+
+
+def content_security_policy(store_origin: str | None) -> str:
+    """Return what a page may load; from the store, if browsers are sent there, sounds and nothing else."""
+    store = f" {store_origin}" if store_origin else ""
+    return (
+        f"default-src 'self'; script-src 'self'; connect-src 'self'{store}; img-src 'self' data: blob:; "
+        f"media-src 'self' blob:{store}; style-src 'self' 'unsafe-inline'; object-src 'none'; frame-src 'none'; "
+        "base-uri 'none'; frame-ancestors 'none'; form-action 'self'"
+    )
+
+
+def security_headers(store_origin: str | None, *, is_https: bool) -> dict[str, str]:
+    """Return what every answer carries, unless it says something stricter itself."""
+    headers = {
+        "Content-Security-Policy": content_security_policy(store_origin),
+        "X-Content-Type-Options": "nosniff",
+        "X-Frame-Options": "DENY",
+        "Referrer-Policy": "same-origin",
+        "Cross-Origin-Opener-Policy": "same-origin",
+        "Cross-Origin-Resource-Policy": "same-origin",
+        "Permissions-Policy": ", ".join(f"{feature}=()" for feature in UNUSED),
+    }
+    if is_https:
+        headers["Strict-Transport-Security"] = "max-age=31536000"
+    return headers
+
+
+def caching(path: str, status: int) -> str:
+    """Return what caches may do with an answer that does not say so itself."""
+    if path.startswith(PRIVATE) or status >= 400:
+        return NO_STORE
+    return FOR_EVER if path.startswith(HASHED) else ASK_AGAIN
+
+
+class WithResponseHeaders:
+    """Adds them to every answer of an application."""
+
+    def __init__(self, app: ASGIApp, headers: Mapping[str, str]) -> None:
+        self._app = app
+        self._headers = [(name.lower().encode(), value.encode()) for name, value in headers.items()]
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer, with the headers."""
+
+        async def send_with_headers(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                given = message.setdefault("headers", [])
+                names = {name.lower() for name, _ in given}
+                message["headers"] = [*given, *(one for one in self._headers if one[0] not in names)]
+                if b"cache-control" not in names:
+                    MutableHeaders(scope=message)["Cache-Control"] = caching(scope["path"], message["status"])
+            await send(message)
+
+        await self._app(scope, receive, send_with_headers)
