@@ -19,7 +19,8 @@ import yaml
 from typer.testing import CliRunner
 
 from app.cli import STOP_WITHIN_S, cli
-from app.kit import serving
+from app.deliveries.rules import MAX_ARCHIVE_BYTES
+from app.kit import bodies, serving
 from app.settings import Settings, bucket_address
 from tests.support.s3 import KEY, free_port, run_program, s3_program
 from tests.support.server import RunningServer
@@ -240,6 +241,14 @@ class TestProxy:
         assert "8000" in compose["services"]["web"]["command"]
         assert "reverse_proxy s3:7070" in text
         assert ":7070" in compose["services"]["s3"]["command"]
+
+    def test_it_takes_what_web_processes_take_and_bounds_the_rest(self):
+        text = (DEPLOY / "Caddyfile").read_text()
+        sizes = dict(re.findall(r"request_body (@\w+) \{\s+max_size ([0-9]+)", text))
+        assert int(sizes["@uploads"]) * 10**9 > MAX_ARCHIVE_BYTES
+        assert int(sizes["@rest"]) * 10**6 > bodies.REPORT_BODY_BYTES
+        assert re.search(r"read_header 20s", text)
+        assert re.search(r"max_header_size 64KB", text)
 
     def test_it_gives_an_unused_line_up_before_a_web_process_closes_it(self):
         [kept_s] = re.findall(r"keepalive ([0-9]+)s", (DEPLOY / "Caddyfile").read_text())
