@@ -94,7 +94,8 @@ def running_caddy(ports: Sequence[int], folder: Path) -> Iterator[int]:
     assert replaced == 1
     port, ready_port = free_port(), free_port()
     config = folder / "Caddyfile"
-    config.write_text(f"{{\n\tadmin off\n}}\nhttp://127.0.0.1:{ready_port} {{\n\trespond 200\n}}\n{written}")
+    written = written.replace("\tservers {", "\tadmin off\n\tservers {", 1)
+    config.write_text(f"{written}\nhttp://127.0.0.1:{ready_port} {{\n\trespond 200\n}}\n")
     sites = {
         "SOUNDLIST_DOMAIN": f"http://127.0.0.1:{port}",
         "SOUNDLIST_FILES_DOMAIN": f"http://127.0.0.1:{free_port()}",
