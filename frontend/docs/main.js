@@ -1,3 +1,4 @@
+/* global document, location, URL */
 /** The API's documentation: Swagger UI from our own server, whose requests carry the CSRF token of whoever is signed in. */
 import 'swagger-ui-dist/swagger-ui.css'
 
