@@ -265,7 +265,8 @@ def _sandbox() -> Sandbox:
 
 
 def _unpack_in_child(path: str, out: str) -> None:
-    _sandbox().call(unpack, os.path.abspath(path), out)
+    with _sandbox().child(reads=[path], writes=[out]) as child:
+        child.call(unpack, os.path.abspath(path), out)
 
 
 def unpack(path: str, out: str) -> None:

@@ -115,7 +115,7 @@ def _hear(runtime: Runtime, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> 
 def _heard(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> Heard:
     with (
         runtime.store.local_copy(studio_id, sha256) as path,
-        checking.sandbox().child(timeout_s=checking.time_for(size_bytes)) as child,
+        checking.sandbox().child(timeout_s=checking.time_for(size_bytes), reads=[path]) as child,
     ):
         (heard,) = child.call(listen_to, [(str(path), sha256)])
     if heard.trouble:

@@ -1,5 +1,8 @@
 """Where a take is worked on: its master, and a child of the sandbox that goes from take to take of one delivery."""
 
+import os
+import secrets
+import shutil
 import threading
 import time
 from contextlib import ExitStack
@@ -20,10 +23,38 @@ LARGE_BYTES = 64 << 20  # behind a larger master a child holds more than a new o
 
 @dataclass
 class _Lent:
+    """A child, and the only folders that it reaches: masters to read, one take's at a time, and outputs to write."""
+
     child: SandboxChild
     delivery_id: UUID
+    masters: Path
+    outputs: Path
+    folders: ExitStack
     takes: int = 0
     idle_since_s: float = 0.0
+
+    def show(self, master: Path) -> Path:
+        """Put a master where the child may read it, without copying it where the disk has links."""
+        shown = self.masters / f"{self.takes}-{master.name}"
+        try:
+            os.link(master, shown)
+        except OSError:
+            shutil.copyfile(master, shown)
+        return shown
+
+    def clear(self) -> None:
+        """Leave nothing of a take for the next one of its delivery."""
+        for folder in (self.masters, self.outputs):
+            for entry in folder.iterdir():
+                if entry.is_dir() and not entry.is_symlink():
+                    shutil.rmtree(entry)
+                else:
+                    entry.unlink()
+
+    def end(self) -> None:
+        """End the child, and remove its folders."""
+        self.child.close()
+        self.folders.close()
 
 
 class Children:
@@ -35,20 +66,31 @@ class Children:
         self._idle: list[_Lent] = []  # who waits longest comes first
         self._sweeping = False
 
-    def lend(self, delivery_id: UUID) -> _Lent:
-        """Return a child that served this delivery and waits, or a new one."""
+    def lend(self, delivery_id: UUID, store: Store) -> _Lent:
+        """Return a child that served this delivery and waits, or a new one; its folders are the store's."""
         with self._lock:
             for lent in reversed(self._idle):
                 if lent.delivery_id == delivery_id:
                     self._idle.remove(lent)
                     return lent
-        return _Lent(self._sandbox.child(), delivery_id)
+        with ExitStack() as folders:
+            folder = folders.enter_context(store.making())
+            masters, outputs = folder / "masters", folder / "outputs"
+            masters.mkdir()
+            outputs.mkdir()
+            child = self._sandbox.child(reads=[masters], writes=[outputs])
+            return _Lent(child, delivery_id, masters, outputs, folders.pop_all())
 
     def take_back(self, lent: _Lent) -> None:
         """Keep a child for some seconds, for the next take of its delivery."""
         lent.takes += 1
         if lent.takes >= MOST_TAKES:
-            lent.child.close()
+            lent.end()
+            return
+        try:
+            lent.clear()
+        except OSError:  # something in there still works: an honest child waits
+            lent.end()
             return
         lent.idle_since_s = time.monotonic()
         with self._lock:
@@ -77,7 +119,7 @@ class Children:
 
 def _end(ended: list[_Lent]) -> None:
     for lent in ended:
-        lent.child.close()
+        lent.end()
 
 
 class Bench:
@@ -88,7 +130,8 @@ class Bench:
         self._children = children
         self._held = ExitStack()
         self._lent: _Lent | None = None
-        self._master: Path | None = None
+        self._copy: Path | None = None
+        self._shown: Path | None = None
         self._may_keep = True
 
     def __enter__(self) -> Self:
@@ -99,22 +142,37 @@ class Bench:
         self, kind: type[BaseException] | None, _error: BaseException | None, _at: TracebackType | None
     ) -> None:
         """Give the child back, or have it ended where it may hold much or the work broke off; let the master go."""
-        self._held.close()
-        if self._lent is not None:
-            if kind is None and self._may_keep:
-                self._children.take_back(self._lent)
-            else:
-                self._lent.child.close()
+        try:
+            if self._lent is not None:
+                if kind is None and self._may_keep:
+                    self._children.take_back(self._lent)
+                else:
+                    self._lent.end()
+        finally:
+            self._held.close()
 
     def child(self, delivery_id: UUID) -> SandboxChild:
         """Return the child for the take, which is of this delivery."""
         if self._lent is None:
-            self._lent = self._children.lend(delivery_id)
+            self._lent = self._children.lend(delivery_id, self._store)
         return self._lent.child
 
     def master(self, studio_id: UUID, sha256: str) -> Path:
-        """Return where the take's master lies; raise BlobMissing or BlobAltered where the store has it no longer."""
-        if self._master is None:
-            self._master = self._held.enter_context(self._store.local_copy(studio_id, sha256))
-            self._may_keep = self._master.stat().st_size <= LARGE_BYTES
-        return self._master
+        """Return where the take's master lies; raise BlobMissing or BlobAltered where the store has it no longer.
+
+        The child reaches it where it was asked for before.
+        """
+        if self._copy is None:
+            self._copy = self._held.enter_context(self._store.local_copy(studio_id, sha256))
+            self._may_keep = self._copy.stat().st_size <= LARGE_BYTES
+        if self._lent is None:
+            return self._copy
+        if self._shown is None:
+            self._shown = self._lent.show(self._copy)
+        return self._shown
+
+    def new_place(self, delivery_id: UUID) -> Path:
+        """Return the path of a folder that the child may make; what it writes there is gone with the bench."""
+        self.child(delivery_id)
+        assert self._lent is not None  # noqa: S101 - child has lent it
+        return self._lent.outputs / secrets.token_hex(8)

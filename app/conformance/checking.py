@@ -78,7 +78,8 @@ def _beside_stem(runtime: Runtime, order: CheckOrder, stem: StemBeside, bench: B
     try:
         with (
             runtime.store.local_copy(order.studio_id, stem.sha256) as path,
-            sandbox().child() as child,  # reads the stem too, so it is not the child that goes on with the take
+            # Reads the stem too, so it is not the child that goes on with the take.
+            sandbox().child(reads=[bench.master(order.studio_id, order.master_sha256), path]) as child,
         ):
             return _tried(order, bench, child, audio_checks.DryStem(path, stem.name), stem.file_bytes)
     except (BlobAltered, BlobMissing) as error:
@@ -117,7 +118,7 @@ def _beside_before(runtime: Runtime, order: CheckOrder, bench: Bench) -> dict[st
         with (
             runtime.store.local_copy(order.studio_id, order.before.master_sha256) as before_path,
             # Reads another take's file too, so it is not the child that goes on with this one.
-            sandbox().child(timeout_s=time_for(order.master_bytes)) as child,
+            sandbox().child(timeout_s=time_for(order.master_bytes), reads=[path, before_path]) as child,
         ):
             compared = child.call(audio_checks.reverb_between, path, before_path)
     except (audio_checks.Unreadable, audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:

@@ -14,7 +14,7 @@ from app.deliveries import queries as deliveries
 from app.kit import kill
 from app.kit.queue import NORMAL, Payload, job
 from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.kit.storage import BlobAltered, BlobMissing, StoredBlob
 
 log = structlog.get_logger(__name__)
 MEND_PASSES = 4  # a mend checks the master, writes the copy and checks that; now and then twice
@@ -35,7 +35,7 @@ def make_mend(runtime: Runtime, payload: Payload) -> None:
             with runtime.database.writing() as session:
                 mends.give_up(session, mend_id)
             return
-        stored = runtime.store.put_file(order.studio_id, Path(made["file"])) if made["file"] else None
+        stored = _stored(runtime, order, Path(folder), made)
     kill.point("conformance.after_mend")
     with runtime.database.writing() as session:
         mends.record_mend(session, mend_id, made, (stored.sha256, stored.size_bytes) if stored else None)
@@ -62,13 +62,20 @@ def compare_takes(runtime: Runtime, payload: Payload) -> None:
             service.recheck_if_changed(session, take_id, priority=NORMAL)
 
 
+def _stored(runtime: Runtime, order: mends.MendOrder, folder: Path, made: dict[str, Any]) -> StoredBlob | None:
+    """Store the file that a child says it made, which lies in its folder whatever it says."""
+    return runtime.store.put_file(order.studio_id, folder / Path(made["file"]).name) if made["file"] else None
+
+
 def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, Any] | None:
     """Return what a child made of a master; None after three failures."""
     for _ in range(TRIES):
         try:
             with (
                 runtime.store.local_copy(order.studio_id, order.master_sha256) as path,
-                checking.sandbox().child(timeout_s=MEND_PASSES * checking.time_for(order.master_bytes)) as child,
+                checking.sandbox().child(
+                    timeout_s=MEND_PASSES * checking.time_for(order.master_bytes), reads=[path], writes=[folder]
+                ) as child,
             ):
                 return child.call(mending.mend, str(path), folder, order.spec, cue=order.cue, name=order.name)
         except audio_checks.MendRefused as refusal:

@@ -49,6 +49,7 @@ def prepare(
     """
     found: dict[str, dict[str, Any] | AudioChecksError] = {}
     known = _Known()
+    Path(folder).mkdir(exist_ok=True)
     places_of = places(folder, recipes)
     for target, recipe in recipes.items():
         place = places_of[target]

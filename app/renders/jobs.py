@@ -2,7 +2,7 @@
 
 import contextlib
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -72,7 +72,7 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
         loop = take is not None and take.cue is not None and take.cue.loop
     with runtime.store.local_copy(studio_id, sha256) as master, runtime.store.making() as folder:
         try:
-            drawn = _tried(lambda: _sandbox().call(drawing.draw, str(master), str(folder), loop=loop))
+            drawn = _tried(_in_child(_sandbox(), [master], [folder], drawing.draw, str(master), str(folder), loop=loop))
         except (Unreadable, RenderRefused, SandboxFailed) as error:
             log.info("a sound could not be drawn", sha256=sha256, error=str(error))
             picture = Picture(studio_id=studio_id, sound_sha256=sha256)
@@ -80,6 +80,23 @@ def draw_mend(runtime: Runtime, payload: Payload) -> None:
             picture = _stored_picture(runtime, studio_id, sha256, folder, drawn)
     with runtime.database.writing() as session:
         service.keep_made(session, [], picture)
+
+
+def _in_child(
+    sandbox: Sandbox,
+    reads: Iterable[Path],
+    writes: Iterable[Path],
+    function: Callable[..., R],
+    *args: object,
+    **options: object,
+) -> Callable[[], R]:
+    """Return a call of a function in a child that reaches these files and no others."""
+
+    def call() -> R:
+        with sandbox.child(reads=reads, writes=writes) as child:
+            return child.call(function, *args, **options)
+
+    return call
 
 
 def _tried(call: Callable[[], R]) -> R:
@@ -102,10 +119,10 @@ def _stored_picture(
     spectrum: StoredBlob | None = None,
 ) -> Picture:
     """Store what was drawn of a sound, but for what is stored already: what plays it, and what that looks like."""
-    peaks = runtime.store.keep_made(studio_id, folder / drawing.PEAKS)
-    spectrum = spectrum or runtime.store.keep_made(studio_id, folder / drawing.SPECTRUM)
+    peaks = runtime.store.put_file(studio_id, folder / drawing.PEAKS)
+    spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
     if preview is None and not drawn["plays_itself"]:
-        preview = runtime.store.keep_made(studio_id, folder / drawing.PREVIEW)
+        preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
     return Picture(
         studio_id=studio_id,
         sound_sha256=sound_sha256,
@@ -140,7 +157,9 @@ def hear_take(runtime: Runtime, payload: Payload) -> None:
         tempfile.TemporaryDirectory(prefix="soundlist-") as folder,
     ):
         try:
-            heard = _tried(lambda: _librosa_sandbox().call(timbre.measure, str(master), folder, loop=loop))
+            heard = _tried(
+                _in_child(_librosa_sandbox(), [master], [Path(folder)], timbre.measure, str(master), folder, loop=loop)
+            )
         except (Unreadable, RenderRefused, SandboxFailed) as error:
             log.info("a sound could not be compared", sha256=sha256, error=str(error))
             heard = None
@@ -217,49 +236,56 @@ def _prepared(
     if not recipes and not draws:
         return [], None
     studio_id, sha256 = order.studio_id, order.master_sha256
-    with runtime.store.making() as folder:
-        master = bench.master(studio_id, sha256)
-        found = _outcomes(bench.child(order.delivery_id), str(master), folder, recipes, loop=order.loop, draws=draws)
-        renders: service.Made = []
-        files: dict[str, StoredBlob] = {}
-        spectra: dict[str, StoredBlob] = {}
-        for target, recipe in recipes.items():
-            outcome, place = found[target]
-            render = Render(
-                studio_id=studio_id,
-                project_id=order.project_id,
-                take_id=order.take_id,
-                target=target,
-                key=recipe.key(sha256),
-                state=RenderState.REFUSED,
-            )
-            if isinstance(outcome, AudioChecksError):
-                render.refusal = _refusal(order, target, outcome)
-                renders.append((render, None))
-                continue
-            files[target] = blob = runtime.store.keep_made(studio_id, place / drawing.GAME_FILE)
-            _describe(render, blob, outcome["rendered"])
-            spectra[target] = spectrum = runtime.store.keep_made(studio_id, place / drawing.SPECTRUM)
-            drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], spectrum=spectrum)
-            renders.append((render, drawn))
-        if not draws:
-            return renders, None
-        outcome, place = found[drawing.MASTER]
+    child = bench.child(order.delivery_id)
+    master = bench.master(studio_id, sha256)
+    new_place = partial(bench.new_place, order.delivery_id)
+    found = _outcomes(child, str(master), new_place, recipes, loop=order.loop, draws=draws)
+    renders: service.Made = []
+    files: dict[str, StoredBlob] = {}
+    spectra: dict[str, StoredBlob] = {}
+    for target, recipe in recipes.items():
+        outcome, place = found[target]
+        render = Render(
+            studio_id=studio_id,
+            project_id=order.project_id,
+            take_id=order.take_id,
+            target=target,
+            key=recipe.key(sha256),
+            state=RenderState.REFUSED,
+        )
         if isinstance(outcome, AudioChecksError):
-            log.info("a sound could not be drawn", sha256=sha256, error=str(outcome))
-            return renders, Picture(studio_id=studio_id, sound_sha256=sha256)
-        like = outcome["preview_of"]
-        return renders, _stored_picture(runtime, studio_id, sha256, place, outcome, files.get(like), spectra.get(like))
+            render.refusal = _refusal(order, target, outcome)
+            renders.append((render, None))
+            continue
+        files[target] = blob = runtime.store.put_file(studio_id, place / drawing.GAME_FILE)
+        _describe(render, blob, outcome["rendered"])
+        spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)
+        drawn = _stored_picture(runtime, studio_id, blob.sha256, place, outcome["drawing"], spectrum=spectrum)
+        renders.append((render, drawn))
+    if not draws:
+        return renders, None
+    outcome, place = found[drawing.MASTER]
+    if isinstance(outcome, AudioChecksError):
+        log.info("a sound could not be drawn", sha256=sha256, error=str(outcome))
+        return renders, Picture(studio_id=studio_id, sound_sha256=sha256)
+    like = outcome["preview_of"]
+    return renders, _stored_picture(runtime, studio_id, sha256, place, outcome, files.get(like), spectra.get(like))
 
 
 def _outcomes(
-    child: SandboxChild, master: str, folder: Path, recipes: dict[str, Recipe], *, loop: bool, draws: bool
+    child: SandboxChild,
+    master: str,
+    new_place: Callable[[], Path],
+    recipes: dict[str, Recipe],
+    *,
+    loop: bool,
+    draws: bool,
 ) -> dict[str, tuple[Outcome, Path]]:
     """Return what a child made of a master, and where; what fails together is tried by itself, in children anew."""
     child.timeout_s = TIMEOUT_S
 
     def made(some: dict[str, Recipe], draws: bool) -> dict[str, tuple[Outcome, Path]]:
-        place = tempfile.mkdtemp(dir=folder)
+        place = str(new_place())
         asked = {target: recipe._asdict() for target, recipe in some.items()}
         done = child.call(drawing.prepare, master, place, asked, loop=loop, draws_master=draws)
         return {part: (done[part], where) for part, where in drawing.places(place, some).items() if part in done}
@@ -275,7 +301,7 @@ def _outcomes(
         try:
             found |= _tried(partial(made, some, draws_it))
         except SandboxFailed as error:
-            found[next(iter(some), drawing.MASTER)] = error, folder
+            found[next(iter(some), drawing.MASTER)] = error, Path()
     return found
 
 
@@ -362,7 +388,9 @@ def write_provenance(runtime: Runtime, payload: Payload) -> None:
         out = Path(folder, "master.wav")
         try:
             with runtime.store.local_copy(export.studio_id, master_sha256) as master:
-                made: Exported = _tried(lambda: _sandbox().call(export_master, str(master), str(out), provenance))
+                made: Exported = _tried(
+                    _in_child(_sandbox(), [master], [Path(folder)], export_master, str(master), str(out), provenance)
+                )
             blob, left = runtime.store.put_file(export.studio_id, out), list(made.left)
         except Unreadable as error:
             refusal = f"{error}; {error.fix}"
@@ -397,7 +425,10 @@ def make_reel(runtime: Runtime, payload: Payload) -> None:
                 for take in reel.takes
             ]
             made = _tried(
-                lambda: _sandbox().call(
+                _in_child(
+                    _sandbox(),
+                    [Path(path) for path in paths],
+                    [Path(folder)],
                     reel_sound.make_reel,
                     paths,
                     slates,

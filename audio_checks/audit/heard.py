@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 
@@ -137,17 +137,16 @@ def _finite(level: float) -> float | None:
 @contextmanager
 def _decoded(path: str, refusal: Unreadable) -> Iterator[tuple[str, str, int]]:
     """Give a WAV file of the first minute of a sound that a codec keeps, the codec's name and the sound's frames."""
-    descriptor, unpacked = tempfile.mkstemp(prefix="audio-checks-", suffix=".wav")
-    os.close(descriptor)
-    try:
-        where = os.path.abspath(path)
-        told = decode(where, unpacked) if is_inside() else _sandbox().call(decode, where, unpacked)
+    with tempfile.TemporaryDirectory(prefix="audio-checks-") as folder:
+        where, unpacked = os.path.abspath(path), os.path.join(folder, "decoded.wav")
+        if is_inside():
+            told = decode(where, unpacked)
+        else:
+            with _sandbox().child(reads=[where], writes=[folder]) as child:
+                told = child.call(decode, where, unpacked)
         if told is None:
             raise refusal
         yield unpacked, *told
-    finally:
-        with suppress(FileNotFoundError):
-            os.unlink(unpacked)
 
 
 @cache

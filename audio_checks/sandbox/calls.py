@@ -6,24 +6,28 @@ import contextlib
 import dataclasses
 import os
 import pickle
+import shutil
 import signal
 import socket
 import struct
 import subprocess
+import tempfile
 import threading
 import time
 import weakref
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from typing import ParamSpec, Self, TypeVar
 
 from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxFailed, SandboxTimedOut
 from audio_checks.isolation import isolated_python, library_environment
-from audio_checks.sandbox.messages import CAN_FORK, LENGTH, NAME_BYTES, RETURNED, Limits, receive, resolved
+from audio_checks.sandbox.messages import CAN_FORK, LENGTH, NAME_BYTES, RETURNED, Access, Limits, receive, resolved
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
 START_S = 60.0  # for the server to import what calls need, on a busy machine
+MOST_FILES = 1_000  # that a call may have written at a time
 GRACE_S = 5.0  # for the server to tell how a child ended
 ENVIRONMENT = {
     "OPENBLAS_NUM_THREADS": "1",
@@ -46,7 +50,8 @@ class Sandbox:
     memory_bytes : int
         Of address space, the interpreter and its libraries included.
     file_bytes : int
-        The largest file that a call may write.
+        The largest file that a call may write, and on POSIX about as much as all of them may have together: that is
+        looked at ten times a second.
     result_bytes : int
         The largest result, pickled.
     preload : sequence of str
@@ -79,7 +84,8 @@ class Sandbox:
         """Return what the function returns, from a child.
 
         The function is one that can be imported by name; arguments and result can be pickled. A
-        result is made of plain values, numpy arrays and the data classes of audio_checks.
+        result is made of plain values, numpy arrays and the data classes of audio_checks. It reaches no
+        file; `child` gives it some.
 
         Raises
         ------
@@ -91,9 +97,29 @@ class Sandbox:
         with self.child() as child:
             return child.call(function, *args, **kwargs)
 
-    def child(self, *, timeout_s: float | None = None) -> SandboxChild:
-        """Return what answers a few calls that belong together, in the time given; to be closed after the last."""
-        return SandboxChild(self, timeout_s=self.timeout_s if timeout_s is None else timeout_s)
+    def child(
+        self,
+        *,
+        timeout_s: float | None = None,
+        reads: Iterable[str | os.PathLike[str]] = (),
+        writes: Iterable[str | os.PathLike[str]] = (),
+    ) -> SandboxChild:
+        """Return what answers a few calls that belong together; to be closed after the last.
+
+        Parameters
+        ----------
+        timeout_s : float, optional
+            For each call, by the clock and in CPU time; else the sandbox's.
+        reads : iterable of path
+            Files and folders that the calls may read. Where Linux has Landlock they reach no other file but their
+            code; see `confinement_gaps`.
+        writes : iterable of path
+            Files and folders that they may also write. Where this process is root, they belong to an unprivileged
+            user afterwards.
+        """
+        return SandboxChild(
+            self, timeout_s=self.timeout_s if timeout_s is None else timeout_s, reads=reads, writes=writes
+        )
 
     def close(self) -> None:
         """End the server and its children; another call starts it again."""
@@ -129,11 +155,23 @@ class SandboxChild:
         Whose limits hold, but for the time.
     timeout_s : float
         For one call, by the clock and in CPU time; the next may be given another by setting it.
+    reads, writes : iterable of path
+        See `Sandbox.child`.
     """
 
-    def __init__(self, sandbox: Sandbox, *, timeout_s: float) -> None:
+    def __init__(
+        self,
+        sandbox: Sandbox,
+        *,
+        timeout_s: float,
+        reads: Iterable[str | os.PathLike[str]] = (),
+        writes: Iterable[str | os.PathLike[str]] = (),
+    ) -> None:
         self.timeout_s = timeout_s
         self._sandbox = sandbox
+        self._reads = tuple(os.path.abspath(path) for path in reads)
+        self._writes = tuple(os.path.abspath(path) for path in writes)
+        self._scratch: str | None = None
         self._line: tuple[socket.socket, socket.socket] | None = None
 
     def __enter__(self) -> Self:
@@ -147,13 +185,17 @@ class SandboxChild:
     def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
         """Return what the function returns, as `Sandbox.call` does; see there for what is raised."""
         limits = dataclasses.replace(self._sandbox._limits, cpu_s=int(self.timeout_s) + 2)
-        request = pickle.dumps((limits, function, args, kwargs), protocol=5)
+        if self._scratch is None:
+            self._scratch = tempfile.mkdtemp(prefix="audio-checks-")
+        access = Access(self._reads, self._writes, self._scratch)
+        request = pickle.dumps((limits, access, function, args, kwargs), protocol=5)
         try:
             if not CAN_FORK:
                 return resolved(_in_new_process(request, time.monotonic() + self.timeout_s))  # type: ignore[no-any-return]
             if self._line is None:
                 self._line = self._sandbox._fork(getattr(function, "__module__", None) or "")
-            return resolved(_exchange(*self._line, request, time.monotonic() + self.timeout_s, limits))  # type: ignore[no-any-return]
+            watch = partial(_ensure_little_written, (self._scratch, *self._writes), limits.file_bytes)
+            return resolved(_exchange(*self._line, request, time.monotonic() + self.timeout_s, limits, watch))  # type: ignore[no-any-return]
         except AudioChecksError as error:
             if isinstance(error, SandboxFailed):  # an error of ours is an answer
                 self.close()
@@ -168,6 +210,9 @@ class SandboxChild:
             (work, status), self._line = self._line, None
             with work, status:
                 _finish(status)
+        if self._scratch is not None:
+            shutil.rmtree(self._scratch, ignore_errors=True)
+            self._scratch = None
 
 
 class _Server:
@@ -225,11 +270,16 @@ def _end_server(control: socket.socket, process: subprocess.Popen[bytes]) -> Non
 
 
 def _exchange(
-    work: socket.socket, status: socket.socket, request: bytes, deadline: float, limits: Limits
+    work: socket.socket,
+    status: socket.socket,
+    request: bytes,
+    deadline: float,
+    limits: Limits,
+    watch: Callable[[], None],
 ) -> tuple[bytes, bytes]:
     """Send the request and take the answer."""
     try:
-        answer = _converse(work, request, deadline, limits)
+        answer = _converse(work, request, deadline, limits, watch)
     except TimeoutError:
         raise SandboxTimedOut("the call took too long and was stopped") from None
     if answer is None:
@@ -237,13 +287,15 @@ def _exchange(
     return answer
 
 
-def _converse(work: socket.socket, request: bytes, deadline: float, limits: Limits) -> tuple[bytes, bytes] | None:
+def _converse(
+    work: socket.socket, request: bytes, deadline: float, limits: Limits, watch: Callable[[], None]
+) -> tuple[bytes, bytes] | None:
     """Return the child's answer, or None when it closed its end without one."""
     with contextlib.suppress(BrokenPipeError, ConnectionResetError):
         work.settimeout(max(deadline - time.monotonic(), 0.001))
         work.sendall(LENGTH.pack(RETURNED, len(request)) + request)
     with contextlib.suppress(ConnectionResetError):
-        head = receive(work, LENGTH.size, deadline)
+        head = receive(work, LENGTH.size, deadline, watch)
         if head is not None:
             kind, length = LENGTH.unpack(head)
             if length > limits.result_bytes:
@@ -252,6 +304,26 @@ def _converse(work: socket.socket, request: bytes, deadline: float, limits: Limi
             if body is not None:
                 return kind, body
     return None
+
+
+def _ensure_little_written(places: Iterable[str], most_bytes: int) -> None:
+    """Raise SandboxCrashed where a child has filled more of the disk than it may."""
+    count = size_bytes = 0
+    left = list(places)
+    while left:
+        place = left.pop()
+        try:
+            entries = list(os.scandir(place)) if os.path.isdir(place) else []
+            found = [entry.stat(follow_symlinks=False) for entry in entries]
+            left += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
+        except OSError:  # it went meanwhile
+            continue
+        count += len(found)
+        size_bytes += sum(one.st_size for one in found)
+        if count > MOST_FILES or size_bytes > most_bytes:
+            raise SandboxCrashed(
+                f"the call wrote {count} files of {size_bytes} bytes; {MOST_FILES} of {most_bytes} are allowed"
+            )
 
 
 def _finish(status: socket.socket) -> None:

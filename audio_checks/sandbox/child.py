@@ -6,24 +6,28 @@ import contextlib
 import os
 import pickle
 import sys
+import tempfile
 import traceback
 
 with contextlib.suppress(ImportError):  # where there is no fork there are no limits either
     import resource
 
 from audio_checks.errors import AudioChecksError
+from audio_checks.sandbox.confinement import confine, library_places
 from audio_checks.sandbox.messages import (
-    CAN_FORK,
     DETAIL_CHARACTERS,
     FAILED,
     LENGTH,
     NO_MEMORY,
     RAISED,
     RETURNED,
+    Access,
     Limits,
 )
 
+libraries: list[str] = []  # what the server has found for all its children
 _inside = False
+_confined = False
 
 
 def is_inside() -> bool:
@@ -51,9 +55,10 @@ def answer(request: bytes) -> tuple[bytes, bytes]:
     """Run a request; return the kind of its answer, and the answer pickled."""
     limits: Limits | None = None
     try:
-        limits, function, args, kwargs = pickle.loads(request)  # noqa: S301 - it comes from the caller
-        if CAN_FORK:
+        limits, access, function, args, kwargs = pickle.loads(request)  # noqa: S301 - it comes from the caller
+        if os.name == "posix":
             _limit(limits)
+        _confine(access)
         kind, value = RETURNED, function(*args, **kwargs)
     except AudioChecksError as error:
         kind, value = RAISED, error.with_traceback(None)
@@ -70,6 +75,15 @@ def answer(request: bytes) -> tuple[bytes, bytes]:
     if limits is not None and len(body) > limits.result_bytes:
         return FAILED, f"the result has {len(body)} bytes; {limits.result_bytes} are allowed".encode()
     return kind, body
+
+
+def _confine(access: Access) -> None:
+    """Give up all that no call of this child needs, before its first one."""
+    global _confined  # noqa: PLW0603 - of this process, for good
+    if not _confined:
+        tempfile.tempdir = access.scratch
+        confine(access.reads, (access.scratch, *access.writes), libraries or library_places())
+        _confined = True
 
 
 def _limit(limits: Limits) -> None:

@@ -10,12 +10,14 @@ import pickle
 import socket
 import struct
 import time
+from collections.abc import Callable
 from typing import Any
 
 from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxOutOfMemory
 
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
 NAME_BYTES = 256  # of a module's name on its way to the server
+MEANWHILE_S = 0.1
 LENGTH = struct.Struct("<cQ")
 RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
 DETAIL_CHARACTERS = 8_000
@@ -57,16 +59,33 @@ class Limits:
     result_bytes: int
 
 
-def receive(work: socket.socket, count: int, deadline: float | None) -> bytes | None:
-    """Return exactly `count` bytes, or None when the other end closed before."""
+@dataclasses.dataclass(frozen=True)
+class Access:
+    """The files that a child may reach for its whole life: absolute paths of files and folders."""
+
+    reads: tuple[str, ...]
+    writes: tuple[str, ...]
+    scratch: str  # a folder of its own for temporary files, also written to
+
+
+def receive(
+    work: socket.socket, count: int, deadline: float | None, meanwhile: Callable[[], None] | None = None
+) -> bytes | None:
+    """Return exactly `count` bytes, or None when the other end closed before; `meanwhile` is called now and then."""
     content = bytearray()
     while len(content) < count:
         if deadline is not None:
             left = deadline - time.monotonic()
             if left <= 0:
                 raise TimeoutError
-            work.settimeout(left)
-        piece = work.recv(min(count - len(content), 1 << 20))
+            work.settimeout(left if meanwhile is None else min(left, MEANWHILE_S))
+        try:
+            piece = work.recv(min(count - len(content), 1 << 20))
+        except TimeoutError:
+            if meanwhile is None:
+                raise
+            meanwhile()
+            continue
         if not piece:
             return None
         content += piece

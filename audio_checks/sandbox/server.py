@@ -16,7 +16,9 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
+from audio_checks.sandbox import child
 from audio_checks.sandbox.child import answer, settle_inside
+from audio_checks.sandbox.confinement import library_places
 from audio_checks.sandbox.messages import LENGTH, NAME_BYTES, receive
 
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
@@ -31,6 +33,7 @@ def serve(control_descriptor: int, preload: Sequence[str], rehearsal: tuple[str,
     if rehearsal:
         with contextlib.suppress(Exception):  # calls fail with words of their own, if they fail too
             getattr(import_module(rehearsal[0]), rehearsal[1])()
+    child.libraries = library_places()
     # A collection in a child would write to all that it shares with this process, and so copy it.
     gc.collect()
     gc.freeze()
@@ -74,9 +77,10 @@ def _fork(control: socket.socket, selector: selectors.BaseSelector, running: dic
             os.close(descriptor)
         return
     module = name.rstrip(b"\0").decode()
-    if module.partition(".")[0] == "audio_checks" and module not in sys.modules:
+    if module and module not in sys.modules:  # a child may read its code, and need not find it
         with contextlib.suppress(Exception):
             import_module(module)
+        child.libraries = library_places()
     work, status = descriptors
     pid = os.fork()
     if not pid:

@@ -3,6 +3,7 @@
 import hashlib
 import io
 import os
+import stat
 import tempfile
 from abc import ABC, abstractmethod
 from collections.abc import Generator, Iterable, Iterator, Mapping
@@ -40,6 +41,10 @@ class StoreUnavailable(Refused):
     """The store does not do its work now; nothing was half-kept, and the same may be tried again."""
 
     status = 503
+
+
+class NoPlainFile(OSError):
+    """What was to be stored is a link, a folder, a pipe or a device."""
 
 
 class StoreUnready(Exception):
@@ -117,8 +122,12 @@ class Store(ABC):
             Path(name).unlink(missing_ok=True)
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
-        """Store a copy of a file."""
-        with source.open("rb") as file:
+        """Store a copy of a file, of which other processes may still hold it open; a link or a device is refused."""
+        if source.is_symlink() or source.parent.is_symlink():
+            raise NoPlainFile(f"{source.name} is reached by a link; a plain file is wanted")
+        with os.fdopen(os.open(source, os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW), "rb", buffering=0) as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise NoPlainFile(f"{source.name} is a folder, a pipe or a device; a plain file is wanted")
             return self.put(studio_id, iter(lambda: file.read(READ_BYTES), b""))
 
     @contextmanager

@@ -370,7 +370,7 @@ class FailingTogether(audio_checks.SandboxChild):
 
 def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     sandbox = jobs._sandbox()
-    monkeypatch.setattr(sandbox, "child", lambda: FailingTogether(sandbox, timeout_s=60.0))
+    monkeypatch.setattr(sandbox, "child", lambda **given: FailingTogether(sandbox, timeout_s=60.0, **given))
     FailingTogether.asked.clear()
     add_cue(world, "beep")
     heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
