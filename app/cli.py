@@ -92,6 +92,7 @@ def serve(
 
     settings = _settings(serving=True)
     logs.configure(settings.log_level)
+    logs.report_confinement()
     if settings.demo and host != "127.0.0.1":
         raise _refusal(["the demo listens on 127.0.0.1 only, since it asks nobody to sign in"])
     if settings.web_processes == 1:
@@ -139,6 +140,7 @@ def worker() -> None:
 
     settings = _settings(serving=True)
     logs.configure(settings.log_level)
+    logs.report_confinement()
     runtime = _ready_to_serve(settings)
     try:
         with metrics.listening(settings, [metrics.PoolFigures(runtime.database)]):

@@ -8,6 +8,8 @@ from typing import Any, TextIO
 
 import structlog
 
+from audio_checks import confinement_gaps
+
 OURS = "app"  # the loggers of all modules here begin so
 REQUEST_ID = "request_id"
 TRACEBACK = structlog.tracebacks.ExceptionDictTransformer(show_locals=False)  # they may hold secrets
@@ -62,3 +64,9 @@ def cause() -> Cause:
     """Return what the jobs asked for here carry on: the id of the request behind this work, if there is one."""
     request_id = structlog.contextvars.get_contextvars().get(REQUEST_ID)
     return {REQUEST_ID: request_id} if request_id else {}
+
+
+def report_confinement() -> None:
+    """Log what this kernel cannot take from the processes that read strangers' files; nothing where it can all."""
+    for gap in confinement_gaps():
+        structlog.get_logger(__name__).warning(gap)

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from audio_checks.render.render import RENDERER_VERSION, render_master
     from audio_checks.render.rendered import Loss, Rendered
     from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
-    from audio_checks.sandbox import Sandbox, SandboxChild
+    from audio_checks.sandbox import Sandbox, SandboxChild, confinement_gaps
     from audio_checks.sets import Judged, off_its_set_lu, set_findings
     from audio_checks.sound_list import (
         SoundList,
@@ -112,6 +112,7 @@ __all__ = [
     "average_spectrum",
     "check_file",
     "check_files",
+    "confinement_gaps",
     "dry_stem_for",
     "export_master",
     "is_placeholder",
@@ -189,7 +190,7 @@ _HOMES = {
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
-    "audio_checks.sandbox": ("Sandbox", "SandboxChild"),
+    "audio_checks.sandbox": ("Sandbox", "SandboxChild", "confinement_gaps"),
     "audio_checks.sets": ("Judged", "off_its_set_lu", "set_findings"),
     "audio_checks.sound_list": (
         "SoundList",

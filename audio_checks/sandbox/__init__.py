@@ -7,5 +7,6 @@ fork, each call gets a new interpreter with a time limit alone.
 
 from audio_checks.sandbox.calls import Sandbox, SandboxChild
 from audio_checks.sandbox.child import is_inside
+from audio_checks.sandbox.confinement import gaps as confinement_gaps
 
-__all__ = ["Sandbox", "SandboxChild", "is_inside"]
+__all__ = ["Sandbox", "SandboxChild", "confinement_gaps", "is_inside"]

@@ -17,6 +17,8 @@ import sysconfig
 from collections.abc import Sequence
 
 from audio_checks.sandbox import landlock, seccomp
+from audio_checks.sandbox.c_library import c_library
+from audio_checks.sandbox.syscalls import AUDIT_ARCH
 
 UNPRIVILEGED_ID = 65_532  # of nobody who owns files
 PR_SET_PDEATHSIG, PR_SET_KEEPCAPS, PR_SET_NO_NEW_PRIVS = 1, 8, 38
@@ -37,7 +39,7 @@ def gaps() -> tuple[str, ...]:
         told.append("This kernel has no Landlock: checks run without file confinement")
     elif abi < 3:
         told.append("This kernel's Landlock cannot refuse to truncate files: Linux 6.2 or newer can")
-    if platform.machine() not in seccomp.AUDIT_ARCH:
+    if platform.machine() not in AUDIT_ARCH:
         told.append(f"No table of system calls for {platform.machine()}: checks run without a seccomp filter")
     elif not seccomp.is_available():
         told.append("This kernel has no seccomp filters: checks may open sockets and start processes")
@@ -61,7 +63,7 @@ def confine(reads: Sequence[str], writes: Sequence[str], libraries: Sequence[str
     """
     if sys.platform != "linux":
         return
-    libc = ctypes.CDLL(None, use_errno=True)
+    libc = c_library()
     libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
     if os.geteuid() == 0:
         _leave_root(libc, writes)
@@ -70,6 +72,13 @@ def confine(reads: Sequence[str], writes: Sequence[str], libraries: Sequence[str
         landlock.restrict((*libraries, *SYSTEM_LIBRARIES, *SYSTEM_FILES, *reads), (DEVICE, *writes))
     if seccomp.is_available():
         seccomp.install(os.getpid())
+
+
+def prepare() -> None:
+    """Find out, and make, what is the same for every child of this process."""
+    gaps()
+    if platform.machine() in AUDIT_ARCH:
+        seccomp.program(platform.machine(), 0)
 
 
 def library_places() -> list[str]:
@@ -89,7 +98,8 @@ def library_places() -> list[str]:
         if "." not in name:
             found = [*getattr(module, "__path__", ()), getattr(module, "__file__", None)]
             places |= {path for path in found if isinstance(path, str) and not path.startswith(inside)}
-    return sorted(place for place in places if os.path.isabs(place))
+    found = sorted(place for place in places if os.path.isabs(place))
+    return [place for place in found if not any(place.startswith(other + os.sep) for other in found)]
 
 
 def _leave_root(libc: ctypes.CDLL, writes: Sequence[str]) -> None:

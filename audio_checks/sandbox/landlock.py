@@ -6,10 +6,13 @@ Source: Linux, Documentation/userspace-api/landlock.rst and include/uapi/linux/l
 from __future__ import annotations
 
 import ctypes
+import functools
 import os
 import stat
 import struct
 from collections.abc import Iterable
+
+from audio_checks.sandbox.c_library import c_library
 
 CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446  # on every machine
 RULE_PATH_BENEATH = 1
@@ -24,6 +27,7 @@ WRITING = READING | WRITE_FILE | TRUNCATE | MAKE_REG | MAKE_DIR | REMOVE_FILE | 
 OF_FILES = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL_DEV
 
 
+@functools.cache
 def version() -> int:
     """Return the version of this kernel's Landlock interface; 0 where there is none."""
     try:
@@ -66,9 +70,8 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
 
 
 def _call(number: int, *arguments: int | bytes | None) -> int:
-    libc = ctypes.CDLL(None, use_errno=True)
     given = [ctypes.c_long(one) if isinstance(one, int) else one for one in arguments]
-    result = int(libc.syscall(ctypes.c_long(number), *given))
+    result = int(c_library().syscall(ctypes.c_long(number), *given))
     if result < 0:
         raise OSError(ctypes.get_errno(), f"landlock: {os.strerror(ctypes.get_errno())}")
     return result

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import ctypes
 import errno
+import functools
 import os
 import platform
 import struct
 from collections.abc import Iterator
 
+from audio_checks.sandbox.c_library import c_library
 from audio_checks.sandbox.syscalls import ALLOWED, AUDIT_ARCH, JUDGED
 
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
-LOAD, IF_EQUAL, RETURN = 0x20, 0x15, 0x06  # BPF_LD|W|ABS, BPF_JMP|JEQ|K, BPF_RET|K
+LOAD, JUMP, IF_EQUAL, RETURN = 0x20, 0x05, 0x15, 0x06  # BPF_LD|W|ABS, BPF_JMP|JA, BPF_JMP|JEQ|K, BPF_RET|K
 NUMBER, ARCHITECTURE, FIRST, SECOND = 0, 4, 16, 24  # offsets in struct seccomp_data, of the lower half of an argument
 ALLOW, ERRNO, KILL_PROCESS = 0x7FFF0000, 0x00050000, 0x80000000
 TERMINAL_IOCTLS = (0x5401, 0x5421, 0x5450, 0x5451)  # TCGETS, FIONBIO, FIONCLEX, FIOCLEX
@@ -26,17 +28,27 @@ class _Program(ctypes.Structure):
     _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_char_p))
 
 
+@functools.cache
 def is_available() -> bool:
     """Tell whether this kernel takes filters, and the table knows this machine."""
     if platform.machine() not in AUDIT_ARCH:
         return False
-    libc = ctypes.CDLL(None, use_errno=True)
-    libc.prctl(PR_SET_SECCOMP, MODE_FILTER, None, 0, 0)  # no filter: a kernel that takes them cannot read it
+    c_library().prctl(PR_SET_SECCOMP, MODE_FILTER, None, 0, 0)  # no filter: a kernel that takes them cannot read it
     return ctypes.get_errno() == errno.EFAULT
 
 
 def program(machine: str, pid: int) -> bytes:
     """Return the filter for a machine and a process, as an array of struct sock_filter."""
+    column, _ = AUDIT_ARCH[machine]
+    instructions = list(_of_every_process(machine))
+    for name in ("kill", "tgkill"):
+        instructions += _if_argument(JUDGED[name][column], FIRST, (pid,))
+    return b"".join([*instructions, _instruction(RETURN, ERRNO | errno.EPERM)])
+
+
+@functools.cache
+def _of_every_process(machine: str) -> tuple[bytes, ...]:
+    """Return the part of the filter that the server makes once for all its children."""
     column, architecture = AUDIT_ARCH[machine]
     instructions = [
         _instruction(LOAD, ARCHITECTURE),
@@ -44,34 +56,28 @@ def program(machine: str, pid: int) -> bytes:
         _instruction(RETURN, KILL_PROCESS),
         _instruction(LOAD, NUMBER),
     ]
-    for numbers in ALLOWED.values():
-        if (number := numbers[column]) is not None:
-            instructions += [_instruction(IF_EQUAL, number, otherwise=1), _instruction(RETURN, ALLOW)]
+    allowed = [number for numbers in ALLOWED.values() if (number := numbers[column]) is not None]
+    # One answer for all of them: the kernel goes through a new filter once for each call that it has.
+    instructions += [_instruction(IF_EQUAL, number, then=len(allowed) - place) for place, number in enumerate(allowed)]
+    instructions += [_instruction(JUMP, 1), _instruction(RETURN, ALLOW)]
     for name, offset, values in (
         ("ioctl", SECOND, TERMINAL_IOCTLS),
         ("fcntl", SECOND, DESCRIPTOR_FCNTLS),  # no owner of signals, no leases
-        ("kill", FIRST, (pid,)),
-        ("tgkill", FIRST, (pid,)),
-        ("prlimit64", FIRST, (0, pid)),
+        ("prlimit64", FIRST, (0,)),
     ):
         instructions += _if_argument(JUDGED[name][column], offset, values)
     number = JUDGED["clone3"][column]
     assert number is not None  # noqa: S101 - both machines have it
     # glibc then tries clone, which is refused as not permitted.
-    instructions += [
-        _instruction(IF_EQUAL, number, otherwise=1),
-        _instruction(RETURN, ERRNO | errno.ENOSYS),
-        _instruction(RETURN, ERRNO | errno.EPERM),
-    ]
-    return b"".join(instructions)
+    refused = ERRNO | errno.ENOSYS
+    return (*instructions, _instruction(IF_EQUAL, number, otherwise=1), _instruction(RETURN, refused))
 
 
 def install(pid: int) -> None:
     """Hold this thread to the filter for good; OSError where the kernel refuses."""
     content = program(platform.machine(), pid)
     wanted = _Program(len(content) // 8, content)
-    libc = ctypes.CDLL(None, use_errno=True)
-    if libc.prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(wanted), 0, 0):
+    if c_library().prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(wanted), 0, 0):
         raise OSError(ctypes.get_errno(), f"seccomp: {os.strerror(ctypes.get_errno())}")
 
 

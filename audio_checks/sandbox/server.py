@@ -18,7 +18,7 @@ from pathlib import Path
 
 from audio_checks.sandbox import child
 from audio_checks.sandbox.child import answer, settle_inside
-from audio_checks.sandbox.confinement import library_places
+from audio_checks.sandbox.confinement import library_places, prepare
 from audio_checks.sandbox.messages import LENGTH, NAME_BYTES, receive
 
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
@@ -34,6 +34,7 @@ def serve(control_descriptor: int, preload: Sequence[str], rehearsal: tuple[str,
         with contextlib.suppress(Exception):  # calls fail with words of their own, if they fail too
             getattr(import_module(rehearsal[0]), rehearsal[1])()
     child.libraries = library_places()
+    prepare()
     # A collection in a child would write to all that it shares with this process, and so copy it.
     gc.collect()
     gc.freeze()

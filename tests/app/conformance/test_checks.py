@@ -1,6 +1,6 @@
 """Every take is judged once against what the spec asks, whatever the file does to its checker."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -54,17 +54,16 @@ def runs(world: World, take_id: str) -> list[CheckRun]:
 
 
 @pytest.fixture
-def tried() -> Iterator[Callable[[dict[str, Any]], int]]:
-    """How often the check of a take was tried."""
-    files = []
+def tried(monkeypatch: pytest.MonkeyPatch) -> list[Callable[..., Any]]:
+    """Every call that was made in a child."""
+    call, calls = audio_checks.SandboxChild.call, list[Callable[..., Any]]()
 
-    def count(take: dict[str, Any]) -> int:
-        files.append(hostile.tries(take["master_sha256"]))
-        return files[-1].stat().st_size
+    def counted(child: audio_checks.SandboxChild, work: Callable[..., Any], *given: Any, **options: Any) -> Any:
+        calls.append(work)
+        return call(child, work, *given, **options)
 
-    yield count
-    for file in files:
-        file.unlink(missing_ok=True)
+    monkeypatch.setattr(audio_checks.SandboxChild, "call", counted)
+    return calls
 
 
 def test_a_conforming_take(world: World) -> None:
@@ -115,7 +114,7 @@ def test_a_file_dropped_on_a_cue_is_judged_under_the_cues_name(world: World) -> 
 def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     world: World,
     monkeypatch: pytest.MonkeyPatch,
-    tried: Callable[[dict[str, Any]], int],
+    tried: list[Callable[..., Any]],
     what: Callable[..., Any],
 ) -> None:
     monkeypatch.setattr(audio_checks, "check_file", what)
@@ -125,7 +124,7 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     monkeypatch.setattr(checking, "time_for", lambda _bytes: 1.0)
     take = deliver(world, "laser.wav", tone(hz=200 + len(what.__name__)))
     found = checked(world, take["id"])
-    assert tried(take) == 3
+    assert tried.count(what) == 3
     assert (found["state"], found["verdict"]) == ("unjudged", "unjudged")
     [finding] = found["findings"]
     assert "nothing is known to be wrong" in finding["message"]
@@ -138,12 +137,18 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
 
 
 def test_a_check_that_works_at_the_third_try_counts(
-    world: World, monkeypatch: pytest.MonkeyPatch, tried: Callable[[dict[str, Any]], int]
+    world: World, monkeypatch: pytest.MonkeyPatch, tried: list[Callable[..., Any]]
 ) -> None:
-    monkeypatch.setattr(audio_checks, "check_file", hostile.crash_twice)
+    call, check_file = audio_checks.SandboxChild.call, audio_checks.check_file
+
+    def crash_twice(child: audio_checks.SandboxChild, work: Callable[..., Any], *given: Any, **options: Any) -> Any:
+        is_to_crash = work is check_file and tried.count(hostile.crash) < 2
+        return call(child, hostile.crash if is_to_crash else work, *given, **options)
+
+    monkeypatch.setattr(audio_checks.SandboxChild, "call", crash_twice)
     take = deliver(world, "laser.wav", tone(hz=300))
     assert checked(world, take["id"])["state"] == "conforming"
-    assert tried(take) == 3
+    assert tried[:3] == [hostile.crash, hostile.crash, check_file]
 
 
 def altered(file: Path) -> None:
