@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxOutOfMemory
+from audio_checks.sandbox.answers import ensure_likely
 
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
 NAME_BYTES = 256  # of a module's name on its way to the server
@@ -38,7 +39,6 @@ PLAIN = {("builtins", name) for name in ("set", "frozenset", "complex", "bytearr
     ("pathlib._local", "PurePosixPath"),
     ("uuid", "UUID"),
     ("decimal", "Decimal"),
-    ("fractions", "Fraction"),
     ("numpy", "ndarray"),
     ("numpy", "dtype"),
     ("numpy._core.multiarray", "_reconstruct"),
@@ -103,6 +103,7 @@ def resolved(answer: tuple[bytes, bytes]) -> Any:
         raise SandboxCrashed(f"the call failed: {detail.strip().splitlines()[-1] if detail.strip() else '?'}", detail)
     try:
         value = _Unpickler(io.BytesIO(body)).load()
+        ensure_likely(value.args if isinstance(value, BaseException) else value)
     except Exception as error:
         raise SandboxCrashed(f"the child's answer cannot be read: {error}") from error
     if kind == RAISED:
