@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill attack false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -54,6 +54,9 @@ e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser
 
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20
+
+attack: setup .make/postgresql  ## Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)
+	$(BIN)/python -m tests.attack --seconds $(or $(SECONDS),300) --database $(or $(DATABASE),sqlite)
 
 false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m tests.audio_checks.faults

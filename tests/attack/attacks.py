@@ -1,0 +1,344 @@
+"""Attacks by name, as a stranger and as signed-in people; each sends a few requests and yields the statuses."""
+
+import base64
+import io
+import random
+import socket
+import string
+import time
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import httpx
+import numpy as np
+
+from tests.support.deliver import add_cues, deliver, open_delivery
+from tests.support.mutants import mutant
+from tests.support.server import World
+from tests.support.waves import sine, wav_bytes
+
+ANSWER_WITHIN_S = 15.0
+NO_ANSWER = 0  # in place of a status: the server closed the line
+SLOW_LINES, SLOW_FOR_S = 20, 1.0
+ODD = (
+    "²",
+    "9" * 20,
+    "9" * 5_000,
+    "-1",
+    "\0",
+    "a\0b",
+    "..",
+    "../../etc/passwd",
+    str(2**31),
+    str(2**63),
+    "{}",
+    "é" * 999,
+)
+
+
+@dataclass
+class Target:
+    """A running server, the people who attack it, and what they know."""
+
+    world: World
+    port: int
+    numbers: random.Random = field(default_factory=lambda: random.Random(20))
+
+    def __post_init__(self) -> None:
+        """Fill a project, so that addresses lead somewhere."""
+        self.cue_ids = [
+            cue["id"] for cue in add_cues(self.world, {"name": "Laser fire"}, {"name": "aaaaaaaaaaaaaaaaaaaaaaaa"})
+        ]
+        self.take_id = deliver(self.world, "laser_fire.wav", wav_bytes(sine(hz=997, seconds=0.2)))["id"]
+        self.delivery_id = open_delivery(self.world)
+        self.project = f"/v1/projects/{self.world.project_id}"
+
+    def bad_word(self) -> str:
+        """Return a value that parsers and databases stumble over."""
+        return self.numbers.choice(ODD)
+
+
+Attack = Callable[[Target], Iterator[int]]
+ATTACKS: dict[str, Attack] = {}
+
+
+def attack(name: str) -> Callable[[Attack], Attack]:
+    """Register an attack."""
+
+    def register(run: Attack) -> Attack:
+        ATTACKS[name] = run
+        return run
+
+    return register
+
+
+def sent(client: httpx.Client, method: str, path: str, **more: Any) -> int:
+    """Return the status of a request, NO_ANSWER where the server closed the line or a client cannot write this."""
+    try:
+        return client.request(method, path, timeout=ANSWER_WITHIN_S, **more).status_code
+    except httpx.TimeoutException:
+        raise
+    except (httpx.TransportError, httpx.InvalidURL, UnicodeEncodeError, ValueError):
+        return NO_ANSWER
+
+
+def sent_raw(target: Target, head: bytes, body: bytes = b"") -> int:
+    """Return the status of a request that no client would write."""
+    with socket.create_connection(("127.0.0.1", target.port), timeout=ANSWER_WITHIN_S) as line:
+        try:
+            line.sendall(head + b"\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n" + body)
+            first = line.makefile("rb").readline().split()
+        except OSError:
+            return NO_ANSWER
+    return int(first[1]) if len(first) > 1 and first[1].isdigit() else NO_ANSWER
+
+
+# Sheets.
+
+
+def workbook(sheet: str, *, compressed: bool = True) -> bytes:
+    """Return an XLSX file of one sheet, whose XML is given."""
+    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+    of_office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    of_package = "http://schemas.openxmlformats.org/package/2006"
+    types = "application/vnd.openxmlformats-officedocument.spreadsheetml"
+    parts = {
+        "[Content_Types].xml": f'<Types xmlns="{of_package}/content-types">'
+        '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+        f'<Override PartName="/xl/workbook.xml" ContentType="{types}.sheet.main+xml"/>'
+        f'<Override PartName="/xl/worksheets/sheet1.xml" ContentType="{types}.worksheet+xml"/></Types>',
+        "_rels/.rels": f'<Relationships xmlns="{of_package}/relationships"><Relationship Id="r1" '
+        f'Type="{of_office}/officeDocument" Target="xl/workbook.xml"/></Relationships>',
+        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{of_office}"><sheets>'
+        '<sheet name="s" sheetId="1" r:id="r1"/></sheets></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{of_package}/relationships"><Relationship Id="r1" '
+        f'Type="{of_office}/worksheet" Target="worksheets/sheet1.xml"/></Relationships>',
+        "xl/worksheets/sheet1.xml": sheet.replace("MAIN", f'xmlns="{main}"'),
+    }
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED if compressed else zipfile.ZIP_STORED) as archive:
+        for name, text in parts.items():
+            archive.writestr(name, text)
+    return made.getvalue()
+
+
+def cells(*references: str) -> str:
+    """Return a sheet with a word in each of these cells, each in a row of its own."""
+    rows = "".join(
+        f'<row r="{reference.lstrip(string.ascii_uppercase)}">'
+        f'<c r="{reference}" t="inlineStr"><is><t>name</t></is></c></row>'
+        for reference in references
+    )
+    return f"<worksheet MAIN><sheetData>{rows}</sheetData></worksheet>"
+
+
+def imported(target: Target, **sheet: Any) -> int:
+    body = {"dry_run": True, **sheet}
+    return sent(target.world.producer, "POST", f"{target.project}/sound-list/import", json=body)
+
+
+def imported_workbook(target: Target, sheet: str) -> int:
+    return imported(target, format="xlsx", content_base64=base64.b64encode(workbook(sheet)).decode())
+
+
+@attack("sheet: a cell at the far corner")
+def far_cell(target: Target) -> Iterator[int]:
+    yield imported_workbook(target, cells("A1", "XFD1048576"))
+
+
+@attack("sheet: row numbers of nine digits")
+def far_rows(target: Target) -> Iterator[int]:
+    yield imported_workbook(target, cells("A1", "A999999999"))
+
+
+@attack("sheet: 200 MB in 200 kB")
+def sheet_bomb(target: Target) -> Iterator[int]:
+    yield imported_workbook(target, "<worksheet MAIN><sheetData>" + " " * 200_000_000 + "</sheetData></worksheet>")
+
+
+@attack("sheet: entities in entities")
+def entities(target: Target) -> Iterator[int]:
+    laughs = "".join(f'<!ENTITY l{n} "{f"&l{n - 1};" * 10}">' for n in range(1, 10))
+    doctype = f'<!DOCTYPE w [<!ENTITY l0 "ha"><!ENTITY f SYSTEM "file:///etc/passwd">{laughs}]>'
+    yield imported_workbook(target, doctype + cells("A1").replace("name", "&l9;&f;"))
+
+
+@attack("sheet: a cell of 20,000 digits and spaces")
+def long_cell(target: Target) -> Iterator[int]:
+    for cell in ("1 " * 10_000, "0" * 20_000 + "x", "1:" * 10_000, " " * 20_000 + "x", "a_" * 10_000):
+        yield imported(target, format="csv", text=f"name,duration\n{cell},{cell}\n")
+
+
+@attack("sheet: a million columns, rows and quotes")
+def wide_text(target: Target) -> Iterator[int]:
+    for text in ("name," + "," * 1_000_000, "name\n" * 500_000, 'name\n"' + "x" * 200_000, '"' * 500_000):
+        yield imported(target, format="csv", text=text)
+
+
+# TOML.
+
+
+def toml_texts() -> Iterator[str]:
+    yield "format = 1\n" + "a." * 30_000 + "a = 1\n"
+    yield 'format = 1\nname = "x"\n[files]\n' + "a." * 500 + 'a = "x"\n'
+    yield "a = " + "[" * 30_000
+    yield "a = " + "{a=" * 20_000
+    yield "[" + "a." * 30_000 + "a]\n"
+    yield "".join(f"[a.b{n}.c]\n" for n in range(5_000))
+    yield "[[a]]\n" * 10_000
+
+
+@attack("TOML: a delivery spec with thousands of dots and brackets")
+def hostile_spec(target: Target) -> Iterator[int]:
+    for text in toml_texts():
+        yield sent(target.world.producer, "POST", f"{target.project}/spec/check-toml", json={"toml": text})
+        yield sent(target.world.producer, "PUT", f"{target.project}/spec", json={"toml": text})
+
+
+@attack("TOML: a contract template with thousands of dots and brackets")
+def hostile_template(target: Target) -> Iterator[int]:
+    path = f"/v1/studios/{target.world.studio_id}/contract-templates/import"
+    for text in toml_texts():
+        yield sent(target.world.producer, "POST", path, json={"toml": text})
+
+
+@attack("TOML: a naming pattern that backtracks")
+def hostile_pattern(target: Target) -> Iterator[int]:
+    text = "format = 1\nname = \"x\"\n[naming]\npattern = '((a+)+)+b'\n"
+    yield sent(target.world.producer, "POST", f"{target.project}/spec/check-toml", json={"toml": text})
+
+
+# Bodies and lines.
+
+
+@attack("body: 40 MB to sign in")
+def long_sign_in(target: Target) -> Iterator[int]:
+    def body() -> Iterator[bytes]:
+        yield b'{"email":"'
+        for _ in range(40):
+            yield b"a" * 1_000_000
+
+    headers = {"Content-Type": "application/json"}
+    yield sent(target.world.nobody, "POST", "/v1/sign-in", content=body(), headers=headers)
+
+
+@attack("body: JSON that is deep or wide")
+def odd_json(target: Target) -> Iterator[int]:
+    headers = {"Content-Type": "application/json"}
+    for body in (b"[" * 100_000, b'{"a":' * 50_000, b"[" + b"0," * 4_000_000 + b"0]", b"9" * 100_000, b'"\\ud800"'):
+        yield sent(target.world.nobody, "POST", "/v1/sign-up", content=body, headers=headers)
+        yield sent(target.world.producer, "POST", f"{target.project}/cues", content=body, headers=headers)
+
+
+@attack("lines: heads and bodies that never end")
+def slow_lines(target: Target) -> Iterator[int]:
+    lines = [socket.create_connection(("127.0.0.1", target.port), timeout=5) for _ in range(SLOW_LINES)]
+    head = b"POST /v1/sign-in HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
+    try:
+        for number, line in enumerate(lines):
+            line.sendall(head if number % 2 else head + b"Content-Length: 1000\r\n\r\n{")
+        time.sleep(SLOW_FOR_S)
+        for line in lines:
+            line.sendall(b"X-More: a\r\n")
+    except OSError:
+        yield NO_ANSWER
+    finally:
+        for line in lines:
+            line.close()
+
+
+@attack("sign-in: wrong passwords")
+def wrong_passwords(target: Target) -> Iterator[int]:
+    for number in range(20):
+        body = {"email": f"person{number}@example.test", "password": "wrong" * 20}
+        yield sent(target.world.nobody, "POST", "/v1/sign-in", json=body)
+
+
+# Addresses, headers, cursors, ranges, names.
+
+
+@attack("addresses: NUL, 5,000 letters, dots, percents")
+def odd_addresses(target: Target) -> Iterator[int]:
+    paths = ("/%00", "/v1/%00", "/assets/%00", "/" + "a" * 5_000, "/assets/" + "a" * 5_000, "/assets/../../etc/passwd",
+             "/assets/%2e%2e/%2e%2e/etc/passwd", "/%ff%fe", "/v1/projects/%ed%a0%80", "//", "/v1//", "/v1/takes/²",
+             "*", "http://[::1", "/?" + "a=b&" * 2_000, "/v1/invitations/%00", "/v1/calendars/%00")  # fmt: skip
+    for path in paths:
+        yield sent_raw(target, b"GET " + path.encode() + b" HTTP/1.1")
+
+
+@attack("headers: origins, hosts, cookies, lengths")
+def odd_headers(target: Target) -> Iterator[int]:
+    heads = (b"Origin: http://[::1", b"Host: [::1", b"Cookie: " + b"a=b; " * 1_500, b"Content-Length: -1",
+             b"Content-Length: " + b"9" * 30, b"Transfer-Encoding: chunked", b"X-A: \xff\xfe\x00",
+             b"X-A: b\r\n" * 500 + b"X-B: c", b"Authorization: Bearer \xc3\xa9", b"X-Forwarded-For: " + b"1," * 2_000,
+             b"Accept-Encoding: " + b"a" * 60_000, b"Origin: http://127.0.0.1:99999999")  # fmt: skip
+    for head in heads:
+        for method in (b"GET", b"POST"):
+            yield sent_raw(target, method + b" /v1/sign-in HTTP/1.1\r\n" + head)
+
+
+@attack("cursors and searches: huge numbers, NUL, half of a pair")
+def odd_cursors(target: Target) -> Iterator[int]:
+    lists = ("/v1/review-queue", f"{target.project}/takes", f"{target.project}/sound-list/revisions",
+             f"{target.project}/questions", f"{target.project}/packs", "/v1/projects",
+             f"/v1/studios/{target.world.studio_id}/jobs", f"/v1/studios/{target.world.studio_id}/outbox")  # fmt: skip
+    for path in lists:
+        for name in ("cursor", "after", "limit", "q"):
+            yield sent(target.world.producer, "GET", path, params={name: target.bad_word()})
+    for _ in range(5):
+        yield sent(target.world.producer, "GET", f"{target.project}/find", params={"q": target.bad_word()})
+        yield sent(target.world.producer, "GET", f"/v1/takes/{target.bad_word()[:50]}")
+
+
+@attack("ranges: 5,000 digits, 500 parts, backwards")
+def odd_ranges(target: Target) -> Iterator[int]:
+    ranges = ("bytes=" + "9" * 5_000 + "-", "bytes=0-" + "9" * 5_000, "bytes=-" + "9" * 5_000, "bytes=9-1",
+              "bytes=" + "0-," * 500 + "0-", "bytes=²-".encode().decode("latin-1"), "items=0-1",
+              "bytes=-0")  # fmt: skip
+    for value in ranges:
+        for path in (f"/v1/takes/{target.take_id}/master", f"{target.project}/sound-list.csv"):
+            yield sent(target.world.designer, "GET", path, headers={"Range": value})
+
+
+@attack("names: of files, cues, people and labels")
+def odd_names(target: Target) -> Iterator[int]:
+    for word in ODD:
+        query = {"delivery_id": target.delivery_id, "file_name": f"{word}.wav"}
+        yield sent(target.world.designer, "PUT", "/v1/uploads", params=query, content=b"RIFF")
+        yield sent(target.world.producer, "POST", f"{target.project}/cues", json={"cues": [{"name": word}]})
+        yield sent(target.world.producer, "PUT", "/v1/me", json={"name": word})
+        yield sent(target.world.producer, "POST", f"{target.project}/packs", json={"target": word, "label": word})
+
+
+# Files.
+
+
+def delivered(target: Target, name: str, content: bytes) -> Iterator[int]:
+    query = {"delivery_id": target.delivery_id, "file_name": name}
+    designer = target.world.designer
+    answer = designer.put("/v1/uploads", params=query, content=content, timeout=ANSWER_WITHIN_S)
+    yield answer.status_code
+    if answer.status_code == 201:
+        upload_id = answer.json()["upload_id"]
+        path = f"/v1/deliveries/{target.delivery_id}/{'archives' if name.endswith('.zip') else 'takes'}"
+        yield sent(designer, "POST", path, json={"upload_id": upload_id, "file_name": name})
+
+
+@attack("files: damaged WAV")
+def damaged_files(target: Target) -> Iterator[int]:
+    numbers = np.random.default_rng(target.numbers.getrandbits(32))
+    for number in range(4):
+        yield from delivered(target, f"laser_fire_{number}.wav", mutant(numbers))
+
+
+@attack("files: ZIPs that grow or climb")
+def hostile_zips(target: Target) -> Iterator[int]:
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("../../laser.wav", b"RIFF")
+        archive.writestr("/etc/laser.wav", b"RIFF")
+        archive.writestr("bomb.wav", bytes(50_000_000))
+    yield from delivered(target, "bomb.zip", made.getvalue())
+    yield from delivered(target, "half.zip", made.getvalue()[: len(made.getvalue()) // 2])

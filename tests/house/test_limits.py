@@ -1,0 +1,49 @@
+"""The limits in docs/operate.md are those in the code."""
+
+import re
+from datetime import timedelta
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+from limits import RateLimitItem, parse
+
+from app.accounts.rate_limits import Limit
+
+TEXT = (Path(__file__).resolve().parents[2] / "docs/operate.md").read_text()
+TABLE = TEXT.partition("\n## Limits\n")[2].partition("\n## ")[0]
+ROWS = re.findall(r"^\| ([^|]+) \| ([^|]+) \| `([\w.]+)` \|$", TABLE, re.MULTILINE)
+UNITS = {"KiB": 1 << 10, "MiB": 1 << 20, "GiB": 1 << 30, "minutes": 60, "hours": 3600, "days": 86_400}
+
+
+def in_code(constant: str) -> Any:
+    module, _, name = constant.rpartition(".")
+    value = getattr(import_module(module), name)
+    if isinstance(value, Limit):
+        return value.rate
+    return value.total_seconds() if isinstance(value, timedelta) else value
+
+
+def in_words(limit: str) -> RateLimitItem | float:
+    """Return what a cell says: a rate, or a number in bytes, seconds or pieces."""
+    if " per " in limit:
+        return parse(limit)
+    number, _, unit = limit.partition(" ")
+    return float(number.replace(",", "")) * UNITS.get(unit, 1)
+
+
+def test_every_row_is_read():
+    rows = [line for line in TABLE.splitlines() if line.startswith("| ") and not line.startswith("| what |")]
+    assert len(ROWS) == len(rows) > 20
+
+
+@pytest.mark.parametrize(("limit", "constant"), [(limit, constant) for _, limit, constant in ROWS])
+def test_the_table_says_what_the_code_does(limit: str, constant: str):
+    assert in_words(limit) == in_code(constant)
+
+
+def test_every_rate_is_in_the_table():
+    module = import_module("app.accounts.rate_limits")
+    rates = {f"{module.__name__}.{name}" for name, value in vars(module).items() if isinstance(value, Limit)}
+    assert rates <= {constant for _, _, constant in ROWS}
