@@ -16,7 +16,7 @@ IMAGE = re.compile(
     r"^(?P<before>\s*(?:image:|FROM)\s+)(?P<name>[\w./-]+(?::[\w.-]+)?)(?P<pin>@sha256:[0-9a-f]{64})?(?=\s|$)", re.M
 )
 ACTION = re.compile(
-    r"^(?P<before>\s*(?:- )?uses:\s+)(?P<name>[\w.-]+/[\w./-]+)@(?P<ref>[\w.-]+)(?: # (?P<tag>[\w.-]+))?$", re.M
+    r"^(?P<before>\s*(?:- )?uses:\s+)(?P<name>[\w.-]+/[\w./-]+)@(?P<ref>[\w./-]+)(?: # (?P<tag>[\w./-]+))?$", re.M
 )
 COMMIT = re.compile(r"[0-9a-f]{40}")
 OUR_IMAGES = frozenset({"soundlist"})
