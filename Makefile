@@ -5,7 +5,7 @@ PYTHON ?= python3
 WORKERS ?= 2
 BESIDE ?= 2
 # First what says soonest that something is wrong, then the longest; what is short fills the gap at the end.
-PARTS := check unit e2e unit-postgres frontend-test
+PARTS := check unit e2e frontend-test unit-postgres
 BIN := .venv/bin
 COMPILE = $(BIN)/uv pip compile --quiet --no-header --universal --python-version 3.11 --generate-hashes $(if $(UPGRADE),--upgrade)
 SHELL := /bin/bash
@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test check fix unit unit-postgres frontend-test e2e kill attack false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run test test-all check fix unit unit-postgres frontend-test e2e kill attack false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -29,6 +29,10 @@ test: .make/s3  ## Set up and pass every test; two parts at a time, for much in 
 	@$(MAKE) --no-print-directory --keep-going --jobs=$(BESIDE) $(PARTS:%=beside-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
 	@tail -q -n 1 .make/unit.log .make/unit-postgres.log
 
+test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
+
+beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sent
 beside-%: setup .make/postgresql .make/browser .make/librosa
 	@.ci/part $* $(MAKE) --no-print-directory $*
 
@@ -41,10 +45,10 @@ check: setup  ## Lint, types, import contracts, OpenAPI drift
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
 unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record .make/statements $(ARGS)
 
-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## Those of rooms and journeys once more, on PostgreSQL and S3
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys $(ARGS)
+unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## What differs on PostgreSQL and S3, and every statement there once
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded .make/statements tests/app tests/journeys $(ARGS)
 
 frontend-test: setup  ## Tests of the frontend's parts
 	@cd frontend && npm run --silent test

@@ -29,6 +29,8 @@ export default defineConfig({
     include: ['src/**/*.test.{ts,tsx}'],
     setupFiles: ['src/test/setup.ts'],
     restoreMocks: true,
+    // One page environment for all files of a process: a new one, and everything imported anew, costs half of the run.
+    isolate: false,
     maxWorkers: 2,
     // Whole pages take long on a busy machine, and other parts of the tests run beside these.
     testTimeout: 60_000,

@@ -1,6 +1,7 @@
 """Which database and store the tests of rooms and journeys run on; the others need none or bring their own."""
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -8,12 +9,14 @@ from hypothesis import settings
 
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.s3 import S3Server, run_s3
+from tests.support.statements import Recorder, fewest, recorded, test_id
 
 if TYPE_CHECKING:
     from tests.support.server import RunningServer
 
 SQLITE, POSTGRES = "sqlite", "postgres"
 FOLDER, S3 = "folder", "s3"
+RECORDER: pytest.StashKey[Recorder] = pytest.StashKey()
 
 settings.register_profile("unhurried", deadline=None)  # how long an example takes says how busy the machine is
 settings.load_profile("unhurried")
@@ -28,16 +31,57 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
     parser.addoption("--store", choices=(FOLDER, S3), default=FOLDER, help="where the rooms and journeys keep sounds")
 
+    parser.addoption("--record", type=Path, metavar="FOLDER", help="record there what each test sends to SQLite")
+    parser.addoption(
+        "--recorded", type=Path, metavar="FOLDER",
+        help="on PostgreSQL, run the tests marked both_databases and the fewest others that send all that is recorded",
+    )  # fmt: skip
 
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Record into a file for each process, and begin with none."""
+    folder: Path | None = config.getoption("--record")
+    if folder is None:
+        return
+    worker = getattr(config, "workerinput", None)
+    if worker is None:
+        folder.mkdir(parents=True, exist_ok=True)
+        for file in folder.glob("*.jsonl"):
+            file.unlink()
+    recorder = Recorder(folder / f"{worker['workerid'] if worker else 'alone'}.jsonl")
+    config.stash[RECORDER] = recorder
+    config.pluginmanager.register(recorder)
+
+
+@pytest.hookimpl(tryfirst=True)  # pytest-xdist reads the groups
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """On PostgreSQL leave out what would only run again as it ran on SQLite; on S3, what wants a folder."""
-    there = items[:]
+    """Leave out what this database and store do not need, and keep tests that share a fixture of their module together.
+
+    A module's fixture would otherwise be made once in every process.
+    """
+    kept = items[:]
     if config.getoption("--database") == POSTGRES:
-        there = [item for item in there if "database_url" in getattr(item, "fixturenames", ())]
+        kept = [item for item in kept if "database_url" in getattr(item, "fixturenames", ())]
     other = "on_folder" if config.getoption("--store") == S3 else "on_s3"
-    there = [item for item in there if item.get_closest_marker(other) is None]
-    config.hook.pytest_deselected(items=[item for item in items if item not in there])
-    items[:] = there
+    kept = [item for item in kept if item.get_closest_marker(other) is None]
+    if config.getoption("--recorded"):
+        kept = needed(kept, config.getoption("--recorded"))
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    items[:] = kept
+    for item in items:
+        if isinstance(item, pytest.Function) and any(
+            found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found
+        ):
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.split("::")[0]))
+
+
+def needed(items: list[pytest.Item], folder: Path) -> list[pytest.Item]:
+    """Return the marked tests, those without a record, and the fewest others that send all that is recorded."""
+    ids = {test_id(item) for item in items}
+    sent = {test: what for test, what in recorded(folder).items() if test in ids}
+    always = {test_id(item) for item in items if item.get_closest_marker("both_databases")}
+    chosen = fewest(sent, always) | always | (ids - sent.keys())
+    return [item for item in items if test_id(item) in chosen]
 
 
 @pytest.fixture(scope="session")
@@ -74,7 +118,10 @@ def store_settings(request: pytest.FixtureRequest) -> dict[str, Any]:
 
 @pytest.fixture(scope="session")
 def server(
-    tmp_path_factory: pytest.TempPathFactory, database_url: str, store_settings: dict[str, Any]
+    request: pytest.FixtureRequest,
+    tmp_path_factory: pytest.TempPathFactory,
+    database_url: str,
+    store_settings: dict[str, Any],
 ) -> "Iterator[RunningServer]":
     """The application on a database and store with a worker: one for rooms and journeys, as a process has one worker.
 
@@ -83,4 +130,7 @@ def server(
     from tests.support.server import run_server  # seconds that tests of sounds alone do without
 
     with run_server(tmp_path_factory.mktemp("server"), database_url=database_url, **store_settings) as running:
+        running.recorder = request.config.stash.get(RECORDER, None)
+        if running.recorder:
+            running.recorder.watch(running.runtime.database.engine)
         yield running

@@ -25,6 +25,8 @@ from tests.support.s3 import S3Server
 from tests.support.server import RunningServer, World
 from tests.support.waves import sine, wav_bytes
 
+pytestmark = pytest.mark.both_databases
+
 SECRET_KEY = "only for tests, and only here"
 Opened = Callable[..., AbstractContextManager[RunningServer]]
 

@@ -14,6 +14,8 @@ from tests.app.reviews.making import Stage
 from tests.support.deliver import add_cues, open_delivery
 from tests.support.server import RunningServer, World
 
+pytestmark = pytest.mark.both_databases
+
 ROUNDS = 6
 
 

@@ -13,6 +13,8 @@ from tests.journeys.people import Designer, Team
 from tests.support.server import RunningServer
 from tests.support.waves import sine, wav_bytes
 
+pytestmark = pytest.mark.both_databases
+
 CUES = ("radar_ping", "dock_clamp", "mine_arm", "missile_launch")
 TODAY = date(2026, 11, 20)
 

@@ -8,12 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 import audio_checks
 from audio_checks.cli import main as audio_checks_command
 from tests.journeys.people import Designer, Team
 from tests.support.server import RunningServer
 from tests.support.waves import noise, sine, wav_bytes
+
+pytestmark = pytest.mark.both_databases
 
 LIST = """Filename;Category;What it is;Length (s);Loop;Variations
 laser_fire;weapon;The player's turret;0,3;no;2

@@ -13,6 +13,7 @@ from uuid import UUID
 import sqlalchemy as sa
 from anyio.from_thread import BlockingPortal, start_blocking_portal
 from fastapi.testclient import TestClient
+from httpx2 import Response
 from sqlalchemy.orm import Session
 
 import audio_checks
@@ -30,6 +31,7 @@ from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spe
 from app.projects.rules import EngagementKind
 from app.settings import Settings
 from app.worker import start_worker
+from tests.support.statements import Recorder
 
 LONG_AGO_S = 90.0  # librosa compiles itself where it is new: half a minute for two at once
 JOBS_END_WITHIN_S = 30
@@ -44,12 +46,25 @@ class RunningServer:
     application: Any
     portal: BlockingPortal
     worker: Worker | None = None  # where one runs
+    recorder: Recorder | None = None  # where what is sent is recorded
 
     def browser(self) -> TestClient:
         """Return a client without credentials; all share one event loop, where each request would start its own."""
         client = TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
         client.portal = self.portal
         return client
+
+    def record_requests(self, client: TestClient, person: str) -> None:
+        """Record which requests of a browser succeed, where that is wanted."""
+        recorder = self.recorder
+        if recorder is None:
+            return
+
+        def note(response: Response) -> None:
+            if response.is_success:
+                recorder.note_request(person, response.request.method, response.request.url.path)
+
+        client.event_hooks["response"].append(note)
 
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
@@ -176,9 +191,15 @@ class World:
         with self.server.runtime.database.writing() as session:
             session.add(SignIn(person_id=person_id, secret_sha256=sha256_of(secret), expires_at=expires_at))
         client = self.server.browser()
+        self.server.record_requests(client, self._kind_of(person_id))
         client.cookies.set(SESSION_COOKIE, secret)
         client.headers[CSRF_HEADER] = csrf_token(self.server.runtime.settings, secret)
         return client
+
+    def _kind_of(self, person_id: UUID) -> str:
+        """Return which of the people of this studio it is."""
+        kinds = (name.removesuffix("_id") for name, value in vars(self).items() if value == person_id)
+        return next(kinds, "another")
 
     @cached_property
     def producer(self) -> TestClient:

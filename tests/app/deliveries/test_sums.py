@@ -18,6 +18,8 @@ from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import noise, sine, wav_bytes
 
+pytestmark = pytest.mark.both_databases
+
 GOOD = [wav_bytes(noise(dbfs=level_dbfs, seconds=0.2)) for level_dbfs in range(-29, -19)]
 LOUD = [wav_bytes(sine(hz=hz, dbfs=0.0, seconds=0.2)) for hz in range(991, 1001)]
 NAMES = ("door_01.wav", "door_02.wav", "door_03.wav", "laser.wav", "hatch.wav", "who knows.wav")

@@ -21,6 +21,8 @@ from tests.support.deliver import TUS, metadata, open_delivery
 from tests.support.s3 import KEY, FaultyLine, S3Server, faulty_line
 from tests.support.server import RunningServer, World
 
+pytestmark = pytest.mark.both_databases
+
 CONTENT = bytes(range(256)) * 30_000  # 7.7 MB: two parts
 PART_BYTES = 5 << 20  # the least that S3 takes
 SECRET_KEY = "only for tests, and only here"

@@ -11,6 +11,8 @@ from app.kit.db import Database, new_id
 from benchmarks.plans import heard
 from tests.support.server import World
 
+pytestmark = pytest.mark.both_databases
+
 
 @pytest.fixture
 def database(world: World) -> Database:

@@ -8,6 +8,8 @@ from app.kit.db import Database
 from app.kit.holds import holds
 from tests.support.server import World
 
+pytestmark = pytest.mark.both_databases
+
 TEXT = "Door Step 100% wet_in C:\\fx, ÜBER Zürich"
 
 

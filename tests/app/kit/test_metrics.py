@@ -16,6 +16,8 @@ from app.kit.runtime import Runtime
 from tests.app.kit.test_queue import until
 from tests.support.server import RunningServer, World
 
+pytestmark = pytest.mark.both_databases
+
 TOKEN = "figures for machines only"
 Figures = dict[tuple[str, frozenset[tuple[str, str]]], float]
 

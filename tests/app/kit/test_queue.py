@@ -23,6 +23,8 @@ from app.settings import Settings
 from tests.support.server import RunningServer
 from tests.support.waiting import until
 
+pytestmark = pytest.mark.both_databases
+
 calls: list[str] = []
 broken = {"is": True}
 
