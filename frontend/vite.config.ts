@@ -26,14 +26,16 @@ export default defineConfig({
   },
   test: {
     environment: 'jsdom',
-    include: ['src/**/*.test.{ts,tsx}'],
     setupFiles: ['src/test/setup.ts'],
     restoreMocks: true,
-    // One page environment for all files of a process: a new one, and everything imported anew, costs half of the run.
-    isolate: false,
     maxWorkers: 2,
     // Whole pages take long on a busy machine, and other parts of the tests run beside these.
     testTimeout: 60_000,
     hookTimeout: 60_000,
+    projects: [
+      // A page environment for each file costs 3 s of processor: screens need it, as the router keeps state in its routes.
+      { extends: true, test: { name: 'screens', include: ['src/**/*.test.tsx'] } },
+      { extends: true, test: { name: 'logic', include: ['src/**/*.test.ts'], isolate: false } },
+    ],
   },
 })
