@@ -1,5 +1,6 @@
 """The forms of a contract, its PDF, and two versions word by word."""
 
+import io
 import subprocess
 import sys
 from hashlib import sha256
@@ -7,6 +8,7 @@ from hashlib import sha256
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pypdf import PdfReader
 
 from app.contracts.comparison import compare, lines_of, words_between
 from app.contracts.documents import pdf_of, sha256_of
@@ -56,9 +58,19 @@ def test_a_name_says_itself_whatever_it_is(name: str):
     "name", ['") #panic("x', "\\", '#import "/etc/passwd"', "*a*", "{studio}", "Привет, ß ø", "\x00"]
 )
 def test_nothing_that_somebody_typed_is_obeyed(name: str):
-    assert pdf_of(
-        name, f"# {literal(name)}\n\nText {literal(name)} ends.\n\n- {name}\n\n| {literal(name)} |\n"
-    ).startswith(b"%PDF")
+    markdown = f"# {literal(name)}\n\nText {literal(name)} ends.\n\n- {literal(name)}\n\n| {literal(name)} |\n"
+    pdf = PdfReader(io.BytesIO(pdf_of(name, markdown)))
+    shown = name.replace("\x00", " ")
+    (page,) = pdf.pages
+    assert page.extract_text().splitlines() == [
+        shown,
+        f"Text {shown} ends.",
+        f"• {shown}",
+        shown,
+        f"SHA-256 of the text {sha256_of(markdown)} 1 of 1",
+    ]
+    assert pdf.metadata is not None
+    assert pdf.metadata.title == shown
 
 
 def test_the_same_text_is_the_same_pdf_in_another_process():
