@@ -91,6 +91,8 @@ class Zygote:
 class ProcessServer:
     """One data folder and database; its processes are `soundlist serve` and `soundlist worker`."""
 
+    recorder = None  # what its processes send is not seen here
+
     def __init__(self, zygote: Zygote, folder: Path, **settings: Any) -> None:
         self.folder = folder
         self._zygote = zygote

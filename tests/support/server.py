@@ -13,7 +13,6 @@ from uuid import UUID
 import sqlalchemy as sa
 from anyio.from_thread import BlockingPortal, start_blocking_portal
 from fastapi.testclient import TestClient
-from httpx2 import Response
 from sqlalchemy.orm import Session
 
 import audio_checks
@@ -53,18 +52,6 @@ class RunningServer:
         client = TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
         client.portal = self.portal
         return client
-
-    def record_requests(self, client: TestClient, person: str) -> None:
-        """Record which requests of a browser succeed, where that is wanted."""
-        recorder = self.recorder
-        if recorder is None:
-            return
-
-        def note(response: Response) -> None:
-            if response.is_success:
-                recorder.note_request(person, response.request.method, response.request.url.path)
-
-        client.event_hooks["response"].append(note)
 
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
@@ -191,7 +178,8 @@ class World:
         with self.server.runtime.database.writing() as session:
             session.add(SignIn(person_id=person_id, secret_sha256=sha256_of(secret), expires_at=expires_at))
         client = self.server.browser()
-        self.server.record_requests(client, self._kind_of(person_id))
+        if self.server.recorder:
+            self.server.recorder.watch_requests(client, self._kind_of(person_id))
         client.cookies.set(SESSION_COOKIE, secret)
         client.headers[CSRF_HEADER] = csrf_token(self.server.runtime.settings, secret)
         return client

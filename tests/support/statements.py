@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
+    from fastapi.testclient import TestClient
+    from httpx2 import Response
     from sqlalchemy import Engine
 
 PARAMETERS = re.compile(r"\?(, \?)+")
@@ -41,6 +43,15 @@ class Recorder:
                 self.sent.add(ROWS.sub("(?)", PARAMETERS.sub("?", statement)))
 
         event.listen(engine, "before_cursor_execute", note)
+
+    def watch_requests(self, client: "TestClient", person: str) -> None:
+        """Record from now on which requests of a person's browser succeed."""
+
+        def note(response: "Response") -> None:
+            if response.is_success:
+                self.note_request(person, response.request.method, response.request.url.path)
+
+        client.event_hooks["response"].append(note)
 
     def note_request(self, person: str, method: str, path: str) -> None:
         """Record a request that succeeded."""

@@ -1,10 +1,14 @@
 """The documentation key as a PDF: the same bytes for the same rows, and nothing that people wrote is markup."""
 
+import io
 from dataclasses import replace
+
+from pypdf import PdfReader
 
 from app.builds.documentation_key import KeyRow
 from app.builds.key_pdf import key_pdf
 
+BREAK_HERE = "\u200b"  # lets a long path go on in the next line
 ROW = KeyRow(
     file="Assets/laser_fire_01.wav",
     cue="SW-001",
@@ -38,7 +42,12 @@ def test_the_same_rows_are_the_same_bytes() -> None:
 
 def test_what_people_wrote_is_text() -> None:
     hostile = '#read("/etc/passwd") #panic() $x_1$ *bold* `raw` <label> @missing // comment \\ [#] " ]'
-    key_pdf([replace(ROW, name=hostile, description=hostile, note=hostile, file=hostile)], title=hostile)
+    row = replace(ROW, name=hostile, description=hostile, note=hostile, file=hostile)
+    pdf = PdfReader(io.BytesIO(key_pdf([row], title=hostile)))
+    shown = "".join(page.extract_text() for page in pdf.pages)
+    shown = shown.replace(BREAK_HERE, "").replace("\n", "").replace(" ", "")
+    as_typed = hostile.replace(" ", "")
+    assert shown.count(as_typed) == 6, "the title and the footer; the file, the name, the description, the note"
 
 
 def test_an_empty_key_and_a_sound_without_a_file_are_lawful() -> None:

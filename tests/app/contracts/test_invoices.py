@@ -1,9 +1,11 @@
 """Invoices, payments and refunds over HTTP: numbers without gaps, tax by rate, and every cent laid out."""
 
+import io
 from typing import Any
 
 import pytest
 from icalendar import Calendar
+from pypdf import PdfReader
 
 from tests.app.contracts.agreed import TODAY, Agreed, day, deposit, milestone
 from tests.app.reviews.making import refused, told
@@ -144,11 +146,15 @@ def test_numbers_count_without_gaps_for_each_designer_of_a_studio(agreed: Agreed
 
 def test_the_pdf_is_the_same_each_time(agreed: Agreed) -> None:
     accept_alpha(agreed)
-    address = f"/v1/invoices/{agreed.invoice()['id']}/invoice.pdf"
+    invoice = agreed.invoice()
+    address = f"/v1/invoices/{invoice['id']}/invoice.pdf"
     first, second = agreed.world.producer.get(address), agreed.world.designer.get(address)
     assert first.headers["content-type"] == "application/pdf"
-    assert first.content.startswith(b"%PDF")
     assert first.content == second.content
+    text = PdfReader(io.BytesIO(first.content)).pages[0].extract_text()
+    assert text.startswith(f"Invoice {invoice['number']}")
+    for amount in ("100.00", "180.00", "280.00"):
+        assert amount in text
 
 
 def test_a_plan_is_fixed_once_agreed_and_says_all_its_faults_before(agreed: Agreed) -> None:
