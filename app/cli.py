@@ -1,4 +1,4 @@
-"""The server's command line: serve, worker, migrate, backup, restore, verify, demo, token, openapi, jobs."""
+"""The server's command line: what runs it, keeps it, and looks into it."""
 
 import json
 import socket
@@ -27,6 +27,8 @@ cli = typer.Typer(
 )
 jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, runs and keeps failing.")
 cli.add_typer(jobs_cli, name="jobs")
+operators_cli = typer.Typer(no_args_is_help=True, help="Operators: the people who see the whole server.")
+cli.add_typer(operators_cli, name="operators")
 console = Console()
 STOP_WITHIN_S = 15  # what is being answered then may finish
 
@@ -290,6 +292,59 @@ def openapi(
         sys.stdout.write(document)
     else:
         out.write_text(document, encoding="utf-8")
+
+
+@cli.command()
+def mails(
+    address: Annotated[str | None, typer.Argument(help="Only mails to this address.")] = None,
+) -> None:
+    """Print mails that wait, with their links: how accounts are verified on a server without a mail server."""
+    from app.accounts.rules import normalised_email
+    from app.notifications.queries import waiting_for
+
+    runtime = _opened(_settings())
+    with runtime.database.reading() as session:
+        for mail in waiting_for(session, normalised_email(address) if address else None):
+            typer.echo(f"{mail.recipient}\t{mail.subject}\t{mail.link or 'its link is made when it is sent'}")
+    runtime.close()
+
+
+@operators_cli.command("add")
+def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
+    """Let somebody see every studio's jobs and storage."""
+    _change_operators("add_operator", address, "is an operator now")
+
+
+@operators_cli.command("remove")
+def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
+    """Let somebody be an operator no longer."""
+    _change_operators("remove_operator", address, "is no operator any more")
+
+
+def _change_operators(change: str, address: str, done: str) -> None:
+    from app.accounts import operators
+
+    runtime = _opened(_settings())
+    try:
+        with runtime.database.writing() as session:
+            person = getattr(operators, change)(session, address)
+            typer.echo(f"{person.email} {done}")
+    except Refused as error:
+        raise _refusal([f"{error.message}; {error.fix}"]) from None
+    finally:
+        runtime.close()
+
+
+@operators_cli.command("list")
+def list_operators() -> None:
+    """List who sees the whole server."""
+    from app.accounts.queries import operators
+
+    runtime = _opened(_settings())
+    with runtime.database.reading() as session:
+        for operator in operators(session):
+            typer.echo(f"{operator.person.email}\t{operator.person.name}\tsince {operator.named_at:%Y-%m-%d}")
+    runtime.close()
 
 
 @jobs_cli.command("list")

@@ -9,6 +9,7 @@ import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
 from starlette.staticfiles import StaticFiles
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from app import rooms
 from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
@@ -54,6 +55,8 @@ def create_app(runtime: Runtime) -> FastAPI:
     headers = security_headers(runtime.store.public_origin, is_https=runtime.settings.is_https)
     app.state.security_headers = headers
     app.add_middleware(WithResponseHeaders, headers=headers)
+    if runtime.settings.trusted_proxies:  # who visits, read from right to left up to the first who is not one of them
+        app.add_middleware(ProxyHeadersMiddleware, trusted_hosts=list(runtime.settings.trusted_proxies))
     _serve_frontend(app, runtime.settings.frontend_dir)
     return app
 

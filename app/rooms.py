@@ -3,6 +3,8 @@
 from fastapi import APIRouter
 
 from app.accounts.endpoints import router as accounts
+from app.accounts.me_endpoints import router as me
+from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
@@ -21,6 +23,8 @@ from app.sound_lists.endpoints import router as sound_lists
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
+    sign_up,
+    me,
     studios,
     projects,
     sound_lists,
@@ -78,6 +82,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
     "password.reset_asked": ("notifications.mail_link",),
+    "address.verification_asked": ("notifications.mail_link",),
+    "sign_up.asked": ("notifications.mail_link",),
     "mail.written": ("notifications.send_mail",),
 }
 PATIENT_JOBS = frozenset({"builds.hear_take"})

@@ -23,8 +23,11 @@ ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, 
 NEVER_ALTERED = frozenset(  # what was said and owed stands
     {"contracts_events", "contracts_acceptances", "contracts_ledger_lines", "contracts_invoice_lines"}
 )
-SERVERS_OWN = frozenset({"kit_heartbeats"})
-PERSONAL = frozenset({"accounts_sign_ins", "accounts_password_resets"})
+SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"})
+PERSONAL = frozenset(
+    {"accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"}
+)
+READ_ONLY = frozenset({"accounts_operators"})  # named on the command line only
 
 ME, THIS_PROJECT = "soundlist_me()", "soundlist_this_project()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
@@ -156,6 +159,8 @@ def _guard(table: sa.Table) -> Iterator[str]:
         allowed = "select, insert, update, delete"
         if table.name in ADD_ONLY | NEVER_ALTERED:
             allowed = "insert" if table.name in ADD_ONLY else "select, insert"
+        elif table.name in READ_ONLY:
+            allowed = "select"
         yield f"grant {allowed} on {table.name} to {REQUEST_ROLE}"
     yield f"drop policy if exists {POLICY} on {table.name}"
     if (rows := condition(table)) is not None:

@@ -5,6 +5,7 @@ import os
 import re
 from dataclasses import dataclass
 from functools import cached_property
+from ipaddress import ip_network
 from pathlib import Path
 from typing import Annotated, Literal, Self
 from urllib.parse import parse_qsl, urlsplit
@@ -16,6 +17,10 @@ from sqlalchemy.engine import make_url
 PREFIX = "SOUNDLIST_"
 # Names that are read elsewhere: by the lines for a game's CI, and by the tests that kill processes.
 NOT_SETTINGS = frozenset({"SOUNDLIST_TOKEN", "SOUNDLIST_KILL_AT", "SOUNDLIST_KILL_MARKER", "SOUNDLIST_KILL_PID"})
+GONE = {
+    "SOUNDLIST_OPERATORS": "operators are named on the command line now: soundlist operators add ADDRESS; "
+    "then take the variable away"
+}
 SECRET_KEY_LENGTH = 16
 
 
@@ -74,8 +79,11 @@ class Settings(BaseSettings):
     )
     web_processes: int = Field(1, ge=1, le=64, description="Processes that `soundlist serve` answers by.")
     worker_jobs: int = Field(4, ge=1, le=64, description="Jobs that one worker process runs at once.")
-    operators: Annotated[frozenset[str], NoDecode] = Field(
-        frozenset(), description="Addresses, with commas between, of the people who see the whole server's jobs."
+    sign_up: Literal["open", "invited"] = Field(
+        "invited", description="Whether anybody may open an account and a studio, or only whom somebody invites."
+    )
+    trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
+        (), description="Networks, with commas between, of proxies whose X-Forwarded-For says who visits."
     )
     metrics_token: SecretStr = Field(SecretStr(""), description="What Prometheus sends as a bearer to /metrics.")
     metrics_port: int | None = Field(None, ge=1, le=65_535, description="A port of its own for /metrics.")
@@ -115,18 +123,21 @@ class Settings(BaseSettings):
             )
         return value
 
-    @field_validator("operators", mode="before")
+    @field_validator("trusted_proxies", mode="before")
     @classmethod
-    def _are_addresses(cls, value: object) -> object:
+    def _are_networks(cls, value: object) -> object:
         if not isinstance(value, str):
             return value
-        addresses = frozenset(part.strip().lower() for part in value.split(",") if part.strip())
-        if wrong := sorted(address for address in addresses if "@" not in address):
-            raise ValueError(
-                f"SOUNDLIST_OPERATORS holds {wrong[0]!r}, which is no mail address; "
-                "write ada@studio.example,bo@studio.example"
-            )
-        return addresses
+        networks = [part.strip() for part in value.split(",") if part.strip()]
+        for network in networks:
+            try:
+                ip_network(network)
+            except ValueError as error:
+                raise ValueError(
+                    f"SOUNDLIST_TRUSTED_PROXIES holds {network!r} ({error}); write networks such as "
+                    "10.0.0.0/24,192.0.2.7,fd00::/64"
+                ) from None
+        return tuple(networks)
 
     @field_validator("store_url")
     @classmethod
@@ -233,7 +244,9 @@ def _unknown_names() -> list[str]:
     lines = []
     for name in sorted(os.environ.keys() - NOT_SETTINGS):
         bare = name.removeprefix(PREFIX)
-        if bare != name and bare not in known:
+        if name in GONE:
+            lines.append(f"{name} is no setting any more; {GONE[name]}")
+        elif bare != name and bare not in known:
             near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
             hint = f"is it {PREFIX}{near[0]}?" if near else "docs/operate.md lists them"
             lines.append(f"{name} is no setting; {hint}")

@@ -10,6 +10,7 @@ import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
 from app import rooms
+from app.accounts import rate_limits
 from app.kit import clock, events
 from app.kit.queue import Payload, job, job_names
 from app.kit.runtime import Runtime
@@ -40,10 +41,18 @@ def forget_done_jobs(runtime: Runtime, _payload: Payload) -> None:
     runtime.queue.forget_done(clock.now() - JOBS_KEPT_FOR)
 
 
+@job("server.forget_rate_limits")
+def forget_rate_limits(runtime: Runtime, _payload: Payload) -> None:
+    """Clear away counts of tries that hold nobody any more."""
+    with runtime.database.writing() as session:
+        rate_limits.forget_old(session)
+
+
 CHORES = (
     "server.sweep_uploads",
     "server.send_waiting",
     "server.forget_done_jobs",
+    "server.forget_rate_limits",
     "reviews.mind_silence",
     "notifications.tell_untold",
 )

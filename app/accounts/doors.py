@@ -6,6 +6,7 @@ import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
 from urllib.parse import urlsplit
+from uuid import UUID
 
 from app.accounts import queries
 from app.accounts.errors import CsrfMismatch, NotSignedIn
@@ -17,6 +18,7 @@ from app.settings import Settings
 SESSION_COOKIE = "soundlist_session"
 CSRF_COOKIE = "soundlist_csrf"
 CSRF_HEADER = "x-csrf-token"
+DEVICE_COOKIE = "soundlist_device"  # OWASP, device cookies: shows that this browser has signed in to an account before
 DEMO_COOKIE = "soundlist_demo_part"
 DEMO_PARTS = ("decider", "producer", "designer")  # the first is who comes in without choosing
 DEMO_SECRET = "demo"  # noqa: S105  what the demo's CSRF token is made from: it has no session
@@ -44,6 +46,7 @@ class Arrival:
     actor: Actor
     secret: str | None = None
     demo_part: str | None = None
+    unnoted_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
 
 
 def new_secret() -> str:
@@ -58,8 +61,28 @@ def sha256_of(secret: str) -> str:
 
 def csrf_token(settings: Settings, secret: str) -> str:
     """Return the token that our own page must send along with a session's secret."""
+    return _signed(settings, "csrf", secret)
+
+
+def device_cookie(settings: Settings, account: str) -> str:
+    """Return what a browser shows from now on to guess apart from strangers at this account's password."""
+    nonce = new_secret()
+    return f"{nonce}.{_signed(settings, 'device', nonce, account)}"
+
+
+def device_for(settings: Settings, cookie: str, account: str) -> str | None:
+    """Return the name of a browser that has signed in to this account before, None for any other."""
+    nonce, _, signature = cookie.partition(".")
+    is_ours = hmac.compare_digest(
+        signature.encode("utf-8", "surrogatepass"), _signed(settings, "device", nonce, account).encode()
+    )
+    return nonce if is_ours else None
+
+
+def _signed(settings: Settings, purpose: str, *parts: str) -> str:
     key = settings.secret_key.get_secret_value().encode()
-    return hmac.new(key, b"csrf:" + secret.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
+    message = f"{purpose}:{':'.join(parts)}".encode("utf-8", "surrogatepass")
+    return hmac.new(key, message, hashlib.sha256).hexdigest()
 
 
 def is_demo_door(settings: Settings, visit: Visit) -> bool:
@@ -88,11 +111,11 @@ def arrive(database: Database, settings: Settings, visit: Visit) -> Arrival:
         if actor is None:
             raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
         return Arrival(actor)
-    if secret := visit.cookies.get(SESSION_COOKIE):
-        actor = queries.actor_for_sign_in(database, sha256_of(secret))
-        if actor is not None:
-            _ensure_our_page(settings, visit, secret)
-            return Arrival(actor, secret)
+    secret = visit.cookies.get(SESSION_COOKIE)
+    if secret and (found := queries.actor_for_sign_in(database, sha256_of(secret))) is not None:
+        _ensure_our_page(settings, visit, secret)
+        actor, unnoted_id = found
+        return Arrival(actor, secret, unnoted_sign_in_id=unnoted_id)
     if is_demo_door(settings, visit):
         wanted = visit.cookies.get(DEMO_COOKIE, "")
         part = wanted if wanted in DEMO_PARTS else DEMO_PARTS[0]

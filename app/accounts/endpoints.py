@@ -1,45 +1,31 @@
 """Who comes in, and the endpoints of accounts."""
 
 from collections.abc import Callable, Coroutine
+from contextlib import AbstractContextManager, nullcontext
+from datetime import timedelta
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 from uuid import UUID
 
 from fastapi import APIRouter, BackgroundTasks, Depends, Request, Response
 from fastapi.responses import JSONResponse
+from sqlalchemy.orm import Session
 
-from app.accounts import doors, people, queries, rate_limits, service
+from app.accounts import doors, people, queries, rate_limits, sign_ins
 from app.accounts.doors import CSRF_HEADER, DEMO_PARTS, SESSION_COOKIE, Arrival, Visit, csrf_token, sha256_of
 from app.accounts.errors import (
-    AddressTaken,
-    BadAddress,
     CsrfMismatch,
     DemoDoorClosed,
-    NotInDemo,
     NotSignedIn,
-    PasswordTooWeak,
     PersonNeeded,
-    ResetNotFound,
     ScopeMissing,
     TooManyTries,
-    WrongPassword,
     WrongSignIn,
 )
 from app.accounts.models import Person
-from app.accounts.rules import Actor, Policy, Scope, Sight, normalised_email
-from app.accounts.schemas import (
-    DemoPart,
-    NameChange,
-    NewPassword,
-    PasswordChange,
-    PersonBrief,
-    PersonRead,
-    ResetAdd,
-    SessionRead,
-    SignInAdd,
-    SignUpAdd,
-)
-from app.kit.db import Database
+from app.accounts.rules import Actor, Policy, Scope, Sight, device_of, normalised_email
+from app.accounts.schemas import DemoPart, PersonBrief, PersonRead, SessionRead, SignInAdd
+from app.kit.db import Database, beyond_reach
 from app.kit.http import (
     PROBLEM_TYPE,
     CurrentRuntime,
@@ -51,27 +37,35 @@ from app.kit.http import (
     database_of,
     problems,
     runtime_of,
+    transaction,
 )
-from app.kit.turns import Asking, Authentication, InOneTurn
+from app.kit.seats import seats
+from app.kit.turns import Asking, Authentication, InOneTurn, Pending
 from app.settings import Settings
 
 __all__ = [
     "CSRF_HEADER",
     "DEMO_PARTS",
     "SESSION_COOKIE",
+    "LateSession",
     "PatientRoute",
     "SecretRoute",
     "allows",
+    "client_address",
     "csrf_token",
     "demo_part_of",
+    "ensure_may_guess",
     "ensure_may_invite_more",
-    "ensure_may_try_password",
+    "ensure_may_mail",
+    "ensure_may_try",
+    "place_of",
     "policy_of",
     "router",
     "sha256_of",
     "sign_in_browser",
 ]
 
+DEVICE_LASTS = timedelta(days=365)
 Handler = Callable[[Request], Coroutine[Any, Any, Response]]
 
 
@@ -81,11 +75,7 @@ def _arrive(request: Request) -> Arrival:
 
 
 def _visit(request: Request) -> Visit:
-    return Visit(request.method, request.headers, request.cookies, _place_of(request))
-
-
-def _place_of(request: Request) -> str:
-    return request.client.host if request.client else ""
+    return Visit(request.method, request.headers, request.cookies, client_address(request))
 
 
 class Allowed(Authentication):
@@ -114,7 +104,10 @@ class Allowed(Authentication):
                 return Actor()
             come_in(request, actor.reach)
             return actor
-        actor = _arrive(request).actor
+        arrival = _arrive(request)
+        actor = arrival.actor
+        if arrival.unnoted_sign_in_id is not None:
+            background.add_task(_note_seen, database_of(request), arrival.unnoted_sign_in_id)
         if actor.token_id is not None:
             if self.policy.build is None:
                 raise PersonNeeded("a build's token cannot do this; sign in as a person")
@@ -127,6 +120,11 @@ class Allowed(Authentication):
 def _note_token_use(database: Database, token_id: UUID) -> None:
     with database.writing() as session:
         queries.note_token_use(session, token_id)
+
+
+def _note_seen(database: Database, sign_in_id: UUID) -> None:
+    with database.writing() as session:
+        queries.note_seen(session, sign_in_id)
 
 
 def allows(sight: Sight, *, build: Scope | None = None) -> Any:
@@ -153,14 +151,33 @@ def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:
     return (part, DEMO_PARTS) if part else None
 
 
-def sign_in_browser(session: DbSession, settings: Settings, response: Response, person_id: UUID) -> None:
-    """Give the answering browser a session of its own."""
-    secret = people.start_sign_in(session, person_id)
-    lasts_s = int(people.SIGN_IN_LASTS.total_seconds())
-    response.set_cookie(
-        SESSION_COOKIE, secret, max_age=lasts_s, httponly=True, samesite="lax", secure=settings.is_https
+async def _late_session(request: Request) -> Pending:
+    opener: Any = nullcontext(partial(transaction, request))
+    return Pending(partial(seats().for_person, reads=False), lambda: opener)
+
+
+# What opens the request's transaction, for endpoints that first write what stays although the request is refused.
+LateSession = Annotated[Callable[[], AbstractContextManager[Session]], Depends(_late_session)]
+
+
+def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
+    """Give the answering browser a session of its own, in place of the one it had."""
+    secret = sign_ins.start_sign_in(
+        session,
+        person.id,
+        replaces=request.cookies.get(SESSION_COOKIE),
+        device=device_of(request.headers.get("user-agent", "")),
+        place=client_address(request),
     )
+    _set_cookie(response, settings, SESSION_COOKIE, secret, lasts=sign_ins.SIGN_IN_LASTS)
+    device = doors.device_cookie(settings, person.email)
+    _set_cookie(response, settings, doors.DEVICE_COOKIE, device, lasts=DEVICE_LASTS)
     _give_csrf_token(response, settings, secret)
+
+
+def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lasts: timedelta) -> None:
+    max_age = int(lasts.total_seconds())
+    response.set_cookie(name, value, max_age=max_age, httponly=True, samesite="lax", secure=settings.is_https)
 
 
 def _give_csrf_token(response: Response, settings: Settings, secret: str) -> None:
@@ -169,15 +186,60 @@ def _give_csrf_token(response: Response, settings: Settings, secret: str) -> Non
     )
 
 
-def ensure_may_try_password(request: Request, account: str) -> None:
-    """Count one guess at a password; raise TooManyTries for too many."""
-    rate_limits.count_try(rate_limits.SIGN_INS_FROM_PLACE, _place_of(request))
-    rate_limits.count_try(rate_limits.SIGN_INS_OF_ADDRESS, f"{account} {_place_of(request)}")
+def client_address(request: Request) -> str:
+    """Return the network address that a request comes from, behind trusted proxies the visitor's own."""
+    return request.client.host if request.client else ""
 
 
-def ensure_may_invite_more(actor: Actor) -> None:
+def place_of(request: Request) -> str:
+    """Return the place that tries are counted for."""
+    return rate_limits.place_of(client_address(request))
+
+
+def ensure_may_try(request: Request, *counted: tuple[rate_limits.Limit, str]) -> None:
+    """Count one try against each limit; raise TooManyTries for too many. What is counted stays counted."""
+    for limit, whom in counted:
+        with database_of(request).writing() as session:
+            rate_limits.count_try(session, limit, whom)
+
+
+def ensure_may_guess(request: Request, account: str) -> None:
+    """Count one guess at an account's password, or at the secret of a link; raise TooManyTries for too many."""
+    ensure_may_try(request, *_guesses(request, account))
+
+
+def _guesses(request: Request, account: str) -> list[tuple[rate_limits.Limit, str]]:
+    settings = runtime_of(request).settings
+    if (device := doors.device_for(settings, request.cookies.get(doors.DEVICE_COOKIE, ""), account)) is not None:
+        return [(rate_limits.GUESSES_FROM_DEVICE, device)]  # whatever strangers do, its owner comes through
+    place = place_of(request)
+    return [
+        (rate_limits.GUESSES_FROM_PLACE, place),
+        (rate_limits.GUESSES_AT_ACCOUNT_FROM_PLACE, f"{account} {place}"),
+        (rate_limits.GUESSES_AT_ACCOUNT, account),
+    ]
+
+
+def _forgive(session: Session, request: Request, account: str) -> None:
+    with beyond_reach(session):  # the counts are the server's own
+        for limit, whom in _guesses(request, account):
+            if limit is not rate_limits.GUESSES_FROM_PLACE:  # who owns one account must not guess at others for ever
+                rate_limits.forgive(session, limit, whom)
+
+
+def ensure_may_invite_more(session: Session, actor: Actor) -> None:
     """Count one invitation; raise TooManyTries for too many."""
-    rate_limits.count_try(rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
+    with beyond_reach(session):  # the counts are the server's own
+        rate_limits.count_try(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
+
+
+def ensure_may_mail(request: Request, whom: str) -> None:
+    """Count one mail about an account that anybody can ask for; raise TooManyTries for too many."""
+    ensure_may_try(
+        request,
+        (rate_limits.MAILS_FROM_PLACE, place_of(request)),
+        (rate_limits.MAILS_TO_ADDRESS, whom),
+    )
 
 
 def _wait(request: Request, error: TooManyTries) -> Response:
@@ -242,105 +304,35 @@ def read_session(
     )
 
 
-@_secret_router.post(
-    "/sign-up",
-    status_code=201,
-    response_model=PersonRead,
-    responses=problems(AddressTaken, BadAddress, PasswordTooWeak, TooManyTries),
-)
-def sign_up(
-    body: SignUpAdd,
-    request: Request,
-    response: Response,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    _actor: Actor = allows(Sight.ANYONE),
-) -> Person:
-    """Make an account with a studio of its own, and sign in."""
-    rate_limits.count_try(rate_limits.SIGN_UPS_FROM_PLACE, _place_of(request))
-    person = service.sign_up(
-        session, email=body.email, name=body.name, password=body.password, studio_name=body.studio_name
-    )
-    sign_in_browser(session, runtime.settings, response, person.id)
-    return person
-
-
 @_secret_router.post("/sign-in", response_model=PersonRead, responses=problems(WrongSignIn, TooManyTries))
 def sign_in(
     body: SignInAdd,
     request: Request,
     response: Response,
     runtime: CurrentRuntime,
-    session: DbSession,
+    begin: LateSession,
     _actor: Actor = allows(Sight.ANYONE),
 ) -> Person:
     """Sign in with address and password."""
     account = normalised_email(body.email)
-    ensure_may_try_password(request, account)
+    ensure_may_guess(request, account)
     person_id = people.person_who_knows(runtime.database, account, body.password)
     if person_id is None:
         raise WrongSignIn("address and password do not belong together", fix="check both, or ask for a new password")
-    rate_limits.forgive(rate_limits.SIGN_INS_OF_ADDRESS, f"{account} {_place_of(request)}")
-    sign_in_browser(session, runtime.settings, response, person_id)
-    return session.get_one(Person, person_id)
+    with begin() as session:
+        _forgive(session, request, account)
+        person = session.get_one(Person, person_id)
+        sign_in_browser(session, runtime.settings, request, response, person)
+    return person
 
 
 @_secret_router.post("/sign-out", status_code=204)
 def sign_out(request: Request, response: Response, session: DbSession, _actor: Actor = allows(Sight.PERSON)) -> None:
     """Sign this browser out."""
-    people.end_sign_in(session, request.cookies.get(SESSION_COOKIE, ""))
+    sign_ins.end_sign_in(session, request.cookies.get(SESSION_COOKIE, ""))
     for cookie in (SESSION_COOKIE, doors.CSRF_COOKIE):
         response.delete_cookie(cookie, samesite="lax")
     response.headers["Clear-Site-Data"] = '"cache", "storage"'
-
-
-@_secret_router.post("/password-resets", status_code=202, responses=problems(TooManyTries))
-def ask_password_reset(
-    body: ResetAdd,
-    request: Request,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    _actor: Actor = allows(Sight.ANYONE),
-) -> None:
-    """Mail a link for a new password; the answer is the same for an unknown address."""
-    rate_limits.count_try(rate_limits.RESETS_FROM_PLACE, _place_of(request))
-    rate_limits.count_try(rate_limits.RESETS_OF_ADDRESS, normalised_email(body.email))
-    people.ask_reset(session, body.email, base_url=runtime.settings.base_url)
-
-
-@_secret_router.post(
-    "/password-resets/{secret}", response_model=PersonRead, responses=problems(ResetNotFound, PasswordTooWeak)
-)
-def set_password_by_link(
-    secret: str,
-    body: NewPassword,
-    response: Response,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    _actor: Actor = allows(Sight.ANYONE),
-) -> Person:
-    """Set a new password by the mailed link, end every other sign-in, and sign in."""
-    person = people.reset_password(session, secret, body.password)
-    sign_in_browser(session, runtime.settings, response, person.id)
-    return person
-
-
-@router.put("/me", response_model=PersonRead)
-def change_my_name(body: NameChange, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
-    """Change the caller's name."""
-    return people.rename(session, actor, body.name)
-
-
-@_secret_router.put(
-    "/me/password", status_code=204, responses=problems(WrongPassword, NotInDemo, PasswordTooWeak, TooManyTries)
-)
-def change_my_password(
-    body: PasswordChange, request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)
-) -> None:
-    """Change the caller's password, and end their other sign-ins."""
-    ensure_may_try_password(request, str(actor.person))
-    kept_secret = request.cookies.get(SESSION_COOKIE)
-    people.change_password(session, actor, current=body.current, new=body.new, kept_secret=kept_secret)
 
 
 @router.put("/demo/part/{part}", responses=problems(DemoDoorClosed))

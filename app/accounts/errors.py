@@ -43,6 +43,10 @@ class ProducerNeeded(Forbidden):
     """Only a producer of the studio may do this."""
 
 
+class SignUpClosed(Forbidden):
+    """The server takes new people by invitation only."""
+
+
 class SignInNeeded(Forbidden):
     """The link is for an address that has an account: its holder signs in or gives its password."""
 
@@ -71,12 +75,44 @@ class ResetNotFound(NotFound):
     """The link for a new password is unknown, used or older than an hour."""
 
 
+class VerificationNotFound(NotFound):
+    """The link that verifies an address is unknown, used, too old or for another account."""
+
+
+class SignUpNotFound(NotFound):
+    """The link that opens an account is unknown, used or too old."""
+
+
+class OperatorNotFound(NotFound):
+    """No account, or no operator, of that address."""
+
+
+class SignInNotFound(NotFound):
+    """No such sign-in of the caller."""
+
+
 class DemoDoorClosed(NotFound):
     """There is no demo here, or not by this way."""
 
 
 class AddressTaken(Conflict):
     """The address has an account already."""
+
+
+class AlreadyVerified(Conflict):
+    """The address is verified already."""
+
+
+class MailFirst(Conflict):
+    """The server opens accounts by a link that it mails."""
+
+
+class NoMailServer(Conflict):
+    """The server cannot send mail."""
+
+
+class AddressNotVerified(Conflict):
+    """Nobody has shown to read the mail of the account's address."""
 
 
 class AlreadyMember(Conflict):

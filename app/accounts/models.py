@@ -6,8 +6,16 @@ from uuid import UUID
 from sqlalchemy import CheckConstraint, ForeignKey
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
+from app.accounts.rules import AddressProof
 from app.kit import clock
 from app.kit.db import Base, new_id
+
+
+class MailedLink:
+    """What a mailed link opens. Its link is made when the mail is sent; a link made later replaces it."""
+
+    secret_sha256: Mapped[str | None] = mapped_column(unique=True)  # None: no link has been made
+    is_only_mailed: Mapped[bool] = mapped_column(default=False)  # the link was shown nowhere but in the mail
 
 
 class Studio(Base):
@@ -25,13 +33,18 @@ class Person(Base):
     """Somebody with an address; people are global, their memberships and engagements are not."""
 
     __tablename__ = "accounts_people"
-    __table_args__ = (CheckConstraint("email = lower(email)", name="email_lower_case"),)
+    __table_args__ = (
+        CheckConstraint("email = lower(email)", name="email_lower_case"),
+        CheckConstraint("(email_verified_at is null) = (email_proof is null)", name="verified_somehow"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     email: Mapped[str] = mapped_column(unique=True)
     name: Mapped[str]
     password_hash: Mapped[str | None]  # None: signs in by the demo only
     demo_part: Mapped[str | None] = mapped_column(unique=True)  # producer, decider, designer … of the demo studio
+    email_verified_at: Mapped[datetime | None]  # None: nobody has shown to read the mail of this address
+    email_proof: Mapped[AddressProof | None]  # how it was shown
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
@@ -56,20 +69,63 @@ class SignIn(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     secret_sha256: Mapped[str] = mapped_column(unique=True)
+    device: Mapped[str] = mapped_column(default="")  # browser and system, in words
+    place: Mapped[str] = mapped_column(default="")  # network address that it signed in from
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    last_seen_at: Mapped[datetime] = mapped_column(default=clock.now)  # to within ten minutes
     expires_at: Mapped[datetime]
 
 
-class PasswordReset(Base):
+class PasswordReset(MailedLink, Base):
     """A mailed link that sets a new password, once and within an hour."""
 
     __tablename__ = "accounts_password_resets"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
-    secret_sha256: Mapped[str] = mapped_column(unique=True)
     expires_at: Mapped[datetime]
     used_at: Mapped[datetime | None]
+
+
+class EmailVerification(MailedLink, Base):
+    """A mailed link that shows that an account's holder reads its address, once and within a day."""
+
+    __tablename__ = "accounts_email_verifications"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    expires_at: Mapped[datetime]
+    used_at: Mapped[datetime | None]
+
+
+class SignUp(MailedLink, Base):
+    """A mailed link that opens a new account, once and within a day."""
+
+    __tablename__ = "accounts_sign_ups"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    email: Mapped[str] = mapped_column(index=True)
+    expires_at: Mapped[datetime]
+    used_at: Mapped[datetime | None]
+
+
+class Operator(Base):
+    """Somebody who runs the server; named on its command line only."""
+
+    __tablename__ = "accounts_operators"
+
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    named_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
+
+
+class RateLimit(Base):
+    """How soon the same may be tried again (GCRA): one row for a limit and whom it holds."""
+
+    __tablename__ = "accounts_rate_limits"
+
+    key: Mapped[str] = mapped_column(primary_key=True)  # hash of the limit's name and whom it holds
+    free_at_s: Mapped[float] = mapped_column(index=True)  # Unix time from which every try is free again
 
 
 class Token(Base):
@@ -90,7 +146,7 @@ class Token(Base):
     creator: Mapped[Person] = relationship(lazy="raise")
 
 
-class StudioInvitation(Base):
+class StudioInvitation(MailedLink, Base):
     """A mailed link that makes its holder a member of the studio."""
 
     __tablename__ = "accounts_studio_invitations"
@@ -99,7 +155,6 @@ class StudioInvitation(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     email: Mapped[str]
     roles: Mapped[list[str]]
-    secret_sha256: Mapped[str] = mapped_column(unique=True)
     invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]

@@ -1,22 +1,19 @@
 """Accounts of people: making one, proving to be one, and the passwords in between."""
 
-from datetime import timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts import passwords, queries
-from app.accounts.doors import new_secret, sha256_of
+from app.accounts.addresses import account_proof, verify
+from app.accounts.doors import sha256_of
 from app.accounts.errors import AddressTaken, NameNeeded, NotInDemo, ResetNotFound, SignInNeeded, WrongPassword
-from app.accounts.models import PasswordReset, Person, SignIn
-from app.accounts.rules import Actor, ensure_address, ensure_good_password, normalised_email
+from app.accounts.models import MailedLink, Person
+from app.accounts.rules import Actor, AddressProof, ensure_address, ensure_good_password, normalised_email
 from app.kit import clock
 from app.kit.db import Database, beyond_reach, reach_further
 from app.kit.events import publish
 from app.kit.reach import Reach
-
-SIGN_IN_LASTS = timedelta(days=30)
-RESET_LASTS = timedelta(hours=1)
 
 
 def create_person(
@@ -30,7 +27,9 @@ def create_person(
             fix="sign in, or ask for a new password",
             errors=[{"where": "email", "message": "this address has an account already: sign in"}],
         )
-    password_hash = passwords.hash_of(ensure_good_password(password, address)) if password is not None else None
+    password_hash = None
+    if password is not None:
+        password_hash = passwords.hash_of(ensure_good_password(password, address, name))
     person = Person(email=address, name=name, password_hash=password_hash, demo_part=demo_part)
     session.add(person)
     session.flush()
@@ -45,39 +44,29 @@ def person_who_knows(database: Database, email: str, password: str) -> UUID | No
     return person_id if passwords.matches(password, password_hash) else None
 
 
-def person_for_link(session: Session, actor: Actor, address: str, *, name: str | None, password: str | None) -> Person:
-    """Return whose address a mailed link has proven: the account's holder, or a new account's.
+def person_for_link(
+    session: Session, actor: Actor, address: str, link: MailedLink, *, name: str | None, password: str | None
+) -> Person:
+    """Return whose address an invitation is for: the account's holder, or a new account's.
 
-    Raises SignInNeeded when the address has an account and the caller has not shown to be its holder.
+    A link that was only mailed verifies the address. Raises SignInNeeded when the address has an account and the
+    caller has not shown to be its holder.
     """
     person = queries.person_by_email(session, address)
     if person is None:
         if not name:
             message = "say your name"
             raise NameNeeded(message, errors=[{"where": "name", "message": message}])
-        return create_person(session, email=address, name=name, password=ensure_good_password(password, address))
-    if actor.person_id == person.id or (password and passwords.matches(password, person.password_hash)):
-        return person
-    raise SignInNeeded(
-        f"{address} has an account; this link is for its holder",
-        fix=f"sign in as {address}, or give its password",
-        errors=[{"where": "password", "message": "this is not the account's password"}] if password else [],
-    )
-
-
-def start_sign_in(session: Session, person_id: UUID) -> str:
-    """Sign a person in, and return the secret for the cookie."""
-    reach_further(session, Reach(person_id=person_id))
-    queries.drop_old_sign_ins(session, person_id)
-    secret = new_secret()
-    session.add(SignIn(person_id=person_id, secret_sha256=sha256_of(secret), expires_at=clock.now() + SIGN_IN_LASTS))
-    session.flush()
-    return secret
-
-
-def end_sign_in(session: Session, secret: str) -> None:
-    """Sign one browser out."""
-    queries.end_sign_in(session, sha256_of(secret))
+        person = create_person(session, email=address, name=name, password=password or "")
+    elif actor.person_id != person.id and not (password and passwords.matches(password, person.password_hash)):
+        raise SignInNeeded(
+            f"{address} has an account; this link is for its holder",
+            fix=f"sign in as {address}, or give its password",
+            errors=[{"where": "password", "message": "this is not the account's password"}] if password else [],
+        )
+    if link.is_only_mailed:
+        verify(session, person, AddressProof.MAIL)
+    return person
 
 
 def rename(session: Session, actor: Actor, name: str) -> Person:
@@ -87,39 +76,26 @@ def rename(session: Session, actor: Actor, name: str) -> Person:
     return person
 
 
-def ask_reset(session: Session, email: str, *, base_url: str) -> None:
-    """Mail a link for a new password, if the address has an account; say nothing either way."""
-    person = queries.person_by_email(session, normalised_email(email))
-    if person is None or person.demo_part is not None:
-        return
-    secret = new_secret()
-    with beyond_reach(session):  # whoever asks has shown nothing yet; the link goes to the address
-        session.add(
-            PasswordReset(person_id=person.id, secret_sha256=sha256_of(secret), expires_at=clock.now() + RESET_LASTS)
-        )
-    publish(
-        session,
-        "password.reset_asked",
-        studio_id=None,
-        recipient=person.email,
-        link=f"{base_url}/new-password/{secret}",
-        subject_name="",
-        from_name="",
-        note="",
-    )
+def ask_reset(session: Session, email: str) -> None:
+    """Have a link for a new password mailed, if the address has an account; to find out is left to the job."""
+    publish(session, "password.reset_asked", studio_id=None, recipient=normalised_email(email))
 
 
 def reset_password(session: Session, secret: str, password: str) -> Person:
-    """Set a new password by a mailed link, once, and end every sign-in; raise ResetNotFound for a link past use."""
+    """Set a new password by a mailed link, once, and end every sign-in; raise ResetNotFound for a link past use.
+
+    The link was the account's own, so it verifies the address too.
+    """
     with beyond_reach(session):  # the secret is all that says whose link it is
         reset = queries.open_reset(session, sha256_of(secret))
     if reset is None:
         raise ResetNotFound("this link is used up or older than an hour", fix="ask for a new one")
     reach_further(session, Reach(person_id=reset.person_id))
     person = session.get_one(Person, reset.person_id)
-    person.password_hash = passwords.hash_of(ensure_good_password(password, person.email))
+    person.password_hash = passwords.hash_of(ensure_good_password(password, person.email, person.name))
     reset.used_at = clock.now()
     session.flush()
+    verify(session, person, account_proof(reset))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id)
     return person
@@ -133,6 +109,6 @@ def change_password(session: Session, actor: Actor, *, current: str, new: str, k
     if not passwords.matches(current, person.password_hash):
         message = "this is not your present password"
         raise WrongPassword(message, errors=[{"where": "current", "message": message}])
-    person.password_hash = passwords.hash_of(ensure_good_password(new, person.email))
+    person.password_hash = passwords.hash_of(ensure_good_password(new, person.email, person.name))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id, except_sha256=sha256_of(kept_secret) if kept_secret else None)

@@ -4,15 +4,28 @@ from collections.abc import Sequence
 from datetime import timedelta
 from uuid import UUID
 
-from sqlalchemy import bindparam, delete, select, update
+from sqlalchemy import bindparam, delete, or_, select, update
 from sqlalchemy.orm import Session, joinedload
 
-from app.accounts.models import Membership, PasswordReset, Person, SignIn, Studio, StudioInvitation, Token
+from app.accounts.models import (
+    EmailVerification,
+    Membership,
+    Operator,
+    PasswordReset,
+    Person,
+    SignIn,
+    SignUp,
+    Studio,
+    StudioInvitation,
+    Token,
+)
 from app.accounts.rules import Actor, Role, Scope
 from app.kit import clock
 from app.kit.db import Database, UtcDateTime
 
 TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
+SEEN_NOTED_EVERY = timedelta(minutes=10)
+IDLE_FOR = timedelta(days=14)  # a browser unused for so long is signed out
 
 
 def actor_for_person(session: Session, person_id: UUID) -> Actor:
@@ -23,21 +36,35 @@ def actor_for_person(session: Session, person_id: UUID) -> Actor:
 
 # Built once: every request of a browser asks for it.
 _SIGNED_IN = (
-    select(SignIn.person_id, Membership.studio_id, Membership.roles)
+    select(SignIn.id, SignIn.person_id, SignIn.last_seen_at, Membership.studio_id, Membership.roles)
     .join(Membership, Membership.person_id == SignIn.person_id, isouter=True)
     .where(
-        SignIn.secret_sha256 == bindparam("secret_sha256"), SignIn.expires_at > bindparam("now", type_=UtcDateTime())
+        SignIn.secret_sha256 == bindparam("secret_sha256"),
+        SignIn.expires_at > bindparam("now", type_=UtcDateTime()),
+        SignIn.last_seen_at > bindparam("idle_since", type_=UtcDateTime()),
     )
 )
 
 
-def actor_for_sign_in(database: Database, secret_sha256: str) -> Actor | None:
-    """Return who holds this session cookie, None when it is unknown or over."""
-    rows = database.glance(_SIGNED_IN, {"secret_sha256": secret_sha256, "now": clock.now()})
+def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UUID | None] | None:
+    """Return who holds this session cookie, None when it is unknown or over.
+
+    With them comes the sign-in's id where its use is to be noted (`note_seen`).
+    """
+    now = clock.now()
+    values = {"secret_sha256": secret_sha256, "now": now, "idle_since": now - IDLE_FOR}
+    rows = database.glance(_SIGNED_IN, values)
     if not rows:
         return None
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
-    return Actor(person_id=rows[0].person_id, roles=roles)
+    first = rows[0]
+    unnoted = first.id if first.last_seen_at < now - SEEN_NOTED_EVERY else None
+    return Actor(person_id=first.person_id, roles=roles), unnoted
+
+
+def note_seen(session: Session, sign_in_id: UUID) -> None:
+    """Keep when a browser was last used."""
+    session.execute(update(SignIn).where(SignIn.id == sign_in_id).values(last_seen_at=clock.now()))
 
 
 _TOKEN = select(Token.id, Token.studio_id, Token.project_id, Token.scopes).where(
@@ -100,9 +127,72 @@ def end_sign_in(session: Session, secret_sha256: str) -> None:
     session.execute(delete(SignIn).where(SignIn.secret_sha256 == secret_sha256))
 
 
+def open_sign_ins(session: Session, person_id: UUID) -> Sequence[SignIn]:
+    """Return a person's sign-ins that are not over, the one used last first."""
+    now = clock.now()
+    return session.scalars(
+        select(SignIn)
+        .where(SignIn.person_id == person_id, SignIn.expires_at > now, SignIn.last_seen_at > now - IDLE_FOR)
+        .order_by(SignIn.last_seen_at.desc(), SignIn.id.desc())
+    ).all()
+
+
 def drop_old_sign_ins(session: Session, person_id: UUID) -> None:
     """Forget a person's sign-ins that are over."""
-    session.execute(delete(SignIn).where(SignIn.person_id == person_id, SignIn.expires_at <= clock.now()))
+    now = clock.now()
+    is_over = or_(SignIn.expires_at <= now, SignIn.last_seen_at <= now - IDLE_FOR)
+    session.execute(delete(SignIn).where(SignIn.person_id == person_id, is_over))
+
+
+def has_people(session: Session) -> bool:
+    """Whether anybody has an account, the people of the demo aside."""
+    return session.scalar(select(Person.id).where(Person.demo_part.is_(None)).limit(1)) is not None
+
+
+def open_verification(session: Session, secret_sha256: str, person_id: UUID) -> EmailVerification | None:
+    """Return a person's own verification behind a link that is still good."""
+    return session.scalar(
+        select(EmailVerification)
+        .where(
+            EmailVerification.secret_sha256 == secret_sha256,
+            EmailVerification.person_id == person_id,
+            EmailVerification.used_at.is_(None),
+            EmailVerification.expires_at > clock.now(),
+        )
+        .with_for_update()
+    )
+
+
+def drop_verifications(session: Session, person_id: UUID) -> None:
+    """Make a person's unused verification links worthless."""
+    unused = EmailVerification.used_at.is_(None)
+    session.execute(delete(EmailVerification).where(EmailVerification.person_id == person_id, unused))
+
+
+def open_sign_up(session: Session, secret_sha256: str) -> SignUp | None:
+    """Return the sign-up behind a link that is still good."""
+    return session.scalar(
+        select(SignUp)
+        .where(SignUp.secret_sha256 == secret_sha256, SignUp.used_at.is_(None), SignUp.expires_at > clock.now())
+        .with_for_update()
+    )
+
+
+def drop_sign_ups(session: Session, email: str) -> None:
+    """Make an address's unused sign-up links worthless, and forget those past use."""
+    session.execute(delete(SignUp).where(or_(SignUp.email == email, SignUp.expires_at <= clock.now())))
+
+
+def operators(session: Session) -> Sequence[Operator]:
+    """Return who runs the server, in the order of naming."""
+    return session.scalars(
+        select(Operator).options(joinedload(Operator.person)).order_by(Operator.named_at, Operator.person_id)
+    ).all()
+
+
+def is_operator(session: Session, person_id: UUID) -> bool:
+    """Whether a person runs the server."""
+    return session.scalar(select(Operator.person_id).where(Operator.person_id == person_id)) is not None
 
 
 def open_reset(session: Session, secret_sha256: str) -> PasswordReset | None:

@@ -1,47 +1,101 @@
-"""How often the same may be tried in this web process: guesses at passwords, mails sent to strangers."""
+"""How often the same may be tried: guesses at passwords, mails sent to strangers. All processes count together.
 
+Each limit is a bucket (GCRA): so many tries at once, then one in each interval. A try that is refused costs nothing,
+so nobody is locked out by waiting. Guesses at one account from one place are held tighter than guesses at it from
+everywhere, so that one attacker uses up neither; a browser that has signed in to the account before has a bucket of
+its own (`doors.device_for`).
+"""
+
+import hashlib
+import ipaddress
+import time
 from dataclasses import dataclass
+from functools import cache
 from math import ceil
-from time import time
+from typing import Any
 
-from limits import RateLimitItem, parse
-from limits.storage import MemoryStorage
-from limits.strategies import MovingWindowRateLimiter
+import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.orm import Session
 
 from app.accounts.errors import TooManyTries
+from app.accounts.models import RateLimit
 
 
 @dataclass(frozen=True)
 class Limit:
-    """What is counted, and how often it may happen."""
+    """What is counted: `burst` tries at once, then one every `interval_s`."""
 
     name: str
-    rate: RateLimitItem
+    burst: int
+    interval_s: float
 
 
-SIGN_INS_OF_ADDRESS = Limit("sign-ins of an address from one place", parse("10 per 5 minutes"))
-SIGN_INS_FROM_PLACE = Limit("sign-ins from one place", parse("100 per 5 minutes"))
-SIGN_UPS_FROM_PLACE = Limit("sign-ups from one place", parse("30 per hour"))
-RESETS_OF_ADDRESS = Limit("resets of an address", parse("5 per hour"))
-RESETS_FROM_PLACE = Limit("resets from one place", parse("30 per hour"))
-INVITATIONS_BY_PERSON = Limit("invitations by a person", parse("60 per hour"))
+GUESSES_FROM_DEVICE = Limit("guesses at an account from a browser that signed in to it", 10, 60)
+GUESSES_AT_ACCOUNT_FROM_PLACE = Limit("guesses at an account from one place", 10, 60)
+GUESSES_AT_ACCOUNT = Limit("guesses at an account", 50, 30)
+GUESSES_FROM_PLACE = Limit("guesses from one place", 100, 5)
+SIGN_UPS_FROM_PLACE = Limit("sign-ups from one place", 30, 120)
+MAILS_TO_ADDRESS = Limit("account mails to an address", 5, 720)
+MAILS_FROM_PLACE = Limit("account mails asked for from one place", 30, 120)
+INVITATIONS_BY_PERSON = Limit("invitations by a person", 60, 60)
 
-_storage = MemoryStorage()
-_limiter = MovingWindowRateLimiter(_storage)
-
-
-def count_try(limit: Limit, who: str) -> None:
-    """Count one try, or raise TooManyTries."""
-    if not _limiter.hit(limit.rate, limit.name, who):
-        reset_at = _limiter.get_window_stats(limit.rate, limit.name, who).reset_time
-        raise TooManyTries(max(1, ceil(reset_at - time())))
+IPV6_NETWORK = 64  # what one subscriber is given
 
 
-def forgive(limit: Limit, who: str) -> None:
+def place_of(address: str) -> str:
+    """Return what counts as one place: an IPv4 address, or the /64 of an IPv6 one."""
+    try:
+        ip = ipaddress.ip_address(address)
+    except ValueError:
+        return address
+    if isinstance(ip, ipaddress.IPv6Address):
+        if ip.ipv4_mapped is not None:
+            return str(ip.ipv4_mapped)
+        return str(ipaddress.ip_network((ip, IPV6_NETWORK), strict=False))
+    return str(ip)
+
+
+def count_try(session: Session, limit: Limit, whom: str) -> None:
+    """Count one try, or raise TooManyTries; the transaction must be one that commits although the try fails."""
+    now_s = time.time()
+    ahead_s = now_s + (limit.burst - 1) * limit.interval_s
+    values = {
+        "key": _key(limit, whom),
+        "now_s": now_s,
+        "interval_s": limit.interval_s,
+        "ahead_s": ahead_s,
+        "first_s": now_s + limit.interval_s,
+    }
+    if session.execute(_counted(session.get_bind().dialect.name), values).first() is None:
+        free_at_s = session.execute(sa.select(RateLimit.free_at_s).where(RateLimit.key == values["key"])).scalar_one()
+        raise TooManyTries(max(1, ceil(free_at_s - ahead_s)))
+
+
+def forgive(session: Session, limit: Limit, whom: str) -> None:
     """Forget the tries of somebody who has shown to be right."""
-    _limiter.clear(limit.rate, limit.name, who)
+    session.execute(sa.delete(RateLimit).where(RateLimit.key == _key(limit, whom)))
 
 
-def forget_all() -> None:
-    """Forget every try."""
-    _storage.reset()
+def forget_old(session: Session) -> None:
+    """Clear away what holds nobody any more."""
+    session.execute(sa.delete(RateLimit).where(RateLimit.free_at_s < time.time()))
+
+
+def _key(limit: Limit, whom: str) -> str:
+    return hashlib.sha256(f"{limit.name}\0{whom}".encode("utf-8", "surrogatepass")).hexdigest()
+
+
+@cache
+def _counted(dialect: str) -> Any:
+    """Return the one statement that counts a try; it returns no row where the bucket is empty."""
+    insert = (postgresql if dialect == "postgresql" else sqlite).insert(RateLimit)
+    now_s, interval_s, ahead_s = (sa.bindparam(name, type_=sa.Float()) for name in ("now_s", "interval_s", "ahead_s"))
+    begun = sa.case((RateLimit.free_at_s > now_s, RateLimit.free_at_s), else_=now_s)
+    return (
+        insert.values(key=sa.bindparam("key"), free_at_s=sa.bindparam("first_s", type_=sa.Float()))
+        .on_conflict_do_update(
+            index_elements=["key"], set_={"free_at_s": begun + interval_s}, where=RateLimit.free_at_s <= ahead_s
+        )
+        .returning(RateLimit.free_at_s)
+    )

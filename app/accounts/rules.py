@@ -29,9 +29,50 @@ class Scope(StrEnum):
     DELIVERIES_WRITE = "deliveries:write"
 
 
+class AddressProof(StrEnum):
+    """How it was shown that an account's holder reads its address."""
+
+    MAIL = "mail"  # by a link that was sent there and shown nowhere else
+    OPERATOR = "operator"  # by a link that whoever runs the server read on its command line and handed over
+
+
+PROOF_WORDS: Mapping[AddressProof | None, str] = {
+    AddressProof.MAIL: "proven by a link mailed to it",
+    AddressProof.OPERATOR: "proven by a link that the server's operator handed over",
+    None: "not proven",
+}
 MIN_PASSWORD_LENGTH = 10
 MAX_PASSWORD_LENGTH = 200
+MEASURED_LENGTH = 40  # estimating 72 characters can take more than a second
+WEAKEST_SCORE = 3  # of zxcvbn's 0 to 4: 10^8 guesses or more
+PRODUCT_WORDS = ("soundlist", "sound", "studio", "password")
+WEAK_BECAUSE = {
+    "passwords": "it is, or holds, one of the commonest passwords",
+    "user_inputs": "it holds your address, your name or this product's name",
+    "spatial": "it follows neighbouring keys",
+    "repeat": "it repeats itself",
+    "sequence": "it is a sequence such as abcd or 6543",
+    "date": "it is, or holds, a date",
+}
 MAX_ADDRESS_LENGTH = 254  # RFC 5321, 4.5.3.1.3, without its angle brackets
+# Browsers name those that they descend from too, so the most particular mark comes first.
+BROWSERS = (
+    ("Edg/", "Edge"),
+    ("OPR/", "Opera"),
+    ("Firefox/", "Firefox"),
+    ("Chrome/", "Chrome"),
+    ("Safari/", "Safari"),
+    ("curl/", "curl"),
+)
+SYSTEMS = (
+    ("Android", "Android"),
+    ("iPhone", "iOS"),
+    ("iPad", "iPadOS"),
+    ("Windows", "Windows"),
+    ("Mac OS X", "macOS"),
+    ("CrOS", "ChromeOS"),
+    ("Linux", "Linux"),
+)
 # One @, and nothing that a mail header or a log line could take for something else.
 ADDRESS = re.compile(
     r"[a-z0-9!#$%&'*+/=?^_`{|}~.-]{1,64}@[a-z0-9](?:[a-z0-9-]*[a-z0-9])?(?:\.[a-z0-9](?:[a-z0-9-]*[a-z0-9])?)*"
@@ -52,18 +93,43 @@ def ensure_address(address: str) -> str:
     return normalised
 
 
-def ensure_good_password(password: str | None, address: str) -> str:
-    """Return the password, or raise PasswordTooWeak."""
+def ensure_good_password(password: str | None, address: str, *names: str) -> str:
+    """Return the password, or raise PasswordTooWeak; `names` are words that others know of its owner."""
     message = None
     if not password or len(password) < MIN_PASSWORD_LENGTH:
         message = f"choose a password of {MIN_PASSWORD_LENGTH} characters or more"
     elif len(password) > MAX_PASSWORD_LENGTH:
         message = f"choose a password of {MAX_PASSWORD_LENGTH} characters or fewer"
-    elif len(set(password)) < 4 or password.lower() in (address, address.partition("@")[0]):
-        message = "this password is easily guessed; a few words that only you would put together are better"
+    elif reason := _why_weak(password, address, names):
+        message = f"this password is easily guessed: {reason}. Four or more unrelated words make a good one"
     if message or not password:
         raise PasswordTooWeak(message or "", errors=[{"where": "password", "message": message or ""}])
     return password
+
+
+def _why_weak(password: str, address: str, names: Collection[str]) -> str | None:
+    """Return in words why a password is easily guessed; None where it is not."""
+    from zxcvbn import zxcvbn  # its lists take 0.2 s to load, which the command line need not wait for
+
+    known = [word for text in (address, *names) for word in (text, *re.split(r"[^\w]+", text)) if len(word) > 2]
+    found = zxcvbn(password[:MEASURED_LENGTH], user_inputs=[*PRODUCT_WORDS, *known])
+    if found["score"] >= WEAKEST_SCORE:
+        return None
+    longest = max(found["sequence"], key=lambda match: len(match["token"]))
+    return WEAK_BECAUSE.get(longest.get("dictionary_name") or longest["pattern"], "it is made of common words or names")
+
+
+def mailbox_of(address: str) -> str:
+    """Return the mailbox behind an address: what follows a + before the @ does not make another one."""
+    name, _, domain = address.rpartition("@")
+    return f"{name.partition('+')[0]}@{domain}"
+
+
+def device_of(user_agent: str) -> str:
+    """Return a browser and its system in words, from the header that it sends."""
+    browser = next((name for mark, name in BROWSERS if mark in user_agent), "Unknown browser")
+    system = next((name for mark, name in SYSTEMS if mark in user_agent), "")
+    return f"{browser} on {system}" if system else browser
 
 
 def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "frozenset[Role]") -> None:

@@ -37,6 +37,9 @@ class PersonRead(Schema):
     id: UUID
     name: str
     email: str
+    email_verified_at: datetime | None = Field(
+        description="Since when it is known that the account's holder reads this address."
+    )
 
 
 class StudioBrief(Schema):
@@ -72,6 +75,45 @@ class SignUpAdd(_WithPassword):
     name: Line
     password: Password
     studio_name: Line
+
+
+class SignUpAsk(Schema):
+    """The address of a new account, on a server that mails a link first."""
+
+    email: Email
+
+
+class SignUpFinish(_WithPassword):
+    """The rest of a new account, and its studio."""
+
+    name: Line
+    password: Password
+    studio_name: Line
+
+
+class SignUpShown(Schema):
+    """The address that a mailed link opens an account for."""
+
+    email: str
+
+
+class SignUpWay(Schema):
+    """How one comes to have an account here."""
+
+    open: bool = Field(description="Whether anybody may sign up now; otherwise people are invited.")
+    by_mail: bool = Field(description="Whether the address is verified by a mailed link first.")
+
+
+class SignInRead(Schema):
+    """One browser in which the caller is signed in."""
+
+    id: UUID
+    device: str = Field(description="Browser and system, as the browser names them; empty where it said nothing.")
+    place: str = Field(description="Network address that it signed in from.")
+    is_current: bool
+    created_at: datetime
+    last_seen_at: datetime = Field(description="To within ten minutes.")
+    expires_at: datetime
 
 
 class SignInAdd(_WithPassword):

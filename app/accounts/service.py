@@ -6,20 +6,23 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import people, queries
+from app.accounts import addresses, people, queries
 from app.accounts.doors import new_secret, sha256_of
 from app.accounts.errors import (
     AlreadyMember,
     MemberNotFound,
     ProducerNeeded,
+    SignUpClosed,
+    SignUpNotFound,
     StudioInvitationNotFound,
     StudioNotFound,
 )
-from app.accounts.models import Membership, Person, Studio, StudioInvitation, Token
-from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_good_password, ensure_producer_remains
+from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
+from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_producer_remains
 from app.kit import clock
 from app.kit.db import beyond_reach
 from app.kit.events import publish
+from app.settings import Settings
 
 INVITATION_LASTS = timedelta(days=30)
 TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
@@ -27,9 +30,42 @@ TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
 
 def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str) -> Person:
     """Make an account and the studio it produces for."""
-    address = ensure_address(email)
-    person = people.create_person(session, email=address, name=name, password=ensure_good_password(password, address))
+    person = people.create_person(session, email=email, name=name, password=password)
     open_studio(session, studio_name, person)
+    return person
+
+
+def ensure_may_sign_up(session: Session, settings: Settings) -> None:
+    """Raise SignUpClosed where people come by invitation only; the first person of a server may always sign up."""
+    if settings.sign_up == "invited" and queries.has_people(session):
+        raise SignUpClosed(
+            "this server takes new people by invitation only",
+            fix="ask a studio for an invitation, or whoever runs the server to set SOUNDLIST_SIGN_UP=open",
+        )
+
+
+def ask_sign_up(session: Session, email: str) -> None:
+    """Have a link mailed that opens an account, or says that the address has one; to find out is left to the job."""
+    publish(session, "sign_up.asked", studio_id=None, recipient=ensure_address(email))
+
+
+def sign_up_by_secret(session: Session, secret: str) -> SignUp:
+    """Return what a mailed link opens; raise SignUpNotFound when it is past use."""
+    with beyond_reach(session):  # the secret is all that says whose link it is
+        begun = queries.open_sign_up(session, sha256_of(secret))
+    if begun is None:
+        raise SignUpNotFound("this link is used or older than a day", fix="sign up again for a new one")
+    return begun
+
+
+def finish_sign_up(session: Session, secret: str, *, name: str, password: str, studio_name: str) -> Person:
+    """Make the account that a mailed link opens, its address verified by the link, with its studio."""
+    begun = sign_up_by_secret(session, secret)
+    person = sign_up(session, email=begun.email, name=name, password=password, studio_name=studio_name)
+    with beyond_reach(session):  # the row is nobody's
+        begun.used_at = clock.now()
+        session.flush()
+    addresses.verify(session, person, addresses.account_proof(begun))
     return person
 
 
@@ -99,7 +135,7 @@ def _membership_to_change(
 
 
 def invite_member(
-    session: Session, actor: Actor, studio_id: UUID, *, email: str, roles: Collection[Role], base_url: str
+    session: Session, actor: Actor, studio_id: UUID, *, email: str, roles: Collection[Role]
 ) -> StudioInvitation:
     """Mail a link into the studio; an earlier one to the same address loses its worth."""
     studio = ensure_producer_of(session, actor, studio_id)
@@ -112,13 +148,11 @@ def invite_member(
     for earlier in queries.studio_invitations(session, studio_id):
         if earlier.email == address:
             earlier.revoked_at = clock.now()
-    secret = new_secret()
     inviter = session.get_one(Person, actor.person)
     invitation = StudioInvitation(
         studio_id=studio_id,
         email=address,
         roles=sorted(set(roles)),
-        secret_sha256=sha256_of(secret),
         inviter=inviter,
         expires_at=clock.now() + INVITATION_LASTS,
     )
@@ -129,10 +163,9 @@ def invite_member(
         "member.invited",
         studio_id=studio_id,
         recipient=address,
-        link=f"{base_url}/join/{secret}",
+        link_id=invitation.id,
         subject_name=studio.name,
         from_name=inviter.name,
-        note="",
     )
     return invitation
 
@@ -168,7 +201,7 @@ def accept_studio_invitation(
 ) -> tuple[Person, Studio]:
     """Join the studio that a link invites to, with the account of its address, made now if there is none."""
     invitation = studio_invitation_by_secret(session, secret)
-    person = people.person_for_link(session, actor, invitation.email, name=name, password=password)
+    person = people.person_for_link(session, actor, invitation.email, invitation, name=name, password=password)
     with beyond_reach(session):  # the studio is not in sight of whoever joins it now
         invitation.accepted_at = clock.now()
         invitation.accepted_by = person.id

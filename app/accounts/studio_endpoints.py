@@ -8,11 +8,12 @@ from fastapi import APIRouter, Request, Response
 from app.accounts import queries, service
 from app.accounts.doors import sha256_of
 from app.accounts.endpoints import (
+    LateSession,
     PatientRoute,
     SecretRoute,
     allows,
+    ensure_may_guess,
     ensure_may_invite_more,
-    ensure_may_try_password,
     sign_in_browser,
 )
 from app.accounts.errors import (
@@ -106,16 +107,13 @@ def remove_member(studio_id: UUID, person_id: UUID, session: DbSession, actor: A
 def invite_member(
     studio_id: UUID,
     body: StudioInvitationAdd,
-    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Sight.PRODUCER),
 ) -> StudioInvitation:
     """Mail somebody a link into the studio; whether the address has an account is not said."""
     service.ensure_producer_of(session, actor, studio_id)
-    ensure_may_invite_more(actor)
-    return service.invite_member(
-        session, actor, studio_id, email=body.email, roles=body.roles, base_url=runtime.settings.base_url
-    )
+    ensure_may_invite_more(session, actor)
+    return service.invite_member(session, actor, studio_id, email=body.email, roles=body.roles)
 
 
 @router.get(
@@ -170,14 +168,17 @@ def accept_studio_invitation(
     request: Request,
     response: Response,
     runtime: CurrentRuntime,
-    session: DbSession,
+    begin: LateSession,
     actor: Actor = allows(Sight.ANYONE),
 ) -> JoinedStudio:
     """Join the studio with the invited address's account, made now if there is none, and sign in."""
-    ensure_may_try_password(request, sha256_of(secret))
-    person, studio = service.accept_studio_invitation(session, actor, secret, name=body.name, password=body.password)
-    if actor.person_id != person.id:
-        sign_in_browser(session, runtime.settings, response, person.id)
+    ensure_may_guess(request, sha256_of(secret))
+    with begin() as session:
+        person, studio = service.accept_studio_invitation(
+            session, actor, secret, name=body.name, password=body.password
+        )
+        if actor.person_id != person.id:
+            sign_in_browser(session, runtime.settings, request, response, person)
     return JoinedStudio(person=PersonRead.model_validate(person), studio=StudioBrief.model_validate(studio))
 
 

@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import PROOF_WORDS, Actor, Role
 from app.contracts import clauses as clause_rules
 from app.contracts import queries, record
 from app.contracts.clauses import Clause, Terms, render, terms_in_force
@@ -31,6 +31,8 @@ from app.contracts.rules import (
     ContractState,
     Party,
     ReleaseClause,
+    ensure_address_proven,
+    ensure_another_person,
     ensure_needs_contract,
     ensure_same_text,
     ensure_state,
@@ -92,6 +94,11 @@ def begin_contract(
     engagement = engagement_by_id(session, project_id, engagement_id)
     if engagement is None or engagement.ended_at is not None:
         raise EngagementNotFound(f"no running engagement {engagement_id} in this project")
+    ensure_another_person(
+        actor.person,
+        session.get_one(Person, actor.person).email,
+        [(engagement.designer_id, engagement.designer.email)],
+    )
     ensure_needs_contract(is_in_house=engagement.kind is EngagementKind.IN_HOUSE)
     ensure_under_framework(kind, has_framework=framework_id is not None)
     if framework_id is not None:
@@ -205,11 +212,19 @@ def ask_change(session: Session, actor: Actor, contract_id: UUID, *, text: str, 
 
 
 def accept(
-    session: Session, actor: Actor, contract_id: UUID, *, name: str, text_sha256: str, address: str
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    *,
+    name: str,
+    text_sha256: str,
+    address: str,
+    proof_needed: bool,
 ) -> ContractAcceptance:
     """Record a party's yes to the text that was sent; with the second one the contract is agreed.
 
-    Raises TextMovedOn unless `text_sha256` is the hash of the text that stands.
+    Raises TextMovedOn unless `text_sha256` is the hash of the text that stands, BothSides where the other yes is the
+    same person's, and AddressNotProven where a proof is needed. Where none is, the record says that there was none.
     """
     contract = contract_in_sight(session, actor, contract_id)
     party = party_of(actor, contract)
@@ -223,6 +238,9 @@ def accept(
     if any(each.party is party for each in given):
         raise AlreadyAccepted(f"the {party} has accepted this text already; it waits for the other party")
     person = session.get_one(Person, actor.person)
+    ensure_another_person(person.id, person.email, [(each.person_id, each.email) for each in given])
+    if proof_needed:
+        ensure_address_proven(person.email_proof, person.email)
     acceptance = ContractAcceptance(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
@@ -232,6 +250,7 @@ def accept(
         person_id=person.id,
         name=name,
         email=person.email,
+        email_proof=person.email_proof,
         address=address,
     )
     session.add(acceptance)
@@ -245,6 +264,7 @@ def accept(
         party=party,
         name=name,
         email=person.email,
+        email_proof=PROOF_WORDS[person.email_proof],
         address=address,
     )
     if given:

@@ -7,14 +7,16 @@ from uuid import UUID
 
 from fastapi import Path, Query, Request, Response
 
-from app.accounts.endpoints import allows
+from app.accounts.endpoints import allows, client_address
 from app.accounts.rules import Actor, Sight
 from app.accounts.schemas import PersonBrief
 from app.contracts import agreeing, comparison, queries, record, schemas
 from app.contracts.documents import PDF
 from app.contracts.errors import (
+    AddressNotProven,
     AlreadyAccepted,
     BadDraft,
+    BothSides,
     ContractNotFound,
     ContractVersionNotFound,
     DraftMovedOn,
@@ -222,12 +224,15 @@ def ask_contract_change(
 
 @router.post(
     "/contracts/{contract_id}/accept",
-    responses=problems(ContractNotFound, NotYourContract, WrongState, TextMovedOn, AlreadyAccepted),
+    responses=problems(
+        ContractNotFound, NotYourContract, WrongState, TextMovedOn, AlreadyAccepted, AddressNotProven, BothSides
+    ),
 )
 def accept_contract(
     contract_id: UUID,
     body: schemas.AcceptAdd,
     request: Request,
+    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Sight.PROJECT),
 ) -> schemas.ContractRead:
@@ -238,7 +243,8 @@ def accept_contract(
         contract_id,
         name=body.name,
         text_sha256=body.text_sha256,
-        address=request.client.host if request.client else "",
+        address=client_address(request),
+        proof_needed=bool(runtime.settings.smtp_url),
     )
     return _contract(session, actor, contract_in_sight(session, actor, contract_id))
 

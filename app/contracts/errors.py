@@ -103,6 +103,14 @@ class NotYourContract(Forbidden):
     """Only a party to the contract may do this: a producer of the studio, or its designer."""
 
 
+class BothSides(Forbidden):
+    """Nobody acts for both parties of one contract."""
+
+
+class AddressNotProven(Forbidden):
+    """Who accepts a contract must first have shown that they read their mail address."""
+
+
 class WrongState(Conflict):
     """The contract is not in the state in which this can be done."""
 

@@ -8,6 +8,7 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.accounts.rules import AddressProof
 from app.contracts.rules import AcceptedBy, ContractKind, ContractState, LineKind, Party, ReleaseClause, WorkState
 from app.kit import clock
 from app.kit.db import Base, new_id
@@ -98,6 +99,7 @@ class ContractAcceptance(Base):
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     name: Mapped[str]  # as typed
     email: Mapped[str]
+    email_proof: Mapped[AddressProof | None]  # that they read the mail of that address; None: it was not shown
     address: Mapped[str]  # on the network
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
 

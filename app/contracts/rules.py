@@ -1,10 +1,20 @@
 """What a contract may be and become, stated without a database."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from datetime import date, timedelta
 from enum import StrEnum
+from uuid import UUID
 
-from app.contracts.errors import DayAhead, FrameworkNeeded, NoContractNeeded, TextMovedOn, WrongState
+from app.accounts.rules import AddressProof, mailbox_of
+from app.contracts.errors import (
+    AddressNotProven,
+    BothSides,
+    DayAhead,
+    FrameworkNeeded,
+    NoContractNeeded,
+    TextMovedOn,
+    WrongState,
+)
 
 
 class ContractKind(StrEnum):
@@ -125,3 +135,22 @@ def ensure_under_framework(kind: ContractKind, *, has_framework: bool) -> None:
         )
         fix = "agree on a framework first, or make one contract that holds all of it" if not has_framework else None
         raise FrameworkNeeded(message, errors=[{"where": "framework_id", "message": message}], fix=fix)
+
+
+def ensure_another_person(person_id: UUID, email: str, others: Iterable[tuple[UUID, str]]) -> None:
+    """Raise BothSides where somebody of the other party is the same person, or has the same mailbox."""
+    for other_id, other_email in others:
+        if person_id == other_id or mailbox_of(email) == mailbox_of(other_email):
+            raise BothSides(
+                f"{other_email} is on the contract's other side; nobody agrees with themselves",
+                fix="have somebody else of your side do it",
+            )
+
+
+def ensure_address_proven(proof: AddressProof | None, email: str) -> None:
+    """Raise AddressNotProven for an address of which nobody has shown to read the mail."""
+    if proof is None:
+        raise AddressNotProven(
+            f"{email} is not verified, so the other party could not tell who accepts",
+            fix="open the page Account, have a link mailed to it, and follow the link; then accept",
+        )

@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import ConfigDict, Field, StringConstraints
 
+from app.accounts.rules import AddressProof
 from app.accounts.schemas import Line, PersonBrief, Prose
 from app.contracts.rules import ContractKind, ContractState, Party, ReleaseClause
 from app.kit.http import LARGEST_NUMBER, Schema
@@ -204,6 +205,9 @@ class AcceptanceRead(Schema):
     party: Party
     name: str
     email: str
+    email_proof: AddressProof | None = Field(
+        description="How it was shown that they read the mail of that address; null: it was not."
+    )
     accepted_at: datetime
 
 

@@ -5,7 +5,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor, Role
-from app.contracts.errors import ContractNotFound
+from app.contracts.errors import BothSides, ContractNotFound
 from app.contracts.models import Contract
 from app.contracts.queries import contract_for, lock_contract
 from app.projects.errors import ProducerNeeded
@@ -20,10 +20,15 @@ def contract_in_sight(session: Session, actor: Actor, contract_id: UUID) -> Cont
 
 
 def contract_for_producer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
-    """Return a contract; raise ProducerNeeded for all but the studio's producers."""
+    """Return a contract; raise ProducerNeeded for all but the studio's producers, BothSides for its own designer."""
     contract = contract_in_sight(session, actor, contract_id)
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio can do this")
+    if actor.person_id == contract.designer_id:
+        raise BothSides(
+            "you are this contract's designer, so you do not act for the studio in it",
+            fix="have another producer of the studio do it",
+        )
     return contract
 
 

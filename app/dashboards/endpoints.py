@@ -10,7 +10,7 @@ from app.accounts.rules import Actor, Sight
 from app.contracts.errors import MilestoneNotFound
 from app.dashboards import money, schemas, service, standing
 from app.dashboards.desk import Desk
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
@@ -19,9 +19,9 @@ router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
 @router.get("/me")
-def read_me(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
+def read_me(session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
-    return service.me(session, actor, operators=runtime.settings.operators)
+    return service.me(session, actor)
 
 
 @router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound, BadCursor))

@@ -54,6 +54,7 @@ class Me(Schema):
 
     person: PersonBrief
     email: str
+    email_verified_at: datetime | None = Field(description="Since when it is known that they read this address.")
     is_operator: bool = Field(description="Whether the caller runs this server.")
     studios: list[MyStudio]
     projects: list[MyProject]

@@ -1,6 +1,6 @@
 """Joins what the rooms know into the screens that people start from."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from datetime import datetime
 from typing import Any
 from uuid import UUID
@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy import and_
 from sqlalchemy.orm import Session
 
+from app.accounts import queries as accounts
 from app.accounts.models import Person
 from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
@@ -30,7 +31,7 @@ from app.sound_lists.rules import CueState
 STEPS = 500  # cues of which the project page shows one by one where they stand
 
 
-def me(session: Session, actor: Actor, *, operators: Collection[str]) -> schemas.Me:
+def me(session: Session, actor: Actor) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
@@ -42,7 +43,8 @@ def me(session: Session, actor: Actor, *, operators: Collection[str]) -> schemas
     return schemas.Me(
         person=PersonBrief(id=person.id, name=person.name),
         email=person.email,
-        is_operator=person.email in operators,
+        email_verified_at=person.email_verified_at,
+        is_operator=accounts.is_operator(session, person.id),
         studios=[
             schemas.MyStudio(id=studio_id, name=named[studio_id], roles=sorted(roles))
             for studio_id, roles in actor.roles.items()

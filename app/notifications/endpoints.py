@@ -15,13 +15,15 @@ from app.notifications.schemas import MailRead, OutboxRead
 router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 
 
-def _read(mail: Mail) -> MailRead:
+def _read(mail: Mail, *, can_send: bool) -> MailRead:
+    # A secret link is shown only where nobody else will bring it to its recipient.
+    link = None if mail.sent_at is not None or (can_send and mail.secret_of is not None) else mail.link
     return MailRead(
         id=mail.id,
         recipient=mail.recipient,
         subject=mail.subject,
-        text=text_of(mail.lines, mail.link),
-        link=mail.link,
+        text=text_of(mail.lines, link),
+        link=link,
         created_at=mail.created_at,
         sent_at=mail.sent_at,
         failure=mail.failure,
@@ -34,10 +36,13 @@ def read_outbox(
 ) -> OutboxRead:
     """Return the studio's mails, those that wait for an SMTP server first."""
     mails = service.outbox(session, actor, studio_id)
-    return OutboxRead(can_send=bool(runtime.settings.smtp_url), mails=[_read(mail) for mail in mails])
+    can_send = bool(runtime.settings.smtp_url)
+    return OutboxRead(can_send=can_send, mails=[_read(mail, can_send=can_send) for mail in mails])
 
 
 @router.post("/mails/{mail_id}/send", responses=problems(MailNotFound))
-def send_mail_again(mail_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> MailRead:
+def send_mail_again(
+    mail_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+) -> MailRead:
     """Try a mail again that was not sent."""
-    return _read(service.send_again(session, actor, mail_id))
+    return _read(service.send_again(session, actor, mail_id), can_send=bool(runtime.settings.smtp_url))

@@ -20,7 +20,7 @@ from app.kit import clock, mail
 from app.kit.db import new_id
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.notifications import queries, service
+from app.notifications import links, queries, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
@@ -70,36 +70,9 @@ def _take_with_place(session: Session, take_id: str) -> tuple[Take, Project, Cue
 
 @job("notifications.mail_link")
 def mail_link(runtime: Runtime, payload: Payload) -> None:
-    """Mail a link that only its recipient should have: an invitation, or a new password."""
-    subject, line = {
-        "designer.invited": (
-            "{from_name} invites you to make sounds for {subject_name}",
-            "{from_name} invites you to make sounds for {subject_name}. The link shows the sound list at once; "
-            "an account is asked for only before your first upload.",
-        ),
-        "member.invited": (
-            "{from_name} invites you to {subject_name}",
-            "{from_name} invites you to join {subject_name} on Soundlist.",
-        ),
-        "password.reset_asked": (
-            "A new password for Soundlist",
-            "Somebody asked for a new password for this address. The link sets one, within an hour and once. "
-            "If it was not you, leave this mail alone: nothing has changed.",
-        ),
-    }[payload["event"]]
-    names = {"from_name": payload.get("from_name") or "", "subject_name": payload.get("subject_name") or ""}
-    note = str(payload.get("note") or "")
+    """Write the mail of a secret link: an invitation, a new password, an address to verify, a new account."""
     with runtime.database.writing() as session:
-        service.write_mail(
-            session,
-            event_id=payload["event_id"],
-            studio_id=UUID(payload["studio_id"]) if payload.get("studio_id") else None,
-            topic=f"link:{payload['event_id']}",
-            recipient=payload["recipient"],
-            subject=subject.format(**names),
-            lines=[line.format(**names) + (f"\n\n{note}" if note else "")],
-            link=payload["link"],
-        )
+        links.write(session, payload, base_url=runtime.settings.base_url)
 
 
 @job("notifications.tell_checks")
@@ -323,14 +296,20 @@ def tell_build(runtime: Runtime, payload: Payload) -> None:
 
 @job("notifications.send_mail")
 def send_mail(runtime: Runtime, payload: Payload) -> None:
-    """Hand one mail to the SMTP server; without one it waits in the outbox."""
+    """Hand one mail to the SMTP server; without one it waits in the outbox, its link to be copied."""
     if runtime.settings.smtp_url:
         _send(runtime, UUID(payload["mail_id"]))
+    else:
+        _show_link(runtime, UUID(payload["mail_id"]))
 
 
 def send_waiting(runtime: Runtime) -> None:
-    """Send what waits, oldest first, now that a server is set or back."""
+    """Send what waits, oldest first, now that a server is set or back; without one, show the links of what waits."""
     if not runtime.settings.smtp_url:
+        with runtime.database.reading() as session:
+            linkless = queries.linkless_ids(session)
+        for mail_id in linkless:
+            _show_link(runtime, mail_id)
         return
     with runtime.database.reading() as session:
         waiting = queries.overdue_ids(session, clock.now(), runtime.settings.digest_delay_s)
@@ -343,16 +322,30 @@ def send_waiting(runtime: Runtime) -> None:
             return  # the server is away; the next round tries again
 
 
+def _show_link(runtime: Runtime, mail_id: UUID) -> None:
+    with runtime.database.writing() as session:
+        waiting = queries.mail_locked(session, mail_id)
+        if waiting is None or waiting.sent_at is not None or waiting.link is not None:
+            return
+        waiting.link = links.make(session, waiting, base_url=runtime.settings.base_url, is_only_mailed=False)
+
+
 def _send(runtime: Runtime, mail_id: UUID) -> None:
     with runtime.database.writing() as session:
         claimed = service.claim(session, mail_id)
-    if claimed is None:
-        return
+        if claimed is None:
+            return
+        link = links.make(session, claimed, base_url=runtime.settings.base_url, is_only_mailed=True)
+        if claimed.secret_of is not None:
+            claimed.link = None  # what the outbox showed is worthless now
+            if link is None:
+                session.delete(claimed)  # it was used, revoked or grew old before a server took it
+                return
     message = mail.plain_mail(
         sender=runtime.settings.mail_from,
         recipient=claimed.recipient,
         subject=claimed.subject,
-        text=text_of(claimed.lines, claimed.link),
+        text=text_of(claimed.lines, link),
     )
     try:
         mail.send(runtime.settings.smtp_url, message)
@@ -363,4 +356,4 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
         raise
     with runtime.database.writing() as session:
         sent = session.get_one(Mail, mail_id)
-        sent.sent_at, sent.failure, sent.claimed_until = clock.now(), None, None
+        sent.sent_at, sent.failure, sent.claimed_until, sent.link = clock.now(), None, None, None

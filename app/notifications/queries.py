@@ -27,6 +27,26 @@ def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
     )
 
 
+def has_mail(session: Session, topic: str) -> bool:
+    """Whether a mail on the topic was written, sent or not."""
+    return session.scalar(select(Mail.id).where(Mail.topic == topic).limit(1)) is not None
+
+
+def waiting_for(session: Session, recipient: str | None) -> Sequence[Mail]:
+    """Return the mails that were not sent, to one address or to all, the oldest first."""
+    waiting = select(Mail).where(Mail.sent_at.is_(None)).order_by(Mail.id)
+    return session.scalars(waiting.where(Mail.recipient == recipient) if recipient else waiting).all()
+
+
+def linkless_ids(session: Session) -> Sequence[UUID]:
+    """Return the mails that wait without the secret link that they are written for, the oldest first."""
+    return session.scalars(
+        select(Mail.id)
+        .where(Mail.sent_at.is_(None), Mail.link.is_(None), Mail.secret_of_id.is_not(None))
+        .order_by(Mail.id)
+    ).all()
+
+
 def mail_locked(session: Session, mail_id: UUID) -> Mail | None:
     """Return a mail that nobody else changes until this transaction ends."""
     return session.get(Mail, mail_id, with_for_update=True)

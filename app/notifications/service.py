@@ -30,6 +30,8 @@ def write_mail(
     subject: str,
     lines: Sequence[str],
     link: str | None = None,
+    secret_of: str | None = None,
+    secret_of_id: UUID | None = None,
     delay_s: float = 0,
 ) -> None:
     """Add news to the recipient's open mail on the topic, or begin one and have it sent after the delay."""
@@ -42,6 +44,8 @@ def write_mail(
         "lines": list(lines),
         "event_ids": [event_id],
         "link": link,
+        "secret_of": secret_of,
+        "secret_of_id": secret_of_id,
     }
     # What another job has just begun is joined; a mail that is sealed between the two is followed by another.
     while (mail := queries.open_mail(session, topic, recipient)) is None:

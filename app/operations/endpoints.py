@@ -70,7 +70,6 @@ def read_operations(
         session,
         actor,
         queue=runtime.queue,
-        operators=runtime.settings.operators,
         alive_within=WORKER_SILENT_AFTER,
     )
 
@@ -78,7 +77,7 @@ def read_operations(
 @router.get("/operations/storage", responses=problems(OperatorNeeded))
 def read_storage(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> ServerStorage:
     """Return what every studio keeps."""
-    return service.server_storage(session, actor, store=runtime.store, operators=runtime.settings.operators)
+    return service.server_storage(session, actor, store=runtime.store)
 
 
 @router.get("/operations/jobs", responses=problems(OperatorNeeded, BadCursor))
@@ -90,14 +89,12 @@ def list_jobs(
     actor: Actor = allows(Sight.OPERATOR),
 ) -> Page[JobRead]:
     """Return every job that waits, runs or gave up, the oldest first."""
-    return service.server_jobs(
-        session, actor, queue=runtime.queue, operators=runtime.settings.operators, state=state, cursor=cursor
-    )
+    return service.server_jobs(session, actor, queue=runtime.queue, state=state, cursor=cursor)
 
 
 @router.post("/operations/jobs/{job_id}/retry", responses=problems(OperatorNeeded, JobNotFound, JobNotParked))
 def retry_job(job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> JobRead:
     """Let any job run again that gave up."""
     with runtime.database.reading(actor.reach) as session:
-        job = service.parked_job(session, actor, job_id, queue=runtime.queue, operators=runtime.settings.operators)
+        job = service.parked_job(session, actor, job_id, queue=runtime.queue)
     return service.retry(runtime.queue, job)

@@ -7,7 +7,7 @@ from uuid import UUID
 from sqlalchemy import Boolean, ColumnElement, Select, String, func, literal, literal_column, select, union_all
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Person, Studio
+from app.accounts.models import Studio
 from app.builds.models import PackedFile, StandIn
 from app.conformance.models import Mend
 from app.contracts.models import ContractVersion
@@ -46,11 +46,6 @@ ONLY: dict[type[Base], ColumnElement[bool]] = {
         "kind = 'key'", Boolean
     ),  # as its index says it; all else in a pack is kept as what it is
 }
-
-
-def address_of(session: Session, person_id: UUID) -> str:
-    """Return a person's normalised mail address."""
-    return session.get_one(Person, person_id).email
 
 
 def studio_names(session: Session, ids: set[UUID]) -> dict[UUID, str]:

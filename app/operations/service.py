@@ -1,11 +1,12 @@
 """What waits, runs and gave up; what is kept; who works. A producer sees their studio's, an operator the server's."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from datetime import timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts import queries as accounts
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.kit.bodies import LARGEST_INTEGER
@@ -33,17 +34,12 @@ LANES_SHOWN = 50
 PAGE_JOBS = 50
 
 
-def is_operator(session: Session, actor: Actor, operators: Collection[str]) -> bool:
-    """Whether the caller is one of those who run the server."""
-    return actor.person_id is not None and bool(operators) and queries.address_of(session, actor.person_id) in operators
-
-
-def ensure_operator(session: Session, actor: Actor, operators: Collection[str]) -> None:
+def ensure_operator(session: Session, actor: Actor) -> None:
     """Raise OperatorNeeded unless the caller runs the server."""
-    if not is_operator(session, actor, operators):
+    if actor.person_id is None or not accounts.is_operator(session, actor.person_id):
         raise OperatorNeeded(
             "only an operator of this server can do this",
-            fix="whoever runs it names operators by their addresses in SOUNDLIST_OPERATORS",
+            fix="whoever runs it names operators on its command line: soundlist operators add ADDRESS",
         )
 
 
@@ -82,11 +78,9 @@ def parked_studio_job(session: Session, actor: Actor, studio_id: UUID, job_id: s
     return _job_read(_parked(queue, job_id, studio_id), studio.name, whole=False)
 
 
-def server_operations(
-    session: Session, actor: Actor, *, queue: JobQueue, operators: Collection[str], alive_within: timedelta
-) -> ServerOperations:
+def server_operations(session: Session, actor: Actor, *, queue: JobQueue, alive_within: timedelta) -> ServerOperations:
     """Return the whole server's jobs and workers to its operator."""
-    ensure_operator(session, actor, operators)
+    ensure_operator(session, actor)
     lanes, in_hand = queue.lanes()[:LANES_SHOWN], queue.in_hand()
     alive = {beat.worker_id for beat in queue.heartbeats(within=alive_within)}
     return ServerOperations(
@@ -104,9 +98,9 @@ def server_operations(
     )
 
 
-def server_storage(session: Session, actor: Actor, *, store: Store, operators: Collection[str]) -> ServerStorage:
+def server_storage(session: Session, actor: Actor, *, store: Store) -> ServerStorage:
     """Return what every studio keeps to the operator."""
-    ensure_operator(session, actor, operators)
+    ensure_operator(session, actor)
     with beyond_reach(session):  # sums over every studio, and no row of any
         storage = queries.storage(session)
     return ServerStorage(studios=storage, free_bytes=store.free_bytes())
@@ -117,21 +111,20 @@ def server_jobs(
     actor: Actor,
     *,
     queue: JobQueue,
-    operators: Collection[str],
     state: JobState | None,
     cursor: str | None,
 ) -> Page[JobRead]:
     """Return every unfinished job to the operator, the oldest first."""
-    ensure_operator(session, actor, operators)
+    ensure_operator(session, actor)
     jobs, following = _page(queue, None, state, cursor)
     names = _names_of(session, jobs)
     items = [_job_read(job, names.get(job.studio_id) if job.studio_id else None, whole=True) for job in jobs]
     return Page(items=items, next=following)
 
 
-def parked_job(session: Session, actor: Actor, job_id: str, *, queue: JobQueue, operators: Collection[str]) -> JobRead:
+def parked_job(session: Session, actor: Actor, job_id: str, *, queue: JobQueue) -> JobRead:
     """Return any job that gave up, for the operator to try again."""
-    ensure_operator(session, actor, operators)
+    ensure_operator(session, actor)
     job = _parked(queue, job_id, None)
     return _job_read(job, _names_of(session, [job]).get(job.studio_id) if job.studio_id else None, whole=True)
 

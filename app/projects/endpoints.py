@@ -9,11 +9,12 @@ from fastapi.responses import PlainTextResponse
 
 import audio_checks
 from app.accounts.endpoints import (
+    LateSession,
     PatientRoute,
     SecretRoute,
     allows,
+    ensure_may_guess,
     ensure_may_invite_more,
-    ensure_may_try_password,
     sha256_of,
     sign_in_browser,
 )
@@ -315,13 +316,12 @@ def try_spec(
 def invite_designer(
     project_id: UUID,
     body: schemas.InvitationAdd,
-    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Sight.TEAM),
 ) -> ProjectInvitation:
     """Mail a designer a link that shows the list; whether the address has an account is not said."""
     service.standing_in(session, actor, project_id).ensure_speaks()
-    ensure_may_invite_more(actor)
+    ensure_may_invite_more(session, actor)
     return engagements.invite_designer(
         session,
         actor,
@@ -329,7 +329,6 @@ def invite_designer(
         email=body.email,
         kind=body.kind,
         note=body.note,
-        base_url=runtime.settings.base_url,
     )
 
 
@@ -367,15 +366,16 @@ def accept_invitation(
     request: Request,
     response: Response,
     runtime: CurrentRuntime,
-    session: DbSession,
+    begin: LateSession,
     actor: Actor = allows(Sight.ANYONE),
 ) -> schemas.InvitationAccepted:
     """Engage the invited designer with the address's account, made now if there is none, and sign in."""
-    ensure_may_try_password(request, sha256_of(secret))
-    engagement = engagements.accept_invitation(session, actor, secret, name=body.name, password=body.password)
-    designer: Person = engagement.designer
-    if actor.person_id != designer.id:
-        sign_in_browser(session, runtime.settings, response, designer.id)
+    ensure_may_guess(request, sha256_of(secret))
+    with begin() as session:
+        engagement = engagements.accept_invitation(session, actor, secret, name=body.name, password=body.password)
+        designer: Person = engagement.designer
+        if actor.person_id != designer.id:
+            sign_in_browser(session, runtime.settings, request, response, designer)
     return schemas.InvitationAccepted(
         person=PersonRead.model_validate(designer),
         project_id=engagement.project_id,

@@ -6,7 +6,6 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.doors import new_secret, sha256_of
 from app.accounts.models import Person
 from app.accounts.people import person_for_link
 from app.accounts.rules import Actor, ensure_address
@@ -29,7 +28,6 @@ def invite_designer(
     *,
     email: str,
     kind: EngagementKind,
-    base_url: str,
     note: str = "",
 ) -> ProjectInvitation:
     """Mail a designer a link that shows the list; an earlier one to the same address loses its worth."""
@@ -42,7 +40,6 @@ def invite_designer(
     for earlier in queries.invitations(session, project_id):
         if earlier.email == address:
             earlier.revoked_at = clock.now()
-    secret = new_secret()
     inviter = session.get_one(Person, actor.person)
     invitation = ProjectInvitation(
         studio_id=standing.project.studio_id,
@@ -50,7 +47,6 @@ def invite_designer(
         email=address,
         kind=kind,
         note=note,
-        secret_sha256=sha256_of(secret),
         inviter=inviter,
         expires_at=clock.now() + INVITATION_LASTS,
     )
@@ -62,7 +58,7 @@ def invite_designer(
         studio_id=invitation.studio_id,
         project_id=project_id,
         recipient=address,
-        link=f"{base_url}/invitation/{secret}",
+        link_id=invitation.id,
         kind=kind.value,
         subject_name=standing.project.name,
         from_name=inviter.name,
@@ -95,7 +91,7 @@ def accept_invitation(
     Accepting again is accepting once.
     """
     invitation = invitation_by_secret(session, secret)
-    designer = person_for_link(session, actor, invitation.email, name=name, password=password)
+    designer = person_for_link(session, actor, invitation.email, invitation, name=name, password=password)
     with beyond_reach(session):  # the project is not in sight of whoever is engaged on it now
         engagement = queries.any_engagement_of(session, invitation.project_id, designer.id)
         if invitation.accepted_at is not None and engagement is not None:

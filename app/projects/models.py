@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
-from app.accounts.models import Person, Studio
+from app.accounts.models import MailedLink, Person, Studio
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.projects.rules import EngagementKind
@@ -96,7 +96,7 @@ class Engagement(Base):
     designer: Mapped[Person] = relationship(lazy="raise")
 
 
-class ProjectInvitation(Base):
+class ProjectInvitation(MailedLink, Base):
     """A mailed link that shows a designer the list at once, and makes an engagement when accepted."""
 
     __tablename__ = "projects_invitations"
@@ -107,7 +107,6 @@ class ProjectInvitation(Base):
     email: Mapped[str]
     kind: Mapped[EngagementKind]
     note: Mapped[str] = mapped_column(default="")
-    secret_sha256: Mapped[str] = mapped_column(unique=True)
     invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]

@@ -9,7 +9,6 @@ from uuid import uuid4
 import pytest
 from httpx import Response
 
-from app.accounts import rate_limits
 from tests.app.reviews.making import Stage
 from tests.support.deliver import add_cues, open_delivery
 from tests.support.server import RunningServer, World
@@ -101,7 +100,7 @@ def test_a_cue_is_cut_once(world: World, together: Callable[..., list[Response]]
 
 
 def test_an_address_signs_up_once(server: RunningServer, together: Callable[..., list[Response]]):
-    rate_limits.forget_all()
+    server.forget_tries()
     address = f"{uuid4()}@example.test"
     body = {"email": address, "name": "Ada", "password": "four words that rhyme", "studio_name": "Ada's"}
     browsers = [server.browser() for _ in range(3)]

@@ -62,12 +62,21 @@ def test_a_name_like_none_of_ours_is_told_too(environment):
     assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/operate.md lists them"]
 
 
-def test_operators_are_a_list_of_addresses(environment):
-    environment(OPERATORS=" Ada@studio.example, bo@studio.example ,")
-    assert Settings().operators == {"ada@studio.example", "bo@studio.example"}
-    environment(OPERATORS="ada", SECRET_KEY="k" * 32)
+def test_a_setting_that_named_operators_says_what_names_them_now(environment):
+    environment(OPERATORS="ada@studio.example", SECRET_KEY="k" * 32)
     (line,) = wrong()
-    assert "'ada', which is no mail address" in line
+    assert line.startswith("SOUNDLIST_OPERATORS is no setting any more")
+    assert "soundlist operators add ADDRESS" in line
+
+
+def test_trusted_proxies_are_networks(environment):
+    environment(TRUSTED_PROXIES=" 10.0.0.0/24, 192.0.2.7 ,fd00::/64,")
+    assert Settings().trusted_proxies == ("10.0.0.0/24", "192.0.2.7", "fd00::/64")
+    for wrong_one in ("caddy", "10.0.0.1/24", "*"):
+        environment(TRUSTED_PROXIES=wrong_one, SECRET_KEY="k" * 32)
+        (line,) = wrong()
+        assert f"SOUNDLIST_TRUSTED_PROXIES holds {wrong_one!r}" in line
+        assert "write networks such as 10.0.0.0/24" in line
 
 
 def test_figures_of_several_web_processes_want_a_port_for_each(environment):

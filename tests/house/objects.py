@@ -9,7 +9,16 @@ from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
 from app.accounts.doors import new_secret, sha256_of
-from app.accounts.models import PasswordReset, Person, StudioInvitation, Token
+from app.accounts.models import (
+    EmailVerification,
+    Operator,
+    PasswordReset,
+    Person,
+    SignIn,
+    SignUp,
+    StudioInvitation,
+    Token,
+)
 from app.accounts.passwords import hash_of
 from app.accounts.queries import actor_for_person
 from app.accounts.rules import Role, Scope
@@ -206,6 +215,7 @@ class House(World):
             "engagement_id": engagement.id,
             "invitation_id": self._invitation_id,
             "studio_invitation_id": self._studio_invitation_id,
+            "sign_in_id": self._sign_in_id,
             "token_id": token[0].id,
             "job_id": str(new_id()),
             **money,
@@ -339,7 +349,7 @@ class House(World):
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
-        self.links["calendars"] = new_secret()
+        self.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
         expires_at = clock.now() + TOMORROW
         session.add(
             CalendarLink(
@@ -371,8 +381,18 @@ class House(World):
             secret_sha256=sha256_of(self.links["password-resets"]),
             expires_at=expires_at,
         )
-        session.add_all([invitation, studio_invitation, reset])
+        verification = EmailVerification(
+            person_id=self.designer_id,
+            secret_sha256=sha256_of(self.links["email-verifications"]),
+            expires_at=expires_at,
+        )
+        sign_up = SignUp(
+            email=f"{new_id()}@example.test", secret_sha256=sha256_of(self.links["sign-ups"]), expires_at=expires_at
+        )
+        signed_in = SignIn(person_id=self.designer_id, secret_sha256=sha256_of(new_secret()), expires_at=expires_at)
+        session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
         session.flush()
+        self._sign_in_id = signed_in.id
         self._invitation_id, self._studio_invitation_id = invitation.id, studio_invitation.id
 
     def _add_outsiders(self, session: Session) -> None:
@@ -426,8 +446,7 @@ class House(World):
         """The browser of who runs the server, and belongs to no studio."""
         with self.server.runtime.database.writing() as session:
             person_id = self._person(session, "Operator")
-        settings = self.server.runtime.settings
-        settings.operators = settings.operators | {f"{person_id}@example.test"}
+            session.add(Operator(person_id=person_id))
         return self.signed_in(person_id)
 
     @cached_property

@@ -8,7 +8,6 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app import rooms
-from app.accounts import rate_limits
 from app.accounts.endpoints import policy_of
 from app.accounts.rules import Scope, Sight
 from app.kit.http import SAFE_METHODS
@@ -23,6 +22,7 @@ CONTRACTS = {"contract_id", "milestone_id", "extra_round_id", "invoice_id", "pay
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
     "master_export_id",
+    "sign_in_id",
     *CONTRACTS,
 }
 TEAMS = {Sight.PRODUCER, Sight.TEAM, Sight.DECIDER}
@@ -66,8 +66,8 @@ def house(server: RunningServer) -> House:
 
 
 @pytest.fixture(autouse=True)
-def _no_tries_yet() -> None:
-    rate_limits.forget_all()
+def _no_tries_yet(server: RunningServer) -> None:
+    server.forget_tries()
 
 
 def test_every_endpoint_declares_its_policy() -> None:

@@ -9,6 +9,7 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
 
+from app.accounts.models import Operator
 from app.builds.models import PackedFile, SealedPack, StandIn
 from app.builds.rules import FileKind
 from app.conformance.models import Mend
@@ -48,9 +49,9 @@ def _no_second_tries(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def operator(world: World, monkeypatch: pytest.MonkeyPatch) -> TestClient:
+def operator(world: World) -> TestClient:
     """The browser of who runs the server, and is a member of no studio."""
-    monkeypatch.setattr(world.server.runtime.settings, "operators", {f"{world.other_designer_id}@example.test"})
+    world.server.in_database(lambda session: session.add(Operator(person_id=world.other_designer_id)))
     return world.other_designer
 
 
@@ -155,7 +156,7 @@ def test_who_does_not_run_the_server_is_told_so(world: World, operator: TestClie
 def test_without_operators_nobody_is_one(world: World) -> None:
     answer = world.producer.get("/v1/operations")
     assert answer.status_code == 403
-    assert "SOUNDLIST_OPERATORS" in answer.json()["fix"]
+    assert "soundlist operators add ADDRESS" in answer.json()["fix"]
 
 
 @pytest.mark.parametrize(("who", "status"), [("decider", 403), ("reviewer", 403), ("designer", 404), ("stranger", 404)])

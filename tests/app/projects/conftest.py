@@ -2,9 +2,11 @@
 
 import pytest
 
-from app.accounts import rate_limits
+from tests.support.server import RunningServer
 
 
 @pytest.fixture(autouse=True)
-def _no_tries_yet() -> None:
-    rate_limits.forget_all()
+def _no_tries_yet(request: pytest.FixtureRequest) -> None:
+    if "server" in request.fixturenames:
+        server: RunningServer = request.getfixturevalue("server")
+        server.forget_tries()

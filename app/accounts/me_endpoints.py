@@ -1,0 +1,91 @@
+"""The endpoints of the caller's own account: name, password, address, and the browsers signed in to it."""
+
+from uuid import UUID
+
+from fastapi import APIRouter, Request
+
+from app.accounts import addresses, people, sign_ins
+from app.accounts.doors import SESSION_COOKIE, sha256_of
+from app.accounts.endpoints import LateSession, PatientRoute, SecretRoute, allows, ensure_may_guess, ensure_may_mail
+from app.accounts.errors import (
+    AlreadyVerified,
+    NotInDemo,
+    PasswordTooWeak,
+    SignInNotFound,
+    TooManyTries,
+    VerificationNotFound,
+    WrongPassword,
+)
+from app.accounts.models import Person
+from app.accounts.rules import Actor, Sight
+from app.accounts.schemas import NameChange, PasswordChange, PersonRead, SignInRead
+from app.kit.http import DbSession, Router, problems
+
+router = Router(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
+_secret_router = APIRouter(route_class=SecretRoute)
+
+
+@router.put("/me", response_model=PersonRead)
+def change_my_name(body: NameChange, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
+    """Change the caller's name."""
+    return people.rename(session, actor, body.name)
+
+
+@_secret_router.put(
+    "/me/password", status_code=204, responses=problems(WrongPassword, NotInDemo, PasswordTooWeak, TooManyTries)
+)
+def change_my_password(
+    body: PasswordChange, request: Request, begin: LateSession, actor: Actor = allows(Sight.PERSON)
+) -> None:
+    """Change the caller's password, and end their other sign-ins."""
+    ensure_may_guess(request, str(actor.person))
+    kept_secret = request.cookies.get(SESSION_COOKIE)
+    with begin() as session:
+        people.change_password(session, actor, current=body.current, new=body.new, kept_secret=kept_secret)
+
+
+@router.get("/me/sign-ins")
+def list_my_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> list[SignInRead]:
+    """Return the browsers in which the caller is signed in, the one used last first."""
+    current = sha256_of(request.cookies.get(SESSION_COOKIE, ""))
+    return [
+        SignInRead(
+            id=each.id,
+            device=each.device,
+            place=each.place,
+            is_current=each.secret_sha256 == current,
+            created_at=each.created_at,
+            last_seen_at=each.last_seen_at,
+            expires_at=each.expires_at,
+        )
+        for each in sign_ins.sign_ins_of(session, actor)
+    ]
+
+
+@router.delete("/me/sign-ins/{sign_in_id}", status_code=204, responses=problems(SignInNotFound))
+def end_my_sign_in(sign_in_id: UUID, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> None:
+    """Sign one of the caller's browsers out."""
+    sign_ins.end_one(session, actor, sign_in_id)
+
+
+@router.delete("/me/sign-ins", status_code=204)
+def end_my_other_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> None:
+    """Sign every other browser of the caller out."""
+    sign_ins.end_others(session, actor, request.cookies.get(SESSION_COOKIE))
+
+
+@router.post("/me/email-verifications", status_code=202, responses=problems(AlreadyVerified, NotInDemo, TooManyTries))
+def ask_email_verification(request: Request, begin: LateSession, actor: Actor = allows(Sight.PERSON)) -> None:
+    """Mail the caller a link that verifies their address."""
+    ensure_may_mail(request, str(actor.person))
+    with begin() as session:
+        addresses.ask_verification(session, actor)
+
+
+@router.post("/email-verifications/{secret}", response_model=PersonRead, responses=problems(VerificationNotFound))
+def verify_email(secret: str, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
+    """Verify the caller's address by the link mailed to it."""
+    return addresses.verify_by_link(session, actor, secret)
+
+
+router.include_router(_secret_router)

@@ -1,0 +1,39 @@
+"""Who runs the server: named and removed on its command line only."""
+
+from sqlalchemy.orm import Session
+
+from app.accounts import queries
+from app.accounts.errors import AddressNotVerified, OperatorNotFound
+from app.accounts.models import Operator, Person
+from app.accounts.rules import normalised_email
+from app.kit.db import insert_unless_there
+
+
+def add_operator(session: Session, address: str) -> Person:
+    """Make an account's holder an operator; raise AddressNotVerified unless they have verified their address."""
+    person = _person(session, address)
+    if person.email_verified_at is None:
+        raise AddressNotVerified(
+            f"{person.email} is not verified, so the account may be anybody's",
+            fix="have its holder ask for a link on the page Account and follow it; without a mail server, "
+            f"soundlist mails {person.email} prints the link",
+        )
+    insert_unless_there(session, Operator, {"person_id": person.id}, unique=("person_id",))
+    return person
+
+
+def remove_operator(session: Session, address: str) -> Person:
+    """Make somebody an operator no longer; raise OperatorNotFound where they were none."""
+    person = _person(session, address)
+    operator = session.get(Operator, person.id)
+    if operator is None:
+        raise OperatorNotFound(f"{person.email} is no operator", fix="soundlist operators list names those who are")
+    session.delete(operator)
+    return person
+
+
+def _person(session: Session, address: str) -> Person:
+    person = queries.person_by_email(session, normalised_email(address))
+    if person is None:
+        raise OperatorNotFound(f"no account has the address {address}", fix="have them sign up first")
+    return person

@@ -1,0 +1,123 @@
+"""Mails with a secret link: which there are, how they read, and the making of their links.
+
+A secret is made at the last moment. With a mail server it goes into the mail that is handed over, and only its hash
+is kept: no outbox, job or backup holds it, so whoever follows the link reads that mail. Without one it stands in the
+outbox for the producer to hand over, and shows nothing about who follows it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts import addresses
+from app.accounts.models import EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
+from app.kit import clock
+from app.kit.queue import Payload
+from app.notifications import queries, service
+from app.notifications.models import Mail
+from app.projects.models import ProjectInvitation
+
+
+@dataclass(frozen=True)
+class LinkMail:
+    """How the mail of an event reads, and what its link opens."""
+
+    subject: str
+    line: str
+    table: Any
+    page: str
+
+
+KINDS: Mapping[str, LinkMail] = {
+    "designer.invited": LinkMail(
+        "{from_name} invites you to make sounds for {subject_name}",
+        "{from_name} invites you to make sounds for {subject_name}. The link shows the sound list at once; "
+        "an account is asked for only before your first upload.",
+        ProjectInvitation,
+        "invitation",
+    ),
+    "member.invited": LinkMail(
+        "{from_name} invites you to {subject_name}",
+        "{from_name} invites you to join {subject_name} on Soundlist.",
+        StudioInvitation,
+        "join",
+    ),
+    "password.reset_asked": LinkMail(
+        "A new password for Soundlist",
+        "Somebody asked for a new password for this address. The link sets one, within an hour and once. "
+        "If it was not you, leave this mail alone: nothing has changed.",
+        PasswordReset,
+        "new-password",
+    ),
+    "address.verification_asked": LinkMail(
+        "Verify your address for Soundlist",
+        "The link verifies this address for your account, within a day and once. "
+        "If you have no account, leave this mail alone: the link does nothing for anybody else.",
+        EmailVerification,
+        "verify-address",
+    ),
+    "sign_up.asked": LinkMail(
+        "Your account on Soundlist",
+        "Somebody asked for an account with this address. The link opens it, within a day and once. "
+        "If it was not you, leave this mail alone: nothing has changed.",
+        SignUp,
+        "sign-up",
+    ),
+}
+KNOWN_ADDRESS = (
+    "Your account on Soundlist",
+    "Somebody asked for an account with this address, which has one. Sign in, or ask for a new password there. "
+    "If it was not you, leave this mail alone: nothing has changed.",
+)
+
+
+def write(session: Session, payload: Payload, *, base_url: str) -> None:
+    """Write the mail of an event, once; its link is made later."""
+    event, event_id = payload["event"], payload["event_id"]
+    topic = f"link:{event_id}"
+    if queries.has_mail(session, topic):
+        return
+    kind = KINDS[event]
+    subject, line, link, link_id = kind.subject, kind.line, payload.get("link"), payload.get("link_id")
+    if event == "password.reset_asked" and link is None:
+        if (link_id := addresses.begin_reset(session, payload["recipient"])) is None:
+            return
+    elif event == "sign_up.asked" and (link_id := addresses.begin_sign_up(session, payload["recipient"])) is None:
+        (subject, line), link = KNOWN_ADDRESS, f"{base_url}/sign-in"
+    names = {"from_name": payload.get("from_name") or "", "subject_name": payload.get("subject_name") or ""}
+    note = str(payload.get("note") or "")
+    service.write_mail(
+        session,
+        event_id=event_id,
+        studio_id=UUID(payload["studio_id"]) if payload.get("studio_id") else None,
+        topic=topic,
+        recipient=payload["recipient"],
+        subject=subject.format(**names),
+        lines=[line.format(**names) + (f"\n\n{note}" if note else "")],
+        link=link,  # an earlier version made it with the event
+        secret_of=event if link_id else None,
+        secret_of_id=UUID(str(link_id)) if link_id else None,
+    )
+
+
+def make(session: Session, mail: Mail, *, base_url: str, is_only_mailed: bool) -> str | None:
+    """Return a mail's link: a new one where it is secret, so that every link before it is worthless.
+
+    None where it opens nothing any more.
+    """
+    if mail.secret_of is None or mail.secret_of_id is None:
+        return mail.link
+    kind = KINDS[mail.secret_of]
+    opened: MailedLink | None = session.get(kind.table, mail.secret_of_id, with_for_update=True)
+    if opened is None or is_over(opened):
+        return None
+    return f"{base_url}/{kind.page}/{addresses.renew_secret(opened, is_only_mailed=is_only_mailed)}"
+
+
+def is_over(opened: Any) -> bool:
+    """Whether a link has nothing left to do: used, accepted, revoked or too old."""
+    ended = (getattr(opened, name, None) for name in ("used_at", "accepted_at", "revoked_at"))
+    return any(ended) or opened.expires_at <= clock.now()
