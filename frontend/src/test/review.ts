@@ -143,7 +143,8 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
   return {
     person: DECIDER,
     email: 'decider@studio.example',
-    is_operator: false,
+    email_verified_at: null,
+  is_operator: false,
     studios: [{ id: 'studio-1', name: 'Studio', roles: ['liaison'] }],
     projects: [
       {

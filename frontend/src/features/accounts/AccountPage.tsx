@@ -10,6 +10,7 @@ import { type Me, meQuery, sessionQuery, useChangePassword, useOpenStudio, useRe
 import classes from './Account.module.css'
 import { Field, Form } from './Form'
 import { ROLE_WORDS } from './parts'
+import { AddressCard, SignInsCard } from './SecurityCards'
 
 const KIND_WORDS = { advisory: 'advises', contract: 'by contract', 'in-house': 'in-house' } as const
 
@@ -36,7 +37,9 @@ export function AccountPage() {
       </p>
       <div className={classes.cards}>
         <NameCard me={me} />
+        {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
+        {session?.demo !== true && <SignInsCard />}
         <Card aria-labelledby="belong">
           <CardHead id="belong" title="Where you belong" />
           <Rows>
@@ -133,7 +136,7 @@ function PasswordCard({ demo }: { demo: boolean }) {
             label="New password"
             type="password"
             autoComplete="new-password"
-            hint="10 characters or more."
+            hint="10 characters or more; four unrelated words make a good one."
           />
         </Form>
       </div>

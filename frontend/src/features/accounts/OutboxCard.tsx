@@ -10,7 +10,7 @@ import { type Mail, useOutbox, useSendMail } from './api'
 import { CardProblem } from './PeopleCards'
 import classes from './Studio.module.css'
 
-/** The studio's mails: those that wait first, each with its link to copy. */
+/** The studio's mails: those that wait first, without a mail server each with its link to copy. */
 export function OutboxCard({ studioId }: { studioId: string }) {
   const { data: outbox, error } = useOutbox(studioId, true)
   const send = useSendMail(studioId)
@@ -21,7 +21,13 @@ export function OutboxCard({ studioId }: { studioId: string }) {
         id="outbox"
         title="Outbox"
         count={waiting > 0 ? waiting : undefined}
-        note={outbox && !outbox.can_send ? 'no mail server is set: copy the links and send them yourself' : undefined}
+        note={
+          outbox === undefined
+            ? undefined
+            : outbox.can_send
+              ? 'links go to their recipients only'
+              : 'no mail server is set: copy the links and send them yourself'
+        }
       />
       <CardProblem error={error ?? send.error} />
       {outbox?.mails.length === 0 && (

@@ -21,7 +21,7 @@ export function ForgottenPasswordPage() {
           <button type="button" className="link" onClick={() => asking.reset()}>
             Ask again
           </button>{' '}
-          or let your producer look into the outbox of the studio.
+          If this server has no mail server, whoever runs it can read the link with <code>soundlist mails</code>.
         </p>
       </Sheet>
     )

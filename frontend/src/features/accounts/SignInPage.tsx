@@ -3,7 +3,7 @@ import { Link, useRouter, useSearch } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
 
-import { sessionQuery, useSignIn } from './api'
+import { sessionQuery, signUpQuery, useSignIn } from './api'
 import { Field, Form, Sheet } from './Form'
 
 /** An address of this site, whatever was written after `next=`. */
@@ -16,6 +16,7 @@ export function SignInPage() {
   const router = useRouter()
   const signIn = useSignIn()
   const { data: session } = useQuery(sessionQuery)
+  const { data: way } = useQuery(signUpQuery)
   return (
     <Sheet>
       <h1>Sign in</h1>
@@ -48,11 +49,18 @@ export function SignInPage() {
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
       </Form>
       <p className="small mid" style={{ marginTop: 'var(--sl-5)' }}>
-        A game team without an account?{' '}
-        <Link className="link" to="/sign-up">
-          Open a studio
-        </Link>
-        . Sound designers come by the link that a studio mails them.
+        {way?.open === false ? (
+          'New people come by invitation. '
+        ) : (
+          <>
+            A game team without an account?{' '}
+            <Link className="link" to="/sign-up">
+              Open a studio
+            </Link>
+            .{' '}
+          </>
+        )}
+        Sound designers come by the link that a studio mails them.
       </p>
     </Sheet>
   )

@@ -1,12 +1,72 @@
-import { Link, useRouter } from '@tanstack/react-router'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams, useRouter } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
+import { ProblemNote } from '@/ui/ProblemNote'
 
-import { useSignUp } from './api'
-import { Field, Form, Sheet } from './Form'
+import { signUpLinkQuery, signUpQuery, useAskSignUp, useFinishSignUp, useSignUp } from './api'
+import { Field, Form, refusalOf, sentence, Sheet } from './Form'
 
+const toSignIn = (
+  <Link className="link small mid" to="/sign-in">
+    I have an account
+  </Link>
+)
+
+/** What an account asks for beside its address. */
+function AccountFields({ email }: { email?: string }) {
+  return (
+    <>
+      <Field name="studio_name" label="Name of the studio" autoComplete="organization" />
+      <Field name="name" label="Your name" autoComplete="name" />
+      <Field
+        name="email"
+        label="Mail address"
+        type="email"
+        autoComplete="username"
+        defaultValue={email}
+        readOnly={email !== undefined}
+      />
+      <Field
+        name="password"
+        label="Password"
+        type="password"
+        autoComplete="new-password"
+        hint="10 characters or more; four unrelated words make a good one."
+      />
+    </>
+  )
+}
+
+/** Open an account and a studio, in the way that this server takes. */
 export function SignUpPage() {
   useTitle('Open a studio')
+  const { data: way, error } = useQuery(signUpQuery)
+  if (error) {
+    return (
+      <Sheet>
+        <h1>Open a studio</h1>
+        <ProblemNote detail={sentence(refusalOf(error)?.detail ?? 'The server did not answer.')} />
+      </Sheet>
+    )
+  }
+  if (way === undefined) return <Sheet>{null}</Sheet>
+  if (!way.open) {
+    return (
+      <Sheet>
+        <h1>Open a studio</h1>
+        <p className="mid">
+          This server takes new people by invitation only. A studio on it can invite you by mail; whoever runs the
+          server can open it to everybody.
+        </p>
+        <p style={{ marginTop: 'var(--sl-4)' }}>{toSignIn}</p>
+      </Sheet>
+    )
+  }
+  return way.by_mail ? <AskByMail /> : <AtOnce />
+}
+
+function AtOnce() {
   const router = useRouter()
   const signUp = useSignUp()
   return (
@@ -28,22 +88,88 @@ export function SignUpPage() {
             { onSuccess: () => void router.navigate({ href: '/' }) },
           )
         }
-        other={
-          <Link className="link small mid" to="/sign-in">
-            I have an account
+        other={toSignIn}
+      >
+        <AccountFields />
+      </Form>
+    </Sheet>
+  )
+}
+
+function AskByMail() {
+  const asking = useAskSignUp()
+  if (asking.isSuccess) {
+    return (
+      <Sheet>
+        <h1>Check your mail</h1>
+        <p className="mid">A mail to {asking.variables} says how to go on. Its link works for a day, once.</p>
+        <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
+          No mail?{' '}
+          <button type="button" className="link" onClick={() => asking.reset()}>
+            Try again
+          </button>
+        </p>
+      </Sheet>
+    )
+  }
+  return (
+    <Sheet>
+      <h1>Open a studio</h1>
+      <p className="mid">You become its producer. A link to go on comes by mail.</p>
+      <Form
+        action="Mail me the link"
+        busy={asking.isPending}
+        error={asking.error}
+        onSubmit={(value) => asking.mutate(value('email'))}
+        other={toSignIn}
+      >
+        <Field name="email" label="Mail address" type="email" autoComplete="username" />
+      </Form>
+    </Sheet>
+  )
+}
+
+/** The page of the mailed link that opens an account. */
+export function FinishSignUpPage() {
+  useTitle('Open a studio')
+  const { secret } = useParams({ from: '/guest/sign-up/$secret' })
+  const router = useRouter()
+  const { data: begun, error } = useQuery(signUpLinkQuery(secret))
+  const finish = useFinishSignUp(secret)
+  if (error) {
+    const problem = refusalOf(error)
+    return (
+      <Sheet>
+        <h1>Open a studio</h1>
+        <ProblemNote
+          detail={sentence(problem?.detail ?? 'The link could not be read.')}
+          fix={sentence(problem?.fix || 'sign up again for a new link')}
+        />
+        <p style={{ marginTop: 'var(--sl-4)' }}>
+          <Link className="link" to="/sign-up">
+            Sign up again
           </Link>
+        </p>
+      </Sheet>
+    )
+  }
+  if (begun === undefined) return <Sheet>{null}</Sheet>
+  return (
+    <Sheet>
+      <h1>Open a studio</h1>
+      <p className="mid">You become its producer: you open projects and invite the others.</p>
+      <Form
+        action="Open the studio"
+        busy={finish.isPending}
+        error={finish.error}
+        onSubmit={(value) =>
+          finish.mutate(
+            { studio_name: value('studio_name'), name: value('name'), password: value('password') },
+            { onSuccess: () => void router.navigate({ href: '/' }) },
+          )
         }
       >
-        <Field name="studio_name" label="Name of the studio" autoComplete="organization" />
-        <Field name="name" label="Your name" autoComplete="name" />
-        <Field name="email" label="Mail address" type="email" autoComplete="username" />
-        <Field
-          name="password"
-          label="Password"
-          type="password"
-          autoComplete="new-password"
-          hint="10 characters or more."
-        />
+        <AccountFields email={begun.email} />
       </Form>
     </Sheet>
   )

@@ -23,12 +23,14 @@ const PROJECT = {
 const PRODUCER = {
   person: { id: 'x1', name: 'Producer' },
   email: 'producer@studio.example',
+  email_verified_at: '2026-11-20T09:00:00Z' as string | null,
   studios: [STUDIO],
   projects: [PROJECT],
 }
 const DESIGNER = {
   person: { id: 'x3', name: 'Sound designer' },
   email: 'designer@sound.example',
+  email_verified_at: null as string | null,
   studios: [],
   projects: [{ ...PROJECT, part: 'designer', is_producer: false, engagement_kind: 'contract' }],
 }
@@ -43,6 +45,36 @@ const EMPTY_DESK = {
   checking: 0,
   questions: [],
 }
+const SIGN_INS = [
+  {
+    id: 'n1',
+    device: 'Firefox on Linux',
+    place: '192.0.2.7',
+    is_current: true,
+    created_at: '2026-11-20T09:00:00Z',
+    last_seen_at: '2026-11-23T09:00:00Z',
+    expires_at: '2026-12-20T09:00:00Z',
+  },
+  {
+    id: 'n2',
+    device: 'Safari on iOS',
+    place: '192.0.2.8',
+    is_current: false,
+    created_at: '2026-11-19T09:00:00Z',
+    last_seen_at: '2026-11-22T09:00:00Z',
+    expires_at: '2026-12-19T09:00:00Z',
+  },
+  {
+    id: 'n3',
+    device: '',
+    place: '192.0.2.9',
+    is_current: false,
+    created_at: '2026-11-18T09:00:00Z',
+    last_seen_at: '2026-11-21T09:00:00Z',
+    expires_at: '2026-12-18T09:00:00Z',
+  },
+]
+const AT_ONCE = { open: true, by_mail: false }
 const NOBODY = { signed_in: false, demo: false, person: null }
 const signedIn = (me: typeof PRODUCER | typeof DESIGNER, demo = false) => ({ signed_in: true, demo, person: me.person })
 
@@ -52,6 +84,7 @@ const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = fa
   'GET /v1/me': me,
   'GET /v1/review-queue/count': { cues: 0, is_all: true },
   'GET /v1/projects/p1/desk': EMPTY_DESK,
+  'GET /v1/me/sign-ins': SIGN_INS,
   ...more,
 })
 
@@ -59,6 +92,7 @@ describe('the guard', () => {
   test('a page asks nobody in: sign in first, then the page that was wanted', async () => {
     const server = serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'POST /v1/sign-in': () => {
         Object.assign(server.answers, as(PRODUCER))
         return { id: 'x1', name: 'Producer', email: PRODUCER.email }
@@ -99,6 +133,7 @@ describe('signing in', () => {
   test('a wrong password is said, and what was typed stays', async () => {
     serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'POST /v1/sign-in': refusal(401, 'wrong-sign-in', 'address and password do not belong together', {
         fix: 'check both, or ask for a new password',
       }),
@@ -129,6 +164,7 @@ describe('signing in', () => {
   test('a weak password of a new studio is said at its field', async () => {
     serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'POST /v1/sign-up': refusal(422, 'password-too-weak', 'choose a password of 10 characters or more', {
         errors: [{ where: 'password', message: 'choose a password of 10 characters or more' }],
       }),
@@ -149,7 +185,11 @@ describe('signing in', () => {
   })
 
   test('a forgotten password: the page says the same whoever asks', async () => {
-    const { asked } = serve({ 'GET /v1/session': NOBODY, 'POST /v1/password-resets': answer(null, 202) })
+    const { asked } = serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
+      'POST /v1/password-resets': answer(null, 202),
+    })
     const user = userEvent.setup()
     openApp('/forgotten-password')
     await user.type(await screen.findByLabelText('Mail address'), 'who@sound.example')
@@ -161,6 +201,7 @@ describe('signing in', () => {
   test('a used link for a new password says so', async () => {
     serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'POST /v1/password-resets/s3cret': refusal(404, 'reset-not-found', 'this link was used or is too old', {
         fix: 'ask for a new one',
       }),
@@ -312,6 +353,7 @@ describe('a link into a studio', () => {
   test('makes an account of a name and a password, and signs in', async () => {
     const server = serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'GET /v1/studio-invitations/s3cret': INVITED,
       'POST /v1/studio-invitations/s3cret/accept': () => {
         Object.assign(server.answers, as(PRODUCER))
@@ -334,11 +376,127 @@ describe('a link into a studio', () => {
   test('one that is withdrawn says so, and what to do', async () => {
     serve({
       'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': AT_ONCE,
       'GET /v1/studio-invitations/s3cret': refusal(404, 'studio-invitation-not-found', 'this invitation is not there'),
     })
     openApp('/join/s3cret')
     expect(await screen.findByRole('alert')).toHaveTextContent(
       'This invitation is not there. Ask whoever invited you for a new link.',
     )
+  })
+})
+
+describe('signing up', () => {
+  test('a server that takes people by invitation says so, and asks for nothing', async () => {
+    serve({ 'GET /v1/session': NOBODY, 'GET /v1/sign-up': { open: false, by_mail: true } })
+    openApp('/sign-up')
+    expect(await screen.findByText(/takes new people by invitation only/)).toBeInTheDocument()
+    expect(screen.queryByRole('textbox')).toBeNull()
+  })
+
+  test('with a mail server it asks for the address alone, and says to look into the mail', async () => {
+    const server = serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': { open: true, by_mail: true },
+      'POST /v1/sign-ups': null,
+    })
+    const user = userEvent.setup()
+    openApp('/sign-up')
+    await user.type(await screen.findByLabelText('Mail address'), 'p@hull.example')
+    await user.click(screen.getByRole('button', { name: 'Mail me the link' }))
+    expect(await screen.findByRole('heading', { name: 'Check your mail' })).toBeInTheDocument()
+    expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({ email: 'p@hull.example' })
+  })
+
+  test('the mailed link asks for the rest, the address being known', async () => {
+    const server = serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/sign-ups/s3cret': { email: 'p@hull.example' },
+      'POST /v1/sign-ups/s3cret': () => {
+        Object.assign(server.answers, as(PRODUCER))
+        return { id: 'x1', name: 'Producer', email: 'p@hull.example', email_verified_at: '2026-11-23T09:00:00Z' }
+      },
+    })
+    const user = userEvent.setup()
+    const app = openApp('/sign-up/s3cret')
+    expect(await screen.findByLabelText('Mail address')).toHaveValue('p@hull.example')
+    expect(screen.getByLabelText('Mail address')).toHaveAttribute('readonly')
+    await user.type(screen.getByLabelText('Name of the studio'), 'Blue Hull')
+    await user.type(screen.getByLabelText('Your name'), 'Producer')
+    await user.type(screen.getByLabelText('Password'), 'four words of music')
+    await user.click(screen.getByRole('button', { name: 'Open the studio' }))
+    await waitFor(() => expect(app.at()).not.toBe('/sign-up/s3cret'))
+    expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({
+      studio_name: 'Blue Hull',
+      name: 'Producer',
+      password: 'four words of music',
+    })
+  })
+})
+
+describe('the security of an account', () => {
+  test('an address that is not verified says why it should be, and sends the link', async () => {
+    const server = serve(as(DESIGNER, { 'POST /v1/me/email-verifications': null }))
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    expect(card.getByText('Not verified')).toBeInTheDocument()
+    await user.click(card.getByRole('button', { name: 'Send a link to verify it' }))
+    expect(await card.findByRole('button', { name: 'Send the link again' })).toBeInTheDocument()
+    expect(server.asked.filter(({ path }) => path === '/v1/me/email-verifications')).toHaveLength(1)
+  })
+
+  test('a verified address asks for nothing', async () => {
+    serve(as(PRODUCER))
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    expect(card.getByText('Verified')).toBeInTheDocument()
+    expect(card.queryByRole('button')).toBeNull()
+  })
+
+  test('every browser is listed, and another one is signed out', async () => {
+    const server = serve(as(PRODUCER, { 'DELETE /v1/me/sign-ins/n2': null, 'DELETE /v1/me/sign-ins': null }))
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Signed in' }))
+    const rows = await card.findAllByRole('listitem')
+    expect(rows[0]).toHaveTextContent(/Firefox on Linux.*192\.0\.2\.7.*This browser/)
+    expect(rows[2]).toHaveTextContent(/Unknown browser/)
+    expect(within(rows[0] as HTMLElement).queryByRole('button')).toBeNull()
+    await user.click(card.getByRole('button', { name: 'Sign out Safari on iOS, 192.0.2.8' }))
+    await user.click(card.getByRole('button', { name: 'Sign out all others' }))
+    await waitFor(() =>
+      expect(server.asked.filter(({ method }) => method === 'DELETE').map(({ path }) => path)).toEqual([
+        '/v1/me/sign-ins/n2',
+        '/v1/me/sign-ins',
+      ]),
+    )
+  })
+
+  test('the mailed link verifies by a press', async () => {
+    const server = serve(as(DESIGNER, { 'POST /v1/email-verifications/s3cret': { id: 'x3', name: 'x', email: 'x' } }))
+    const user = userEvent.setup()
+    openApp('/verify-address/s3cret')
+    const press = await screen.findByRole('button', { name: 'Verify designer@sound.example' })
+    expect(server.asked.filter(({ method }) => method === 'POST')).toEqual([])
+    await user.click(press)
+    expect(await screen.findByRole('heading', { name: 'Address verified' })).toBeInTheDocument()
+  })
+
+  test('a link of another account says so', async () => {
+    serve(
+      as(DESIGNER, {
+        'POST /v1/email-verifications/s3cret': refusal(
+          404,
+          'verification-not-found',
+          'this link is used, older than a day, or for another account',
+          { fix: 'sign in with the account that asked for it' },
+        ),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/verify-address/s3cret')
+    await user.click(await screen.findByRole('button', { name: /^Verify / }))
+    expect(await screen.findByRole('alert')).toHaveTextContent('Sign in with the account that asked for it.')
   })
 })

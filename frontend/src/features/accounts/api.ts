@@ -40,6 +40,66 @@ export const useSignIn = () => useEntrance((body: Schemas['SignInAdd']) => answe
 
 export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => answered(api.POST('/v1/sign-up', { body })))
 
+/** Whether anybody may open an account here, and whether a link is mailed first. */
+export const signUpQuery = queryOptions({
+  queryKey: ['sign-up'],
+  queryFn: () => answered(api.GET('/v1/sign-up')),
+})
+
+export const useAskSignUp = () =>
+  useMutation({
+    mutationFn: (email: string) => answered(api.POST('/v1/sign-ups', { body: { email } })),
+  })
+
+export const signUpLinkQuery = (secret: string) =>
+  queryOptions({
+    queryKey: ['sign-up-link', secret],
+    queryFn: () => answered(api.GET('/v1/sign-ups/{secret}', { params: { path: { secret } } })),
+    retry: false,
+  })
+
+export const useFinishSignUp = (secret: string) =>
+  useEntrance((body: Schemas['SignUpFinish']) =>
+    answered(api.POST('/v1/sign-ups/{secret}', { params: { path: { secret } }, body })),
+  )
+
+export const useAskVerification = () =>
+  useMutation({ mutationFn: () => answered(api.POST('/v1/me/email-verifications')) })
+
+export function useVerifyEmail(secret: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.POST('/v1/email-verifications/{secret}', { params: { path: { secret } } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+  })
+}
+
+export type SignIn = Schemas['SignInRead']
+
+const signInsKey = ['sign-ins']
+
+export const signInsQuery = queryOptions({
+  queryKey: signInsKey,
+  queryFn: () => answered(api.GET('/v1/me/sign-ins')),
+})
+
+export function useEndSignIn() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (id: string) =>
+      answered(api.DELETE('/v1/me/sign-ins/{sign_in_id}', { params: { path: { sign_in_id: id } } })),
+    onSettled: () => client.invalidateQueries({ queryKey: signInsKey }),
+  })
+}
+
+export function useEndOtherSignIns() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.DELETE('/v1/me/sign-ins')),
+    onSettled: () => client.invalidateQueries({ queryKey: signInsKey }),
+  })
+}
+
 export const useNewPassword = (secret: string) =>
   useEntrance((password: string) =>
     answered(api.POST('/v1/password-resets/{secret}', { params: { path: { secret } }, body: { password } })),

@@ -17,6 +17,11 @@ export const accountGuestRoutes = [
   }),
   createRoute({
     getParentRoute: () => guestRoute,
+    path: '/sign-up/$secret',
+    component: lazyRouteComponent(() => import('./SignUpPage'), 'FinishSignUpPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
     path: '/forgotten-password',
     component: lazyRouteComponent(() => import('./PasswordPages'), 'ForgottenPasswordPage'),
   }),
@@ -37,6 +42,11 @@ export const accountRoutes = [
     getParentRoute: () => shellRoute,
     path: '/account',
     component: lazyRouteComponent(() => import('./AccountPage'), 'AccountPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/verify-address/$secret',
+    component: lazyRouteComponent(() => import('./VerifyPage'), 'VerifyPage'),
   }),
   createRoute({
     getParentRoute: () => shellRoute,

@@ -15,7 +15,7 @@ import { type Contract, contractQuery, useDeed, useKeepAsTemplate, versionsQuery
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
-import { KIND_WORDS, standing } from './words'
+import { KIND_WORDS, PROOF_WORDS, standing } from './words'
 
 /** One contract: its text, who has said yes, and what the reader may do about it. */
 export function ContractPage() {
@@ -229,11 +229,11 @@ function Said({ contract }: { contract: Contract }) {
     <Card aria-labelledby="said">
       <CardHead id="said" title="Accepted by" />
       <Rows aria-label="Accepted by">
-        {contract.acceptances.map(({ party, name, email, accepted_at }) => (
+        {contract.acceptances.map(({ party, name, email, email_proof, accepted_at }) => (
           <Row key={party} className={classes.row}>
             <div className="grow">
               <p>{name}</p>
-              <p className="small mid">{`for the ${party}, ${email}`}</p>
+              <p className="small mid">{`for the ${party}, ${email}, ${PROOF_WORDS[email_proof ?? 'none']}`}</p>
             </div>
             <span className="small dim">{`${day(accepted_at)}, ${clock(accepted_at)}`}</span>
           </Row>

@@ -54,6 +54,13 @@ export const inWords = (name: string): string => {
   return words.charAt(0).toUpperCase() + words.slice(1)
 }
 
+/** How it was shown that whoever accepted reads the mail of their address. */
+export const PROOF_WORDS = {
+  mail: 'proven by a link mailed there',
+  operator: 'proven by a link that the server’s operator handed over',
+  none: 'address not proven',
+} as const
+
 const EVENT_WORDS: Record<string, string> = {
   sent: 'Sent to both parties',
   taken_back: 'Taken back',

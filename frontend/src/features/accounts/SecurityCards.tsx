@@ -1,0 +1,104 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { ago, day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import classes from './Account.module.css'
+import { type Me, type SignIn, signInsQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
+import { CardProblem } from './PeopleCards'
+
+/** The address, and whether it is verified. */
+export function AddressCard({ me }: { me: Me }) {
+  const asking = useAskVerification()
+  const isVerified = me.email_verified_at !== null
+  return (
+    <Card aria-labelledby="address-card">
+      <CardHead id="address-card" title="Mail address" />
+      <div className={classes.inside}>
+        <p className={classes.address}>
+          <span className="strong">{me.email}</span>
+          <State kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</State>
+        </p>
+        {!isVerified && (
+          <>
+            <p className={`mid ${classes.note}`}>
+              Verify it before you accept a contract: the other party can then tell who accepted.
+            </p>
+            <CardProblem error={asking.error} />
+            <Button
+              className={classes.note}
+              aria-busy={asking.isPending}
+              onClick={() =>
+                asking.mutate(undefined, { onSuccess: () => showToast(`A link is on its way to ${me.email}.`) })
+              }
+            >
+              {asking.isSuccess ? 'Send the link again' : 'Send a link to verify it'}
+            </Button>
+          </>
+        )}
+      </div>
+    </Card>
+  )
+}
+
+/** Where one is signed in. */
+export function SignInsCard() {
+  const { data: signIns, error } = useQuery(signInsQuery)
+  const end = useEndSignIn()
+  const endOthers = useEndOtherSignIns()
+  const others = signIns?.filter(({ is_current }) => !is_current) ?? []
+  return (
+    <Card aria-labelledby="sign-ins">
+      <CardHead id="sign-ins" title="Signed in" note="14 days unused, or 30 days in all, end a sign-in" />
+      <CardProblem error={error ?? end.error ?? endOthers.error} />
+      <Rows aria-label="Signed in">
+        {signIns?.map((signIn) => (
+          <SignInRow
+            key={signIn.id}
+            signIn={signIn}
+            onEnd={() => end.mutate(signIn.id, { onSuccess: () => showToast('That browser is signed out.') })}
+          />
+        ))}
+      </Rows>
+      {others.length > 1 && (
+        <div className={`${classes.inside} ${classes.note}`}>
+          <Button
+            onClick={() =>
+              endOthers.mutate(undefined, { onSuccess: () => showToast('Every other browser is signed out.') })
+            }
+          >
+            Sign out all others
+          </Button>
+        </div>
+      )}
+    </Card>
+  )
+}
+
+function SignInRow({ signIn, onEnd }: { signIn: SignIn; onEnd: () => void }) {
+  const { device, place, is_current, created_at, last_seen_at } = signIn
+  const name = device || 'Unknown browser'
+  return (
+    <Row>
+      <div className="grow">
+        <p className="strong">{name}</p>
+        <p className="small mid">
+          {[place, `since ${day(created_at)}`, is_current ? '' : `last used ${ago(last_seen_at)}`]
+            .filter(Boolean)
+            .join(', ')}
+        </p>
+      </div>
+      {is_current ? (
+        <State kind="passed">This browser</State>
+      ) : (
+        <Button variant="quiet" aria-label={`Sign out ${name}, ${place}`} onClick={onEnd}>
+          Sign out
+        </Button>
+      )}
+    </Row>
+  )
+}

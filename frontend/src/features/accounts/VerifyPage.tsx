@@ -1,0 +1,43 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+
+import { meQuery, useVerifyEmail } from './api'
+import { Sheet } from './Form'
+import { CardProblem } from './PeopleCards'
+
+/** The page of the mailed link that verifies an address; a press, since mail filters open links by themselves. */
+export function VerifyPage() {
+  useTitle('Verify your address')
+  const { secret } = useParams({ from: '/shell/verify-address/$secret' })
+  const { data: me } = useQuery(meQuery)
+  const verify = useVerifyEmail(secret)
+  if (me === undefined) return null
+  if (verify.isSuccess) {
+    return (
+      <Sheet>
+        <h1>Address verified</h1>
+        <p className="mid">{me.email} is verified. You can accept contracts with it.</p>
+        <p style={{ marginTop: 'var(--sl-4)' }}>
+          <Link className="link" to="/">
+            Go on
+          </Link>
+        </p>
+      </Sheet>
+    )
+  }
+  return (
+    <Sheet>
+      <h1>Verify your address</h1>
+      <p className="mid">You are signed in as {me.email}.</p>
+      <CardProblem error={verify.error} />
+      <div style={{ marginTop: 'var(--sl-4)' }}>
+        <Button variant="primary" aria-busy={verify.isPending} onClick={() => verify.mutate()}>
+          Verify {me.email}
+        </Button>
+      </div>
+    </Sheet>
+  )
+}

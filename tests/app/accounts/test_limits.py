@@ -1,0 +1,150 @@
+"""Guesses are slowed down for whoever guesses, and for nobody else: behind proxies and over processes too."""
+
+import dataclasses
+import time
+
+import pytest
+from fastapi.testclient import TestClient
+
+from app.accounts import rate_limits
+from app.accounts.doors import DEVICE_COOKIE, device_cookie, device_for
+from app.accounts.errors import TooManyTries
+from app.accounts.rate_limits import Limit, place_of
+from app.kit.db import Database
+from app.main import create_app
+from tests.app.accounts.test_sign_in import address, sign_in, sign_up
+from tests.support.server import RunningServer
+
+PROXY = "10.9.0.2"
+
+
+def behind_proxy(
+    server: RunningServer, visitor: str, *, proxy: str = PROXY, trusted: str = "10.9.0.0/24"
+) -> TestClient:
+    """A browser whose requests come through a proxy, which appends the visitor's address as proxies do."""
+    settings = server.runtime.settings.model_copy(update={"trusted_proxies": (trusted,)})
+    application = create_app(dataclasses.replace(server.runtime, settings=settings))
+    client = TestClient(application, base_url="http://127.0.0.1:8000", client=(proxy, 50_000))
+    client.portal = server.portal
+    client.headers["X-Forwarded-For"] = f"203.0.113.99, {visitor}"  # the left one is whatever the visitor sent
+    return client
+
+
+@pytest.fixture
+def account(server: RunningServer) -> str:
+    email = address()
+    assert sign_up(server.browser(), email).status_code == 201
+    return email
+
+
+def wrong_guesses(browser: TestClient, email: str, count: int) -> list[int]:
+    return [sign_in(browser, email, f"guess {n} of many").status_code for n in range(count)]
+
+
+def test_an_attacker_behind_the_proxy_holds_up_nobody_else(server: RunningServer, account: str) -> None:
+    attacker = behind_proxy(server, "198.51.100.7")
+    assert wrong_guesses(attacker, account, 12)[-1] == 429
+    assert sign_in(behind_proxy(server, "198.51.100.8"), account).status_code == 200
+
+
+def test_what_an_untrusted_peer_says_of_the_visitor_counts_for_nothing(server: RunningServer, account: str) -> None:
+    for n in range(12):  # a new address each time, from one peer that is no proxy of ours
+        browser = behind_proxy(server, f"198.51.100.{n}", proxy="192.0.2.1")
+        status = sign_in(browser, account, f"guess {n}").status_code
+    assert status == 429
+
+
+def test_the_own_browser_comes_through_while_everybody_guesses(server: RunningServer, account: str) -> None:
+    own = behind_proxy(server, "198.51.100.20")
+    assert sign_in(own, account).status_code == 200
+    with server.runtime.database.writing() as session:
+        for _ in range(rate_limits.GUESSES_AT_ACCOUNT.burst):
+            rate_limits.count_try(session, rate_limits.GUESSES_AT_ACCOUNT, account)
+    stranger = sign_in(behind_proxy(server, "198.51.100.21"), account)
+    assert (stranger.status_code, 0 < int(stranger.headers["Retry-After"]) <= 30) == (429, True)
+    assert sign_in(own, account).status_code == 200
+
+
+def test_a_device_is_known_for_its_account_alone(server: RunningServer) -> None:
+    settings = server.runtime.settings
+    cookie = device_cookie(settings, "ada@studio.example")
+    assert device_for(settings, cookie, "ada@studio.example") is not None
+    for forged in (cookie[:-1] + ("0" if cookie[-1] != "0" else "1"), "", ".", "x.y", cookie.partition(".")[0]):
+        assert device_for(settings, forged, "ada@studio.example") is None
+    assert device_for(settings, cookie, "bo@studio.example") is None
+
+
+def test_the_device_cookie_is_out_of_reach_of_scripts(server: RunningServer) -> None:
+    answer = sign_up(server.browser(), address())
+    (line,) = [line for line in answer.headers.get_list("set-cookie") if line.startswith(f"{DEVICE_COOKIE}=")]
+    assert "httponly" in line.lower()
+
+
+def test_a_device_guesses_no_faster_than_others(server: RunningServer, account: str) -> None:
+    browser = server.browser()
+    assert sign_in(browser, account).status_code == 200
+    assert wrong_guesses(browser, account, 11) == [401] * 10 + [429]
+
+
+def test_processes_count_together(server: RunningServer, account: str) -> None:
+    second = Database(server.runtime.database.url)
+    try:
+        limit = Limit("of a test", 3, 3600)
+        for database in (server.runtime.database, second, server.runtime.database):
+            with database.writing() as session:
+                rate_limits.count_try(session, limit, account)
+        with second.writing() as session, pytest.raises(TooManyTries) as refused:
+            rate_limits.count_try(session, limit, account)
+        assert 3500 < refused.value.retry_after_s <= 3600
+    finally:
+        second.dispose()
+
+
+def test_after_the_first_tries_one_comes_back_at_a_time(server: RunningServer, account: str) -> None:
+    limit = Limit("of a short test", 2, 0.4)
+
+    def tries() -> bool:
+        with server.runtime.database.writing() as session:
+            try:
+                rate_limits.count_try(session, limit, account)
+            except TooManyTries:
+                return False
+        return True
+
+    assert [tries() for _ in range(3)] == [True, True, False]
+    time.sleep(0.45)
+    assert [tries() for _ in range(2)] == [True, False]
+
+
+def test_what_holds_nobody_is_cleared_away(server: RunningServer, account: str) -> None:
+    with server.runtime.database.writing() as session:
+        rate_limits.count_try(session, Limit("short", 2, 0.01), account)
+        rate_limits.count_try(session, Limit("long", 1, 3600), account)
+    time.sleep(0.05)
+    with server.runtime.database.writing() as session:
+        rate_limits.forget_old(session)
+        rate_limits.count_try(session, Limit("short", 1, 60), account)
+        with pytest.raises(TooManyTries):
+            rate_limits.count_try(session, Limit("long", 1, 3600), account)
+
+
+@pytest.mark.parametrize(
+    ("address", "place"),
+    [
+        ("192.0.2.7", "192.0.2.7"),
+        ("::ffff:192.0.2.7", "192.0.2.7"),
+        ("2001:db8:1:2:3:4:5:6", "2001:db8:1:2::/64"),
+        ("2001:db8:1:2:ffff::1", "2001:db8:1:2::/64"),
+        ("2001:db8:1:3::1", "2001:db8:1:3::/64"),
+        ("testclient", "testclient"),
+    ],
+)
+def test_an_ipv6_subscriber_is_one_place(address: str, place: str) -> None:
+    assert place_of(address) == place
+
+
+def test_evidence_of_a_sign_in_names_the_visitor_and_not_the_proxy(server: RunningServer, account: str) -> None:
+    browser = behind_proxy(server, "198.51.100.30")
+    sign_in(browser, account)
+    (current,) = [each for each in browser.get("/v1/me/sign-ins").json() if each["is_current"]]
+    assert current["place"] == "198.51.100.30"
