@@ -88,33 +88,37 @@ class Allowed(Authentication):
         """Return what tells who asks, once the endpoint has a thread for it."""
         return Asking(request, partial(self._who, request, background))
 
-    def _who(self, request: Request, background: BackgroundTasks) -> Actor:
-        actor = self.authenticate(request)
-        if actor.token_id is not None and self.policy.sight is not Sight.ANYONE:
-            background.add_task(_note_token_use, database_of(request), actor.token_id)
-        return actor
-
     def authenticate(self, request: Request) -> Actor:
         """Return who asks, where the policy lets them in at all; services check the project and the role."""
+        return self._admit(request).actor
+
+    def _who(self, request: Request, background: BackgroundTasks) -> Actor:
+        arrival = self._admit(request)
+        if self.policy.sight is not Sight.ANYONE:
+            if arrival.unnoted_sign_in_id is not None:
+                background.add_task(_note_seen, database_of(request), arrival.unnoted_sign_in_id)
+            if arrival.actor.token_id is not None:
+                background.add_task(_note_token_use, database_of(request), arrival.actor.token_id)
+        return arrival.actor
+
+    def _admit(self, request: Request) -> Arrival:
         if self.policy.sight is Sight.ANYONE:
             doors.ensure_our_origin(runtime_of(request).settings, _visit(request))
             try:
-                actor = _arrive(request).actor
+                arrival = _arrive(request)
             except (NotSignedIn, CsrfMismatch):
-                return Actor()
-            come_in(request, actor.reach)
-            return actor
+                return Arrival(Actor())
+            come_in(request, arrival.actor.reach)
+            return arrival
         arrival = _arrive(request)
         actor = arrival.actor
-        if arrival.unnoted_sign_in_id is not None:
-            background.add_task(_note_seen, database_of(request), arrival.unnoted_sign_in_id)
         if actor.token_id is not None:
             if self.policy.build is None:
                 raise PersonNeeded("a build's token cannot do this; sign in as a person")
             if self.policy.build not in actor.scopes:
                 raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
         come_in(request, actor.reach)
-        return actor
+        return arrival
 
 
 def _note_token_use(database: Database, token_id: UUID) -> None:

@@ -99,6 +99,7 @@ export class Server {
       SOUNDLIST_DATA_DIR: folder,
       SOUNDLIST_BASE_URL: this.url,
       SOUNDLIST_SECRET_KEY: randomBytes(32).toString('hex'),
+      SOUNDLIST_SIGN_UP: 'open',
       ...more,
     }
   }

@@ -144,7 +144,7 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
     person: DECIDER,
     email: 'decider@studio.example',
     email_verified_at: null,
-  is_operator: false,
+    is_operator: false,
     studios: [{ id: 'studio-1', name: 'Studio', roles: ['liaison'] }],
     projects: [
       {
