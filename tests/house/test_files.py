@@ -14,7 +14,7 @@ from app.settings import Settings
 from audio_checks.version import TOOL_VERSION
 
 ROOT = Path(__file__).resolve().parents[2]
-SERVER_COMMANDS = {"serve", "worker", "migrate", "backup", "restore", "verify", "demo", "token", "openapi"}
+SERVER_COMMANDS = {"serve", "worker", "migrate", "backup", "restore", "verify", "demo", "token", "openapi", "mails"}
 
 
 def test_every_setting_that_the_documents_name_is_one():
@@ -35,8 +35,11 @@ def test_the_guide_lists_every_setting():
 
 def test_the_command_line_has_the_commands_it_promises():
     assert {command.name or command.callback.__name__ for command in cli.registered_commands} == SERVER_COMMANDS
-    (jobs,) = cli.registered_groups
-    assert {command.name for command in jobs.typer_instance.registered_commands} == {"list", "retry"}
+    groups = {
+        group.name: {command.name for command in group.typer_instance.registered_commands}
+        for group in cli.registered_groups
+    }
+    assert groups == {"jobs": {"list", "retry"}, "operators": {"add", "remove", "list"}}
 
 
 def commands_in_documents(program: str) -> set[str]:
@@ -54,10 +57,10 @@ def commands_in_documents(program: str) -> set[str]:
 
 def test_every_command_of_the_server_that_the_documents_name_is_one():
     named = commands_in_documents("soundlist")
-    assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs"}
+    assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs", "operators"}
     for command in named:
         words = [word for word in command.split() if re.fullmatch(r"[a-z]+", word)]
-        shown = CliRunner().invoke(cli, [*words[: 2 if words[0] == "jobs" else 1], "--help"])
+        shown = CliRunner().invoke(cli, [*words[: 2 if words[0] in ("jobs", "operators") else 1], "--help"])
         assert shown.exit_code == 0, command
         assert all(flag in shown.output for flag in re.findall(r"--[a-z-]+", command)), command
 
