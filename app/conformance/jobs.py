@@ -45,21 +45,24 @@ def make_mend(runtime: Runtime, payload: Payload) -> None:
 def recheck_takes(runtime: Runtime, payload: Payload) -> None:
     """Have the undecided takes checked again of which a changed spec, or changed cues, now ask something else."""
     cue_ids = [UUID(cue_id) for cue_id in payload["cue_ids"]] if "cue_ids" in payload else None
+    by = UUID(payload["person_id"]) if "person_id" in payload else None
     with runtime.database.reading() as session:
         take_ids = queries.checkable_takes(session, UUID(payload["project_id"]), cue_ids)
     for take_id in take_ids:
         with runtime.database.writing() as session:
-            service.recheck_if_changed(session, take_id)
+            service.recheck_if_changed(session, take_id, by=by)
 
 
 @job("conformance.compare_takes")
 def compare_takes(runtime: Runtime, payload: Payload) -> None:
     """Have the undecided takes checked again whose dry stem came, changed or was withdrawn."""
     with runtime.database.reading() as session:
+        delivery = deliveries.delivery_by_id(session, UUID(payload["delivery_id"]))
         take_ids = deliveries.takes_beside(session, UUID(payload["delivery_id"]), payload["stem"])
+    by = delivery.designer_id if delivery else None
     for take_id in take_ids:
         with runtime.database.writing() as session:
-            service.recheck_if_changed(session, take_id, priority=NORMAL)
+            service.recheck_if_changed(session, take_id, by=by, priority=NORMAL)
 
 
 def _stored(runtime: Runtime, order: mends.MendOrder, folder: Path, made: dict[str, Any]) -> StoredBlob | None:

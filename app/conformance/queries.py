@@ -174,6 +174,11 @@ def spec_of(session: Session, run: CheckRun) -> Spec:
     return session.get_one(Spec, run.spec_id)
 
 
+def spec_version_of(session: Session, spec_id: UUID) -> int:
+    """Return the version of a spec by its id."""
+    return session.get_one(Spec, spec_id).version
+
+
 def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] | None) -> Sequence[UUID]:
     """Return the takes that are not yet decided upon; those of some cues where they are given."""
     query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(CHECKABLE))

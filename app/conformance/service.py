@@ -31,7 +31,7 @@ from app.conformance.sets import same_sounds, with_set_word, words_on_sets
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
-from app.deliveries.service import change_state, check_again, name_checked, take_for
+from app.deliveries.service import change_state, check_again, name_checked, note_take, take_for
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK
@@ -149,7 +149,13 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> TakeSta
         )
     )
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
+    was_returned = take.returned_since is not None
     change_state(session, take, state_after(report, waived))
+    if (take.returned_since is not None) != was_returned:  # the clock of silence stands, or goes on
+        kind = "conforms_again" if was_returned else "returned"
+        version = queries.spec_version_of(session, order.spec_id)
+        facts = {"spec_version": version, "verdict": report["verdict"]}
+        note_take(session, take, kind, facts, by=take.rechecked_by)
     ask_to_tell(session, take)
     return take.state
 
@@ -175,12 +181,12 @@ def ask_to_tell(session: Session, take: Take) -> None:
 def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:
     """Have a take checked again; what would say the same is not computed anew."""
     take, _ = take_for(session, actor, take_id, locked=True)
-    check_again(session, take)
+    check_again(session, take, by=actor.person)
     return take
 
 
-def recheck_if_changed(session: Session, take_id: UUID, *, priority: int = BULK) -> None:
-    """Have a take checked again where spec, list or dry stem now ask something else of it."""
+def recheck_if_changed(session: Session, take_id: UUID, *, by: UUID | None, priority: int = BULK) -> None:
+    """Have a take checked again where spec, list or dry stem, changed by a person, now ask something else of it."""
     take = deliveries.take_by_id(session, take_id, locked=True)
     if take is None or take.state not in CHECKABLE:
         return
@@ -191,7 +197,7 @@ def recheck_if_changed(session: Session, take_id: UUID, *, priority: int = BULK)
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take
         return
-    check_again(session, take, priority=priority)
+    check_again(session, take, by=by, priority=priority)
 
 
 def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRead:
@@ -216,6 +222,7 @@ def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRe
         )
     )
     change_state(session, take, TakeState.CONFORMING)
+    note_take(session, take, "waived", {"reason": reason, "codes": error_codes(run.report)}, by=actor.person)
     publish(session, "take.waived", studio_id=take.studio_id, take_id=take.id)
     return read_check(session, take)
 

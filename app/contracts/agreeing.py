@@ -374,11 +374,11 @@ def _note(
 ) -> None:
     """Write into the contract's record who did it, and to which text."""
     person = session.get_one(Person, actor.person)
-    payload: dict[str, Any] = {"by": person.name, "by_email": person.email, **facts}
+    payload: dict[str, Any] = {"by_email": person.email, **facts}
     if version is not None:
         payload |= {
             "version": version.number,
             "text_sha256": version.text_sha256,
             "pdf_sha256": version.pdf_sha256 or "",
         }
-    record.append(session, contract.id, kind, payload)
+    record.append(session, contract.id, kind, payload, by=person.id)

@@ -1,15 +1,22 @@
 """Two versions of a text, word by word."""
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 from typing import Literal
 
+from app.contracts.differences import differences
+from app.contracts.errors import TooLongToCompare
 from app.contracts.text import BlockKind, blocks_of, plain
 
 _WORD = re.compile(r"\s+|[^\s]+")
 ALIKE = 0.4  # paragraphs that share fewer words than this are another paragraph, not the same one changed
+NEAR = 12  # lines of the earlier text that one of the later is held against
+MOST_PAIRED = 1_000  # lines of one stretch; where more differ in a row, they are other lines
+MOST_CHARS = 400_000  # of both texts; a contract of a hundred pages has 200,000
+MOST_LINES = 20_000  # of both texts
+_SHORTER = "compare their PDFs, or cut the contract into several"
 
 
 @dataclass(frozen=True)
@@ -42,12 +49,29 @@ def lines_of(markdown: str) -> list[Line]:
     return [Line(block.kind, said) for block in blocks_of(markdown) for said in plain(block)]
 
 
+def ensure_comparable(earlier: str, later: str) -> None:
+    """Raise TooLongToCompare for two texts that would keep others waiting."""
+    chars = len(earlier) + len(later)
+    if chars > MOST_CHARS:
+        raise TooLongToCompare(
+            f"the two versions have {chars:,} characters together; versions of up to {MOST_CHARS:,} are compared",
+            fix=_SHORTER,
+        )
+    lines = earlier.count("\n") + later.count("\n") + 2
+    if lines > MOST_LINES:
+        raise TooLongToCompare(
+            f"the two versions have {lines:,} lines together; versions of up to {MOST_LINES:,} are compared",
+            fix=_SHORTER,
+        )
+
+
 def compare(earlier: str, later: str) -> list[Compared]:
     """Return the words of two texts, told apart; what is in both or later is the later text, and so the other way."""
+    ensure_comparable(earlier, later)
     old, new = lines_of(earlier), lines_of(later)
     compared: list[Compared] = []
-    for deed, a, b, c, d in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        if deed == "equal":
+    for is_same, a, b, c, d in differences(old, new):
+        if is_same:
             compared += [Compared(line.kind, "same", [Run("both", line.text)]) for line in new[c:d]]
         else:
             compared += _paired(old[a:b], new[c:d])
@@ -56,15 +80,13 @@ def compare(earlier: str, later: str) -> list[Compared]:
 
 def _paired(old: Sequence[Line], new: Sequence[Line]) -> Iterator[Compared]:
     """Pair lines of the same kind in order where they share words; the rest was removed or added."""
+    bags = [Counter(line.text.split()) for line in old[:MOST_PAIRED]]
     at = 0
     for line in new:
+        bag = Counter(line.text.split())
+        near = range(at, min(at + NEAR, len(bags)))
         partner = next(
-            (
-                place
-                for place in range(at, len(old))
-                if old[place].kind == line.kind and _likeness(old[place], line) >= ALIKE
-            ),
-            None,
+            (place for place in near if old[place].kind == line.kind and _likeness(bags[place], bag) >= ALIKE), None
         )
         if partner is None:
             yield Compared(line.kind, "added", [Run("later", line.text)])
@@ -75,16 +97,18 @@ def _paired(old: Sequence[Line], new: Sequence[Line]) -> Iterator[Compared]:
     yield from (Compared(gone.kind, "removed", [Run("earlier", gone.text)]) for gone in old[at:])
 
 
-def _likeness(one: Line, other: Line) -> float:
-    return SequenceMatcher(None, one.text.split(), other.text.split(), autojunk=False).ratio()
+def _likeness(one: Counter[str], other: Counter[str]) -> float:
+    """Return which share of the words of two lines stands in both."""
+    whole = one.total() + other.total()
+    return 2 * (one & other).total() / whole if whole else 1.0
 
 
 def words_between(earlier: str, later: str) -> list[Run]:
     """Return the words of two lines, told apart."""
     old, new = _WORD.findall(earlier), _WORD.findall(later)
     runs: list[Run] = []
-    for deed, a, b, c, d in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        if deed == "equal":
+    for is_same, a, b, c, d in differences(old, new):
+        if is_same:
             runs.append(Run("both", "".join(new[c:d])))
             continue
         if a < b:

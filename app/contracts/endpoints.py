@@ -25,6 +25,7 @@ from app.contracts.errors import (
     NotYourContract,
     TemplateNotFound,
     TextMovedOn,
+    TooLongToCompare,
     WrongState,
 )
 from app.contracts.models import Contract, ContractVersion
@@ -33,10 +34,12 @@ from app.contracts.sight import contract_in_sight
 from app.contracts.template_endpoints import attachment, clauses_of
 from app.contracts.text import Block, blocks_of
 from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
 router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
@@ -307,7 +310,10 @@ def download_contract_pdf(
     return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
 
 
-@router.get("/contracts/{contract_id}/comparison", responses=problems(ContractNotFound, ContractVersionNotFound))
+@router.get(
+    "/contracts/{contract_id}/comparison",
+    responses=problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
+)
 def compare_contract_versions(
     contract_id: UUID,
     session: DbSession,
@@ -319,12 +325,13 @@ def compare_contract_versions(
     contract = contract_in_sight(session, actor, contract_id)
     earlier = agreeing.version_in_sight(session, actor, contract, from_version)
     later = agreeing.version_in_sight(session, actor, contract, to_version)
-    lines = comparison.compare(earlier.text, later.text)
-    return schemas.ComparisonRead(
-        from_version=from_version,
-        to_version=to_version,
-        lines=[schemas.ComparedRead.model_validate(line) for line in lines],
-    )
+    with COMPARISONS.of(actor.person):
+        lines = comparison.compare(earlier.text, later.text)
+        return schemas.ComparisonRead(
+            from_version=from_version,
+            to_version=to_version,
+            lines=[schemas.ComparedRead.model_validate(line) for line in lines],
+        )
 
 
 @router.get("/contracts/{contract_id}/record", responses=problems(ContractNotFound))

@@ -145,3 +145,7 @@ class BadDraft(Invalid):
 
 class BadTemplate(Invalid):
     """What was sent is no template; says where and why."""
+
+
+class TooLongToCompare(Invalid):
+    """Two versions of a contract are longer than what is compared word by word."""

@@ -6,7 +6,6 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.contracts import money_queries, record
 from app.contracts import money_schemas as schemas
@@ -96,9 +95,8 @@ def issue_invoice(
         "total": money(whole_minor, contract.currency),
         "due_on": invoice.due_on.isoformat(),
         "lines": [str(line_id) for line_id in texts],
-        "by": session.get_one(Person, actor.person).name,
     }
-    record.append(session, contract.id, "invoiced", told)
+    record.append(session, contract.id, "invoiced", told, by=actor.person)
     return invoice
 
 

@@ -6,7 +6,6 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Person
 from app.contracts import money_queries, record
 from app.contracts.book import CLAUSES, Book, Entry, Line, PayRules, PricedCue
 from app.contracts.models import Contract, ContractCue, LedgerLine, Milestone
@@ -88,8 +87,12 @@ def write(
     *,
     person_id: UUID,
     payment_id: UUID | None = None,
+    is_by_server: bool = False,
 ) -> list[LedgerLine]:
-    """Add lines to a contract's ledger, and tell each to its record; callers hold the contract's lock."""
+    """Add lines to a contract's ledger, and tell each to its record; callers hold the contract's lock.
+
+    `is_by_server`: a clause or a schedule did it, and the person answers for it only.
+    """
     lines = [
         LedgerLine(
             studio_id=contract.studio_id,
@@ -105,20 +108,19 @@ def write(
     session.flush()
     if lines:
         prefix = session.get_one(Project, contract.project_id).cue_prefix
-        by = session.get_one(Person, person_id).name
         for line in lines:
-            record.append(session, contract.id, EVENTS[line.kind], _told(session, line, contract.currency, prefix, by))
+            told = _told(session, line, contract.currency, prefix)
+            record.append(session, contract.id, EVENTS[line.kind], told, by=None if is_by_server else person_id)
     return lines
 
 
-def _told(session: Session, line: LedgerLine, currency: str, cue_prefix: str, by: str) -> dict[str, object]:
+def _told(session: Session, line: LedgerLine, currency: str, cue_prefix: str) -> dict[str, object]:
     told: dict[str, object] = {
         "amount": money(line.amount_minor, currency),
         "amount_minor": line.amount_minor,
         "because": line.kind.value,
         "clause": line.clause,
         "line": str(line.id),
-        "by": by,
     }
     if line.cue_id is not None:
         told["cue"] = called(session.get_one(Cue, line.cue_id), cue_prefix)

@@ -210,7 +210,7 @@ def fix_plan(session: Session, contract: Contract, *, person_id: UUID) -> None:
         for milestone in milestones
     ]
     if plan:
-        record.append(session, contract.id, "planned", {"milestones": plan})
+        record.append(session, contract.id, "planned", {"milestones": plan}, by=person_id)
     write(session, contract, deposits, person_id=person_id)
 
 

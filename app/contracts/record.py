@@ -9,6 +9,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.contracts import queries
+from app.contracts.authorship import author_of
 from app.contracts.documents import sha256_of
 from app.contracts.models import Contract, ContractEvent
 from app.kit import clock
@@ -27,13 +28,23 @@ class NoRecord(Exception):
     """A file is no record that was taken from a contract, or was altered since."""
 
 
-def append(session: Session, contract_id: UUID, kind: str, payload: Mapping[str, Any]) -> ContractEvent:
-    """Add an entry to a contract's record.
+def append(
+    session: Session,
+    contract_id: UUID,
+    kind: str,
+    payload: Mapping[str, Any],
+    *,
+    by: UUID | None,
+    on_behalf_of: UUID | None = None,
+) -> ContractEvent:
+    """Add an entry to a contract's record; it names who did it, as what, and on whose behalf.
 
-    The payload is plain JSON (text, whole numbers, lists and tables of these), and names people and cues in words:
-    both parties read it without the server.
+    `by` is a person or a build token; None: the server, by a clause or a schedule. The payload is plain JSON (text,
+    whole numbers, lists and tables of these), and names people and cues in words: both parties read it without the
+    server.
     """
     contract = queries.lock_contract(session, contract_id)
+    payload = {**payload, **author_of(session, contract, by, on_behalf_of)}
     at = clock.now()
     entry = link(
         contract.record_sha256,

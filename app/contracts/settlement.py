@@ -1,6 +1,6 @@
 """What acceptance, cuts and rounds do to money; called in the transaction of the verdict or cut itself."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from datetime import date
 from uuid import UUID
 
@@ -37,9 +37,9 @@ def accept_cue(
     if covered is None or covered.accepted_at is not None or covered.cut_at is not None:
         return
     covered.accepted_at, covered.accepted_by = clock.now(), by
-    clause = {"clause": SILENCE} if by is AcceptedBy.SILENCE else {}
-    _tell(session, covered, "accepted", person_id, **clause)
-    _settle(session, covered.contract_id, person_id)
+    by_clause = by is AcceptedBy.SILENCE
+    _tell(session, covered, "accepted", None if by_clause else person_id, {"clause": SILENCE} if by_clause else {})
+    _settle(session, covered.contract_id, person_id, is_by_server=by_clause)
 
 
 def adopt_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID) -> None:
@@ -54,8 +54,8 @@ def adopt_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: U
     if contract.state is not ContractState.AGREED or money_queries.is_accepted_elsewhere(session, contract_id, cue_id):
         return
     covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
-    _tell(session, covered, "adopted", person_id)
-    _settle(session, contract_id, person_id)
+    _tell(session, covered, "adopted", None, {"approved_by": session.get_one(Person, person_id).name})
+    _settle(session, contract_id, person_id, is_by_server=True)
 
 
 def note_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
@@ -66,7 +66,7 @@ def note_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: U
     prefix = session.get_one(Project, covered.project_id).cue_prefix
     to = session.get_one(Person, to_id).name
     told = {"cue": called(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
-    record.append(session, contract_id, "reminded", told)
+    record.append(session, contract_id, "reminded", told, by=None)
 
 
 def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
@@ -86,7 +86,7 @@ def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: U
         return
     covered.cut_at = clock.now()
     covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
-    _tell(session, covered, "cut", person_id, state=covered.cut_in.value)
+    _tell(session, covered, "cut", person_id, {"state": covered.cut_in.value})
     _settle(session, covered.contract_id, person_id)
 
 
@@ -109,7 +109,7 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
     )
     session.add(proposed)
     session.flush()
-    _tell(session, covered, "round_proposed", person_id, round=number)
+    _tell(session, covered, "round_proposed", person_id, {"round": number})
     return proposed
 
 
@@ -141,7 +141,7 @@ def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> Ex
         raise OtherPartyNeeded("only the designer can let a round go without its price")
     proposed.dropped_at = clock.now()
     covered = next(cue for cue in money_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
-    _tell(session, covered, "round_dropped", actor.person, round=proposed.number)
+    _tell(session, covered, "round_dropped", actor.person, {"round": proposed.number})
     return proposed
 
 
@@ -165,12 +165,13 @@ def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | Non
     return covered
 
 
-def _settle(session: Session, contract_id: UUID, person_id: UUID) -> None:
+def _settle(session: Session, contract_id: UUID, person_id: UUID, *, is_by_server: bool = False) -> None:
     session.flush()
     contract = session.get_one(Contract, contract_id)
     rules = rules_of(contract, terms_of(session, contract))
     cues = priced(money_queries.cues_of(session, contract_id))
-    write(session, contract, settle_shares(book_of(session, contract), cues, rules), person_id=person_id)
+    due = settle_shares(book_of(session, contract), cues, rules)
+    write(session, contract, due, person_id=person_id, is_by_server=is_by_server)
 
 
 def _priced(covered: ContractCue) -> PricedCue:
@@ -178,14 +179,33 @@ def _priced(covered: ContractCue) -> PricedCue:
     return cue
 
 
-def note_work(session: Session, cue_id: UUID, designer_id: UUID, kind: str, *, person_id: UUID, **more: object) -> None:
-    """Write what became of a designer's work into the record of the contract that covers the cue, if one does."""
+def note_work(
+    session: Session,
+    cue_id: UUID,
+    designer_id: UUID,
+    kind: str,
+    facts: Mapping[str, object],
+    *,
+    by: UUID | None,
+    on_behalf_of: UUID | None = None,
+) -> None:
+    """Write what became of a designer's work into the record of the contract that covers the cue, if one does.
+
+    `by` is the person or the build token that did it; None: the server.
+    """
     covered = money_queries.running_cue(session, cue_id, {designer_id})
     if covered is not None:
-        _tell(session, covered, kind, person_id, **more)
+        _tell(session, covered, kind, by, facts, on_behalf_of)
 
 
-def _tell(session: Session, covered: ContractCue, kind: str, person_id: UUID, **more: object) -> None:
+def _tell(
+    session: Session,
+    covered: ContractCue,
+    kind: str,
+    by: UUID | None,
+    facts: Mapping[str, object] | None = None,
+    on_behalf_of: UUID | None = None,
+) -> None:
     prefix = session.get_one(Project, covered.project_id).cue_prefix
-    by = session.get_one(Person, person_id).name
-    record.append(session, covered.contract_id, kind, {"cue": called(covered.cue, prefix), "by": by, **more})
+    told = {"cue": called(covered.cue, prefix), **(facts or {})}
+    record.append(session, covered.contract_id, kind, told, by=by, on_behalf_of=on_behalf_of)

@@ -23,7 +23,8 @@ from app.deliveries.schemas import CueBrief
 from app.kit.http import number_in
 from app.projects.models import Project
 from app.projects.queries import deciders_of
-from app.projects.service import Standing, nda_is_open, standing_in
+from app.projects.service import Standing, standing_in
+from app.projects.sight import nda_is_open
 from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState

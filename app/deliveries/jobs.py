@@ -11,6 +11,7 @@ from app.deliveries.service import Origin
 from app.kit import kill
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
+from app.kit.uploads import Upload
 
 
 @job("deliveries.unpack_archive")
@@ -69,6 +70,7 @@ def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, ent
             stored.size_bytes,
             entry.path,
             origin,
+            sender_id=session.get_one(Upload, archive.upload_id).owner_id,
         )
         reason = "the same file was here before" if already_here else None
         return told | {"taken": True, "take_id": str(take.id), "reason": reason}

@@ -77,9 +77,12 @@ class Take(Base):
     master_bytes: Mapped[int] = mapped_column(BigInteger)
     received_at: Mapped[datetime] = mapped_column(default=clock.now)
     state_since: Mapped[datetime] = mapped_column(default=clock.now)
+    conforming_since: Mapped[datetime | None]  # the clock of silence: see ReviewClock; no re-check sets it again
+    returned_since: Mapped[datetime | None]  # the clock stands since then
     edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
+    rechecked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # who asked for the last check
     delivery: Mapped[Delivery] = relationship(lazy="raise")
-    designer: Mapped[Person] = relationship(lazy="raise")
+    designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 

@@ -222,6 +222,23 @@ def _same(*, is_matched: bool) -> Select[Take]:
     )
 
 
+def same_bytes_beside(session: Session, take: Take) -> Take | None:
+    """Return the designer's other take of the same bytes for the same cue and variation that conformed first."""
+    return session.scalar(
+        select(Take)
+        .where(
+            Take.cue_id == take.cue_id,
+            Take.variation == take.variation,
+            Take.master_sha256 == take.master_sha256,
+            Take.designer_id == take.designer_id,
+            Take.id != take.id,
+            Take.conforming_since.is_not(None),
+        )
+        .order_by(Take.conforming_since)
+        .limit(1)
+    )
+
+
 def _newest(*conditions: ColumnElement[bool]) -> Select[Take]:
     return select(Take).where(*conditions).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id.desc()).limit(1)
 

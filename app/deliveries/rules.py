@@ -3,6 +3,8 @@
 import re
 import unicodedata
 from collections.abc import Collection
+from dataclasses import dataclass
+from datetime import datetime, timedelta
 from enum import StrEnum
 
 import audio_checks
@@ -45,6 +47,27 @@ NEXT_STATES: dict[TakeState, frozenset[TakeState]] = {
     S.SET_ASIDE: frozenset({S.APPROVED}),
 }
 CHECKABLE = frozenset(state for state, following in NEXT_STATES.items() if S.RECEIVED in following)
+
+
+@dataclass(frozen=True)
+class ReviewClock:
+    """How long a take has been fit for a verdict: since its first conforming check, less the time it stood returned."""
+
+    conforming_since: datetime | None
+    returned_since: datetime | None  # only once it has conformed
+
+    def at(self, state: TakeState, now: datetime) -> "ReviewClock":
+        """Return the clock of a take that goes to a state now."""
+        if state is TakeState.CONFORMING:
+            return ReviewClock(self._resumed(now), None)
+        if state in (TakeState.RETURNED, TakeState.UNJUDGED) and self.conforming_since is not None:
+            return ReviewClock(self.conforming_since, self.returned_since or now)
+        return self
+
+    def _resumed(self, now: datetime) -> datetime:
+        if self.conforming_since is None:
+            return now
+        return self.conforming_since + (now - self.returned_since if self.returned_since else timedelta())
 
 
 def ensure_may_become(now: TakeState, wanted: TakeState) -> None:

@@ -1,6 +1,6 @@
 """Deliveries: how finished uploads become takes, and how takes find their cue."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
@@ -14,6 +14,7 @@ from app.deliveries import queries
 from app.deliveries.errors import DeliveryClosed, DeliveryNotFound, InHouseDesignerNeeded, MakerNeeded, TakeNotFound
 from app.deliveries.models import Archive, Delivery, Take
 from app.deliveries.rules import (
+    ReviewClock,
     TakeState,
     alternate_of,
     ensure_may_become,
@@ -156,7 +157,18 @@ def receive_take(
         return made, False
     slot = _slot_given(session, standing, cue_id, variation, file_name) if cue_id else None
     origin = Origin(upload_id=upload.id)
-    return add_take(session, delivery, upload.sha256, upload.size_bytes, file_name, origin, slot=slot, note=note)
+    sender_id = uploader(standing.actor)
+    return add_take(
+        session,
+        delivery,
+        upload.sha256,
+        upload.size_bytes,
+        file_name,
+        origin,
+        slot=slot,
+        note=note,
+        sender_id=sender_id,
+    )
 
 
 def add_take(
@@ -170,8 +182,12 @@ def add_take(
     slot: Slot | None = None,
     note: str = "",
     late: bool | None = None,
+    sender_id: UUID | None = None,
 ) -> tuple[Take, bool]:
-    """Add stored bytes to a delivery (its designer loaded) and ask for their check; see `receive_take`."""
+    """Add stored bytes to a delivery (its designer loaded) and ask for their check; see `receive_take`.
+
+    `sender_id` is the person or the build token that sent them; None: the designer.
+    """
     name = kept_name(file_name)
     slot = slot or slot_named(session, delivery.project_id, name)
     cue_id, variation = (slot.cue.id, slot.variation) if slot else (None, 1)
@@ -203,7 +219,7 @@ def add_take(
     session.add(take)
     session.flush()
     keep_sums(session, take.cue_id)
-    _note_delivered(session, take)
+    _note_delivered(session, take, by=sender_id or take.designer_id)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
 
@@ -269,27 +285,46 @@ def match_take(
         return take, standing
     ensure_may_become(take.state, TakeState.RECEIVED)
     number = queries.next_number(session, slot.cue.id, slot.variation)
+    note_take(session, take, "moved_away", {"file": take.file_name}, by=actor.person, on_behalf_of=take.designer_id)
+    take.conforming_since = take.returned_since = None
     keep_sums(session, take.cue_id, slot.cue.id)
     take.cue_id, take.variation, take.number = slot.cue.id, slot.variation, number
     take.alternate = slot.alternate
     session.flush()
     session.refresh(take, ["cue"])
-    _note_delivered(session, take)
-    check_again(session, take)
+    _note_delivered(session, take, by=actor.person)
+    check_again(session, take, by=actor.person)
     return take, standing
 
 
-def _note_delivered(session: Session, take: Take) -> None:
-    if take.cue_id is None or take.number is None:
-        return
-    facts = {"variation": take.variation, "version": take.number, "file": take.file_name, "sha256": take.master_sha256}
-    note_work(session, take.cue_id, take.designer_id, "delivered", person_id=take.designer_id, **facts)
+def _note_delivered(session: Session, take: Take, *, by: UUID) -> None:
+    facts = {"file": take.file_name, "sha256": take.master_sha256}
+    note_take(session, take, "delivered", facts, by=by, on_behalf_of=take.designer_id)
 
 
-def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None:
-    """Put a take back to received, and ask for its check; whatever a running check says no longer counts."""
+def note_take(
+    session: Session,
+    take: Take,
+    kind: str,
+    facts: Mapping[str, object],
+    *,
+    by: UUID | None,
+    on_behalf_of: UUID | None = None,
+) -> None:
+    """Write what became of a take into the record of the contract that covers its cue, if one does."""
+    if take.cue_id is not None and take.number is not None:
+        told = {"variation": take.variation, "version": take.number, **facts}
+        note_work(session, take.cue_id, take.designer_id, kind, told, by=by, on_behalf_of=on_behalf_of)
+
+
+def check_again(session: Session, take: Take, *, by: UUID | None, priority: int = NORMAL) -> None:
+    """Put a take back to received, and ask for its check; whatever a running check says no longer counts.
+
+    `by` is the person whose act asks for it; None: the server.
+    """
     change_state(session, take, TakeState.RECEIVED)
     take.edition += 1
+    take.rechecked_by = by
     session.flush()
     publish(session, "take.received", studio_id=take.studio_id, priority=priority, take_id=take.id)
 
@@ -297,7 +332,17 @@ def check_again(session: Session, take: Take, *, priority: int = NORMAL) -> None
 def change_state(session: Session, take: Take, wanted: TakeState) -> None:
     """Take a take from state to state; raise WrongState where that cannot be."""
     ensure_may_become(take.state, wanted)
-    put_back(session, take, wanted, clock.now())
+    now = clock.now()
+    _run_review_clock(session, take, wanted, now)
+    put_back(session, take, wanted, now)
+
+
+def _run_review_clock(session: Session, take: Take, wanted: TakeState, now: datetime) -> None:
+    of = take
+    if wanted is TakeState.CONFORMING and take.conforming_since is None and take.cue_id is not None:
+        of = queries.same_bytes_beside(session, take) or take
+    review_clock = ReviewClock(of.conforming_since, of.returned_since).at(wanted, now)
+    take.conforming_since, take.returned_since = review_clock.conforming_since, review_clock.returned_since
 
 
 def put_back(session: Session, take: Take, state: TakeState, since: datetime) -> None:

@@ -13,7 +13,7 @@ from app.deliveries.models import Take
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.queries import decider_id
-from app.projects.rules import EngagementKind
+from app.projects.sight import engaged_and_past_nda
 from app.reviews.models import ChangeRequest
 from app.sound_lists.models import Cue
 
@@ -94,16 +94,11 @@ def address_of(session: Session, person_id: UUID) -> str:
 
 def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
     """Return the addresses of the designers engaged on a project who may see its list."""
-    is_open = or_(
-        Project.nda_needed.is_(False),
-        Engagement.nda_accepted_at.is_not(None),
-        Engagement.kind == EngagementKind.IN_HOUSE,
-    )
     return session.scalars(
         select(Person.email)
         .join(Engagement, Engagement.designer_id == Person.id)
         .join(Project, Project.id == Engagement.project_id)
-        .where(Engagement.project_id == project_id, Engagement.ended_at.is_(None), is_open)
+        .where(Engagement.project_id == project_id, engaged_and_past_nda())
     ).all()
 
 

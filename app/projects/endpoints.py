@@ -58,6 +58,7 @@ from app.projects.errors import (
     TokenNotFound,
 )
 from app.projects.models import DeciderChange, Engagement, ProjectInvitation, Spec
+from app.projects.sight import nda_is_open
 
 PAGE_ROWS = 50
 router = Router(prefix="/v1", tags=["projects"], route_class=PatientRoute)
@@ -84,7 +85,7 @@ def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
             is_liaison=view.is_liaison,
             is_decider=view.is_decider,
             engagement_kind=own.kind if own else None,
-            nda_open=own is not None and not view.roles and service.nda_is_open(project, own),
+            nda_open=own is not None and not view.roles and nda_is_open(project, own),
         ),
         spec_version=view.spec_version,
     )

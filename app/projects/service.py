@@ -33,7 +33,8 @@ from app.projects.errors import (
     TokenNotFound,
 )
 from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
-from app.projects.rules import EngagementKind, ensure_can_decide
+from app.projects.rules import ensure_can_decide
+from app.projects.sight import nda_is_open
 from app.projects.specs import add_version, read_spec
 
 
@@ -134,11 +135,6 @@ def standing_of(actor: Actor, facts: queries.StandingFacts, *, before_nda: bool 
         is_decider=bool(roles) and facts.decider_id == actor.person_id,
         engagement=engagement,
     )
-
-
-def nda_is_open(project: Project, engagement: Engagement) -> bool:
-    """Whether a designer has yet to accept the NDA that the project asks for; the studio's own people need none."""
-    return project.nda_needed and engagement.kind is not EngagementKind.IN_HOUSE and engagement.nda_accepted_at is None
 
 
 @dataclass(frozen=True)
@@ -352,7 +348,14 @@ def save_spec(
         return newest
     spec = add_version(session, standing.project, actor.person, toml=toml, number=newest.version + 1, note=note)
     if read.sha256 != newest.sha256:
-        publish(session, "spec.changed", studio_id=spec.studio_id, project_id=project_id, version=spec.version)
+        publish(
+            session,
+            "spec.changed",
+            studio_id=spec.studio_id,
+            project_id=project_id,
+            version=spec.version,
+            person_id=actor.person,
+        )
     return spec
 
 

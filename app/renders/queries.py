@@ -6,7 +6,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple, TypeVar
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, exists, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, bindparam, exists, func, or_, select
 from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eager, joinedload
 
 import audio_checks
@@ -14,7 +14,8 @@ from app.accounts.rules import Actor
 from app.conformance.models import Mend
 from app.deliveries.models import Take
 from app.kit.among import among
-from app.projects.models import Engagement, Spec
+from app.projects.models import Spec
+from app.projects.sight import work_in_sight
 from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
@@ -146,16 +147,8 @@ def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
 
 
 def _in_reach(actor: Actor) -> ColumnElement[bool]:
-    """Admit takes of the caller's studios, and those the caller made in projects they are engaged on."""
-    engaged = exists().where(
-        Engagement.project_id == Take.project_id,
-        Engagement.designer_id == actor.person_id,
-        Engagement.ended_at.is_(None),
-    )
-    return or_(
-        Take.studio_id.in_([studio for studio, roles in actor.roles.items() if roles]),
-        and_(Take.designer_id == actor.person_id, engaged),
-    )
+    """Admit the takes that the caller sees."""
+    return work_in_sight(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
 
 
 def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture | None:

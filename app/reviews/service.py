@@ -182,7 +182,8 @@ def new_verdict(
         facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
         if silence_contract_id is not None:
             facts["clause"] = SILENCE
-        note_work(session, take.cue_id, take.designer_id, "judged", person_id=person_id, **facts)
+        by = person_id if silence_contract_id is None else None
+        note_work(session, take.cue_id, take.designer_id, "judged", facts, by=by)
     return Verdict(
         studio_id=take.studio_id,
         project_id=take.project_id,

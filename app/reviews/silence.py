@@ -72,7 +72,7 @@ def silent_cues(session: Session, reach: ColumnElement[bool]) -> list[SilentCue]
         missing = missing_variations(cue.variations, approved.get(cue_id, []))
         picks = [newest[variation] for variation in missing if variation in newest]
         if missing and len(picks) == len(missing):
-            since = max(contract.agreed_at, *(take.state_since for take in picks))
+            since = max(contract.agreed_at, *(take.conforming_since or take.state_since for take in picks))
             found.append(SilentCue(cue, project, contract, silence, picks, since))
     return found
 

@@ -160,7 +160,14 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
             unlike.append(str(cue.id))
     session.execute(insert(CueChange), records)
     if unlike:
-        publish(session, "cue.changed", studio_id=project.studio_id, project_id=project.id, cue_ids=unlike)
+        publish(
+            session,
+            "cue.changed",
+            studio_id=project.studio_id,
+            project_id=project.id,
+            person_id=person_id,
+            cue_ids=unlike,
+        )
     if any(old and old["palette"] != cue.palette for old, cue in zip(before, cues, strict=True)):
         publish(session, "palette.changed", studio_id=project.studio_id, project_id=project.id)
     _tell(session, revision, person_id, added=added, changed=changed, cut=0)

@@ -87,6 +87,7 @@ def test_a_new_version_is_kept_beside_the_old(world: World, published: list[tupl
     assert world.producer.get(spec_path(world, "/versions/0")).status_code == 422
     assert world.producer.get(spec_path(world, "/versions/99999999999999999999")).status_code == 422
     told = {"studio_id": world.studio_id, "project_id": world.project_id, "version": 2}
+    told["person_id"] = world.producer_id
     assert published == [("spec.changed", told)]
 
 

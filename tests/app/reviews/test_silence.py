@@ -1,5 +1,7 @@
 """What a silent studio means: reminders, and acceptance when the days of the contract are over."""
 
+import json
+from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 from types import SimpleNamespace
 from typing import Any
@@ -8,7 +10,7 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.contracts.models import Contract
+from app.contracts.models import Contract, ContractEvent
 from app.contracts.queries import events_of
 from app.contracts.silence import Silence
 from app.deliveries.models import Take
@@ -56,9 +58,19 @@ class MovedClock:
 
     def entries(self) -> list[str]:
         """Return what the contract's record says, by kind."""
+        return [event.kind for event in self._events()]
+
+    def authors(self) -> list[tuple[str, str]]:
+        """Return who did what the contract's record says, and as what."""
+        said = [json.loads(event.payload) for event in self._events()]
+        return [(one["by"], one["role"]) for one in said]
+
+    def _events(self) -> Sequence[ContractEvent]:
         contract_id = self.agreed.contract_id
-        found = self.agreed.world.server.in_database(lambda session: events_of(session, contract_id))
-        return [event.kind for event in found]
+        found: Sequence[ContractEvent] = self.agreed.world.server.in_database(
+            lambda session: events_of(session, contract_id)
+        )
+        return found
 
 
 @pytest.fixture
@@ -127,6 +139,7 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert (line["kind"], line["amount_minor"], line["clause"]) == ("accepted", 18_000, "silence")
 
     assert moved.entries()[-3:] == ["judged", "accepted", "due"]
+    assert moved.authors()[-3:] == [("Soundlist", "server")] * 3, "nobody said anything"
     review = agreed.review(cue)
     (verdict,) = review["verdicts"]
     assert (review["accepted"], verdict["kind"], verdict["by_silence"]) == (True, "approve", True)

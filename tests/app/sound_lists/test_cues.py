@@ -153,7 +153,7 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
     assert [event for event, _ in told] == ["list.revised"] * 2
     world.producer.patch(url, json={"edition": 2, "duration_s": 2.0})
     assert told[2:] == [
-        ("cue.changed", {**studio, "cue_ids": [cue["id"]]}),
+        ("cue.changed", {**studio, "person_id": world.producer_id, "cue_ids": [cue["id"]]}),
         ("list.revised", {**whole, "revision": 3, "added": 0, "changed": 1, "cut": 0}),
     ]
 

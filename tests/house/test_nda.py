@@ -1,0 +1,69 @@
+"""A project that asks for an NDA later shows a designer who has not agreed to it nothing more: asked of every route."""
+
+from datetime import datetime
+
+import pytest
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.accounts import rate_limits
+from app.accounts.rules import Sight
+from app.kit import clock
+from app.projects.models import Engagement, Project
+from tests.house.objects import House
+from tests.house.routes import Operation, ask, operations
+from tests.house.test_policies import CONTRACTS, ONE_DESIGNERS, names_in
+from tests.support.server import RunningServer
+
+# The project's head says that an NDA is asked for, and the contracts are where it is read and accepted. What two
+# parties agreed to and owe each other stays theirs, and how far one's own upload came says nothing of the project.
+BEFORE_NDA = {"read_project", "list_contracts", "see_upload", "give_up_upload"}
+OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
+    *("project_id", "cue_id", "question_id", "batch_id", "pack_id", "build_id", "engagement_id", "token_id"),
+}
+
+
+@pytest.fixture(scope="module")
+def house(server: RunningServer) -> House:
+    """A project that asks for an NDA which nobody has accepted yet."""
+    house = House(server)
+
+    def ask_for_nda(session: Session) -> None:
+        session.get_one(Project, house.project_id).nda_needed = True
+
+    server.in_database(ask_for_nda)
+    return house
+
+
+@pytest.fixture(autouse=True)
+def _no_tries_yet() -> None:
+    rate_limits.forget_all()
+
+
+def shows_the_project(operation: Operation) -> bool:
+    names = names_in(operation)
+    is_refused = operation.policy.sight is not Sight.ANYONE and operation.name not in BEFORE_NDA
+    return is_refused and bool(names & OF_THE_PROJECT) and not names & CONTRACTS
+
+
+@pytest.mark.parametrize(
+    "operation", [pytest.param(one, id=one.name) for one in operations() if shows_the_project(one)]
+)
+def test_it_shows_nothing_of_the_project(house: House, operation: Operation) -> None:
+    answer = ask(house.designer, house, operation)
+    assert answer.status_code in (403, 404), answer.text
+    assert b"the bytes of a sound" not in answer.content
+
+
+def test_the_same_requests_are_answered_once_it_is_accepted(house: House) -> None:
+    for name in ("get_preview", "get_peaks", "get_spectrum", "get_render_file", "get_reel_file", "list_comments"):
+        (operation,) = [one for one in operations() if one.name == name]
+        house.server.in_database(lambda session: accept(session, house, clock.now()))
+        assert ask(house.designer, house, operation).status_code == 200
+        house.server.in_database(lambda session: accept(session, house, None))
+        assert ask(house.designer, house, operation).status_code in (403, 404)
+
+
+def accept(session: Session, house: House, at: datetime | None) -> None:
+    engagement = session.scalars(select(Engagement).where(Engagement.designer_id == house.designer_id)).one()
+    engagement.nda_accepted_at, engagement.nda_sha256 = at, "0" * 64 if at else None
