@@ -278,6 +278,34 @@ def token(
 
 
 @cli.command()
+def quota(
+    studio: Annotated[UUID, typer.Argument(help="Id of the studio.")],
+    limit: Annotated[
+        list[str] | None, typer.Option("--set", help="KIND=NUMBER, or KIND=default; repeat for several.")
+    ] = None,
+) -> None:
+    """Show what a studio uses of its limits, and set them."""
+    from app.accounts.quotas import QuotaKind, set_limit
+    from app.operations.quotas import quotas_of
+
+    runtime = _opened(_settings())
+    with runtime.database.writing() as session:
+        for each in limit or []:
+            kind, _, most = each.partition("=")
+            if kind not in set(QuotaKind) or not (most == "default" or (most.isascii() and most.isdigit())):
+                kinds = ", ".join(QuotaKind)
+                raise _refusal([f"--set {each}: write KIND=NUMBER or KIND=default, KIND being one of {kinds}"])
+            if most != "default" and int(most) >= 1 << 63:
+                raise _refusal([f"--set {each}: a limit has at most 18 digits"])
+            set_limit(session, studio, QuotaKind(kind), None if most == "default" else int(most))
+        table = Table("kind", "used", "limit", "default")
+        for row in quotas_of(session, studio):
+            table.add_row(row.kind.value, f"{row.used:,}", f"{row.limit:,}", f"{row.default:,}")
+    console.print(table)
+    runtime.close()
+
+
+@cli.command()
 def openapi(
     out: Annotated[Path | None, typer.Argument(help="File to write; standard output if left out.")] = None,
 ) -> None:

@@ -18,6 +18,7 @@ from app.kit.health import NotReady
 from app.kit.runtime import Runtime
 
 POLICY = "within_reach"
+WRITING = ("insert", "update", "delete")  # each has a policy of its own where fewer rows are written than seen
 UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
 ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, under a hash of the credentials
 NEVER_ALTERED = frozenset(  # what was said and owed stands
@@ -27,7 +28,7 @@ SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sig
 PERSONAL = frozenset(
     {"accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"}
 )
-READ_ONLY = frozenset({"accounts_operators"})  # named on the command line only
+READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 
 ME, THIS_PROJECT = "soundlist_me()", "soundlist_this_project()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
@@ -50,7 +51,7 @@ class CannotGuardRows(Exception):
 
 
 def condition(table: sa.Table) -> str | None:
-    """Return which rows of a table a request may see and write; None where no policy is to hold it."""
+    """Return which rows of a table a request may see, and write but for `written`; None where it sees all or none."""
     columns = set(table.columns.keys())
     project_id = "id" if table.name == "projects_projects" else "project_id"
     if table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN:
@@ -66,6 +67,17 @@ def condition(table: sa.Table) -> str | None:
     if project_id not in columns:
         return f"studio_id = {NEAR_STUDIOS}"
     return f"studio_id = {STUDIOS} or {project_id} = {ENGAGEMENTS} or {project_id} = {THIS_PROJECT}"
+
+
+def written(table: sa.Table) -> str | None:
+    """Return which rows a request may write where these are fewer than it sees: those of the person it runs for."""
+    if table.name == "accounts_people":
+        return f"id = {ME}"
+    columns = set(table.columns.keys())
+    if {"designer_id", "studio_id", "project_id"} <= columns:
+        own = f"project_id = {ENGAGEMENTS} and designer_id = {ME}"
+        return f"studio_id = {STUDIOS} or ({own}) or project_id = {THIS_PROJECT}"
+    return None
 
 
 def guard_rows(database: Database) -> None:
@@ -86,8 +98,13 @@ def guard_rows(database: Database) -> None:
         with database.engine.begin() as connection:  # one at a time: a lock on all would stand in everybody's way
             for statement in statements:
                 connection.exec_driver_sql(statement)
-            if condition(table) is not None:
+            if is_guarded(table):
                 connection.exec_driver_sql(f"comment on policy {POLICY} on {table.name} is '{mark}'")
+
+
+def is_guarded(table: sa.Table) -> bool:
+    """Whether policies hold a table."""
+    return condition(table) is not None or written(table) is not None
 
 
 def ensure_rows_are_guarded(runtime: Runtime) -> None:
@@ -148,9 +165,10 @@ def _guarded(connection: sa.Connection) -> dict[str, str]:
     """Return by table what its policy was made from."""
     policies = sa.text(
         "select relname, obj_description(pg_policy.oid, 'pg_policy') from pg_policy"
-        " join pg_class on pg_class.oid = polrelid where relnamespace = current_schema()::regnamespace"
+        " join pg_class on pg_class.oid = polrelid"
+        " where relnamespace = current_schema()::regnamespace and polname = :name"
     )
-    return dict(connection.execute(policies).all())
+    return dict(connection.execute(policies, {"name": POLICY}).all())
 
 
 def _guard(table: sa.Table) -> Iterator[str]:
@@ -162,9 +180,19 @@ def _guard(table: sa.Table) -> Iterator[str]:
         elif table.name in READ_ONLY:
             allowed = "select"
         yield f"grant {allowed} on {table.name} to {REQUEST_ROLE}"
-    yield f"drop policy if exists {POLICY} on {table.name}"
-    if (rows := condition(table)) is not None:
-        yield f"alter table {table.name} enable row level security"
+    for policy in (POLICY, *(f"{POLICY}_{act}" for act in WRITING)):
+        yield f"drop policy if exists {policy} on {table.name}"
+    if not is_guarded(table):
+        return
+    rows, own = condition(table) or "true", written(table)
+    yield f"alter table {table.name} enable row level security"
+    if own is None:
         # Whoever sees their own place in a studio must not give themselves one.
-        written = f"studio_id = {STUDIOS}" if table.name == "accounts_memberships" else rows
-        yield f"create policy {POLICY} on {table.name} to {REQUEST_ROLE} using ({rows}) with check ({written})"
+        check = f"studio_id = {STUDIOS}" if table.name == "accounts_memberships" else rows
+        yield f"create policy {POLICY} on {table.name} to {REQUEST_ROLE} using ({rows}) with check ({check})"
+        return
+    added = "true" if table.name in UNGUARDED else own  # a new account is nobody's yet
+    yield f"create policy {POLICY} on {table.name} for select to {REQUEST_ROLE} using ({rows})"
+    yield f"create policy {POLICY}_insert on {table.name} for insert to {REQUEST_ROLE} with check ({added})"
+    for act in WRITING[1:]:
+        yield f"create policy {POLICY}_{act} on {table.name} for {act} to {REQUEST_ROLE} using ({own})"

@@ -85,6 +85,9 @@ class Settings(BaseSettings):
     trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
         (), description="Networks, with commas between, of proxies whose X-Forwarded-For says who visits."
     )
+    disk_reserve: int = Field(
+        1 << 30, ge=0, description="Bytes of the disk that uploads leave free, for the database and for what is made."
+    )
     metrics_token: SecretStr = Field(SecretStr(""), description="What Prometheus sends as a bearer to /metrics.")
     metrics_port: int | None = Field(None, ge=1, le=65_535, description="A port of its own for /metrics.")
     metrics_host: str = Field("127.0.0.1", description="The address that the port for /metrics listens on.")

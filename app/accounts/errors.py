@@ -133,3 +133,13 @@ class NameNeeded(Invalid):
 
 class PasswordTooWeak(Invalid):
     """The password is missing, too short, too long or too easily guessed."""
+
+
+class QuotaReached(Conflict):
+    """The studio has as many of this kind as whoever runs the server lets it have."""
+
+
+class StorageQuotaReached(Refused):
+    """The studio keeps as many bytes as whoever runs the server lets it keep."""
+
+    status = 507

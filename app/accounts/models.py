@@ -3,7 +3,7 @@
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import CheckConstraint, ForeignKey
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.rules import AddressProof
@@ -144,6 +144,17 @@ class Token(Base):
     last_used_at: Mapped[datetime | None]
     revoked_at: Mapped[datetime | None]
     creator: Mapped[Person] = relationship(lazy="raise")
+
+
+class Quota(Base):
+    """A limit of one studio that is not the default; set by who runs the server."""
+
+    __tablename__ = "accounts_quotas"
+    __table_args__ = (CheckConstraint("most >= 0", name="most_known"),)
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    kind: Mapped[str] = mapped_column(primary_key=True)
+    most: Mapped[int] = mapped_column(BigInteger)
 
 
 class StudioInvitation(MailedLink, Base):

@@ -18,6 +18,7 @@ from app.accounts.errors import (
     StudioNotFound,
 )
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
+from app.accounts.quotas import QuotaKind, ensure_room, people_in, tokens_of
 from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_producer_remains
 from app.kit import clock
 from app.kit.db import beyond_reach
@@ -81,6 +82,7 @@ def open_studio(session: Session, name: str, person: Person, *, is_demo: bool = 
 
 def add_member(session: Session, studio_id: UUID, person_id: UUID, roles: Collection[Role]) -> Membership:
     """Give a person a place in a studio."""
+    ensure_room(session, studio_id, QuotaKind.PEOPLE, people_in)
     membership = Membership(studio_id=studio_id, person_id=person_id, roles=sorted(set(roles)))
     session.add(membership)
     session.flush()
@@ -145,6 +147,7 @@ def invite_member(
             f"{address} is in this studio already",
             errors=[{"where": "email", "message": "this person is in the studio already"}],
         )
+    ensure_room(session, studio_id, QuotaKind.PEOPLE, people_in)
     for earlier in queries.studio_invitations(session, studio_id):
         if earlier.email == address:
             earlier.revoked_at = clock.now()
@@ -218,6 +221,7 @@ def add_token(
     session: Session, *, studio_id: UUID, project_id: UUID, created_by: UUID, name: str, scopes: Collection[Scope]
 ) -> tuple[Token, str]:
     """Make a key for a project's builds, and return it with its secret, which is kept nowhere."""
+    ensure_room(session, studio_id, QuotaKind.TOKENS, tokens_of)
     secret = TOKEN_PREFIX + new_secret()
     token = Token(
         studio_id=studio_id,

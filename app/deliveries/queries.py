@@ -13,6 +13,7 @@ from app.deliveries.models import Archive, Delivery, DryStem, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.rules import stem_of as stem_of_name
 from app.kit.among import among
+from app.kit.uploads import Upload
 from app.projects.models import Engagement, Project
 from app.projects.queries import StandingFacts, facts_of_standing
 from app.projects.rules import EngagementKind
@@ -22,6 +23,19 @@ from app.sound_lists.models import Cue, Stem
 _DELIVERY = select(Delivery).where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
 _WITH_CUE_AND_DESIGNER = (joinedload(Take.cue), joinedload(Take.designer))
 _OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).options(*_WITH_CUE_AND_DESIGNER)
+
+
+def kept_master_bytes(session: Session, studio_id: UUID) -> int:
+    """Return how many bytes the masters of a studio have, those with the same bytes once."""
+    each = select(Take.master_sha256, func.max(Take.master_bytes).label("size")).where(Take.studio_id == studio_id)
+    kept = each.group_by(Take.master_sha256).subquery()
+    return int(session.scalar(select(func.sum(kept.c.size))) or 0)
+
+
+def open_uploads(session: Session, studio_id: UUID) -> int:
+    """Return how many uploads of a studio are not finished."""
+    unfinished = select(func.count()).where(Upload.studio_id == studio_id, Upload.sha256.is_(None))
+    return session.scalar(unfinished) or 0
 
 
 def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:

@@ -36,6 +36,7 @@ from app.deliveries.upload_headers import (
     sha256_of_digest,
     uuid_in,
 )
+from app.deliveries.upload_quotas import ensure_upload_fits
 from app.kit.errors import Refused
 from app.kit.http import BackSeat, CurrentRuntime, problems
 from app.kit.runtime import Runtime
@@ -305,7 +306,7 @@ async def _body(request: Request) -> AsyncIterator[bytes]:
 
 
 def _uploads(runtime: Runtime) -> Uploads:
-    return Uploads(runtime.database, runtime.store)
+    return Uploads(runtime.database, runtime.store, reserve_bytes=runtime.settings.disk_reserve)
 
 
 def _permitted(
@@ -323,6 +324,7 @@ def _permitted(
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:
         studio_id = service.ensure_may_upload(session, actor, delivery_id, beside_take_id=beside_take_id).studio_id
+        ensure_upload_fits(session, studio_id, length)
     return _uploads(runtime).create(
         studio_id=studio_id,
         owner_id=service.uploader(actor),

@@ -7,11 +7,12 @@ from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.rules import Actor, Sight
 from app.kit.health import WORKER_SILENT_AFTER
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
-from app.operations import service
+from app.operations import quotas, service
 from app.operations.errors import JobNotFound, JobNotParked, OperatorNeeded
 from app.operations.schemas import (
     JobRead,
     JobState,
+    QuotaRead,
     ServerOperations,
     ServerStorage,
     StorageRead,
@@ -72,6 +73,12 @@ def read_operations(
         queue=runtime.queue,
         alive_within=WORKER_SILENT_AFTER,
     )
+
+
+@router.get("/studios/{studio_id}/quotas", responses=problems(StudioNotFound, ProducerNeeded))
+def read_studio_quotas(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> list[QuotaRead]:
+    """Return what a studio uses of its limits."""
+    return quotas.studio_quotas(session, actor, studio_id)
 
 
 @router.get("/operations/storage", responses=problems(OperatorNeeded))

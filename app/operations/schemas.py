@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import Field
 
+from app.accounts.quotas import QuotaKind
 from app.kit.http import Schema
 
 
@@ -84,6 +85,15 @@ class KeptFiles(Schema):
     kind: KeptKind
     files: int
     size_bytes: int
+
+
+class QuotaRead(Schema):
+    """One limit of a studio, and what it has of that."""
+
+    kind: QuotaKind
+    used: int
+    limit: int
+    default: int
 
 
 class StorageRead(Schema):

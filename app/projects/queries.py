@@ -19,6 +19,11 @@ def project_by_id(session: Session, project_id: UUID) -> Project | None:
     return session.get(Project, project_id)
 
 
+def projects_count(session: Session, studio_id: UUID) -> int:
+    """Return how many projects a studio has, archived ones included."""
+    return session.scalar(select(func.count()).where(Project.studio_id == studio_id)) or 0
+
+
 def facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
     """Return the statement for the fields of StandingFacts, of `person_id`, in whichever projects the caller adds."""
     person_id = bindparam("person_id", type_=Uuid())

@@ -11,6 +11,7 @@ import audio_checks
 from app.accounts.doors import sha256_of
 from app.accounts.models import Person, Token
 from app.accounts.queries import membership, project_token, project_tokens
+from app.accounts.quotas import QuotaKind, ensure_room
 from app.accounts.rules import Actor, Role, Scope
 from app.accounts.service import add_token, ensure_producer_of
 from app.kit import clock
@@ -219,6 +220,7 @@ def open_project(
 ) -> Project:
     """Make a project with the field's default spec; whoever opens it decides until somebody is named."""
     ensure_producer_of(session, actor, studio_id)
+    ensure_room(session, studio_id, QuotaKind.PROJECTS, queries.projects_count)
     project = Project(
         studio_id=studio_id, name=name, description=description, cue_prefix=cue_prefix, created_by=actor.person
     )

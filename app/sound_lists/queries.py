@@ -16,6 +16,11 @@ from app.sound_lists.rules import CueState, folded
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
 
 
+def cues_count(session: Session, studio_id: UUID) -> int:
+    """Return how many cues a studio has in all its lists, cut ones included."""
+    return session.scalar(select(func.count()).where(Cue.studio_id == studio_id)) or 0
+
+
 def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
     """Return all cues of a project with their stems, in list order."""
     return session.scalars(

@@ -9,6 +9,7 @@ from sqlalchemy import delete, insert
 from sqlalchemy.orm import Session
 
 import audio_checks
+from app.accounts.quotas import QuotaKind, ensure_room
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.events import publish
@@ -133,6 +134,8 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
     edits = [edit for edit in edits if edit.facts != edit.before]
     if not edits:
         return []
+    added = sum(edit.cue is None for edit in edits)
+    ensure_room(session, project.studio_id, QuotaKind.CUES, queries.cues_count, added=added)
     before = [edit.before for edit in edits]
     renaming = [edit for edit in edits if edit.renames]
     _free_stems(session, [edit.cue for edit in renaming if edit.cue])
@@ -147,7 +150,6 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
     ]
     if owned:
         session.execute(insert(Stem), owned)
-    added = sum(edit.cue is None for edit in edits)
     changed = len(edits) - added
     revision = _new_revision(session, project, person_id, _in_words(added, changed))
     unlike, records = [], []

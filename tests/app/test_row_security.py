@@ -27,6 +27,7 @@ from app.row_security import (
     ADD_ONLY,
     NEVER_ALTERED,
     PERSONAL,
+    READ_ONLY,
     SERVERS_OWN,
     UNGUARDED,
     CannotGuardRows,
@@ -161,21 +162,63 @@ def test_nobody_writes_into_another_studio(database: Database, name: str):
     studio = table.columns["id" if name == "accounts_studios" else "studio_id"]
     with database.writing(Reach(person_id=MEMBER)) as session:
         for statement in (sa.update(table).values({studio.name: HERE}), sa.delete(table)):
-            if name in NEVER_ALTERED:
+            if name in NEVER_ALTERED | READ_ONLY:
                 continue  # the next test
             result = session.execute(statement.where(studio == THERE))
             assert result.rowcount == 0
     row = {name: value for name, value in row_of(table, THERE, new_id()).items() if value is not None}
     if name == "accounts_memberships":
         row["person_id"] = MEMBER  # nobody gives themselves a place
+    why = "permission denied" if name in READ_ONLY else "row-level security"
     with (
-        pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
+        pytest.raises(sa.exc.ProgrammingError, match=why),
         database.writing(Reach(person_id=MEMBER)) as session,
     ):
         session.execute(sa.insert(table).values(row))
 
 
-@pytest.mark.parametrize("name", sorted(NEVER_ALTERED))
+DESIGNERS = sorted(name for name in TENANT if "designer_id" in Base.metadata.tables[name].columns)
+
+
+@pytest.mark.parametrize("name", DESIGNERS)
+def test_a_designer_writes_no_other_designers_rows(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    row = row_of(table, HERE, PROJECTS[HERE][0]) | {"designer_id": new_id()}
+    of_another = table.columns["designer_id"] != DESIGNER
+    with database.writing() as session:
+        session.execute(sa.insert(table).values(row))
+    try:
+        with database.writing(Reach(person_id=DESIGNER)) as session:
+            assert session.scalar(sa.select(sa.func.count()).select_from(table).where(of_another)), "they see it"
+            assert session.execute(sa.update(table).values(studio_id=HERE).where(of_another)).rowcount == 0
+            assert session.execute(sa.delete(table).where(of_another)).rowcount == 0
+        with (
+            pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
+            database.writing(Reach(person_id=DESIGNER)) as session,
+        ):
+            session.execute(sa.insert(table).values(row_of(table, HERE, PROJECTS[HERE][0]) | {"designer_id": new_id()}))
+        with database.writing(Reach(person_id=MEMBER)) as session:
+            assert session.execute(sa.update(table).values(studio_id=HERE).where(of_another)).rowcount >= 1
+    finally:
+        with database.writing() as session:
+            session.execute(sa.delete(table).where(table.columns["designer_id"] == row["designer_id"]))
+
+
+def test_nobody_writes_another_persons_account(database: Database):
+    people = Base.metadata.tables["accounts_people"]
+    with database.writing() as session:
+        for person_id in (MEMBER, DESIGNER):
+            session.execute(sa.insert(people).values(row_of(people, HERE, new_id()) | {"id": person_id}))
+    for reach, own in ((Reach(person_id=DESIGNER), 1), (NOBODY, 0), (Reach(project_id=PROJECTS[HERE][0]), 0)):
+        with database.writing(reach) as session:
+            assert session.scalar(sa.select(sa.func.count()).select_from(people)) >= 2, "anybody may be invited"
+            assert session.execute(sa.update(people).values(name="taken over")).rowcount == own
+            assert session.execute(sa.delete(people).where(people.columns["id"] != DESIGNER)).rowcount == 0
+    with database.writing(NOBODY) as session:
+        session.execute(sa.insert(people).values(row_of(people, HERE, new_id())))
+
+
+@pytest.mark.parametrize("name", sorted(NEVER_ALTERED | READ_ONLY))
 def test_what_was_said_is_not_altered_even_by_its_own(database: Database, name: str):
     table = Base.metadata.tables[name]
     for statement in (sa.update(table).values(studio_id=HERE), sa.delete(table)):

@@ -14,7 +14,19 @@ from app.settings import Settings
 from audio_checks.version import TOOL_VERSION
 
 ROOT = Path(__file__).resolve().parents[2]
-SERVER_COMMANDS = {"serve", "worker", "migrate", "backup", "restore", "verify", "demo", "token", "openapi", "mails"}
+SERVER_COMMANDS = {
+    "serve",
+    "worker",
+    "migrate",
+    "backup",
+    "restore",
+    "verify",
+    "demo",
+    "token",
+    "openapi",
+    "mails",
+    "quota",
+}
 
 
 def test_every_setting_that_the_documents_name_is_one():

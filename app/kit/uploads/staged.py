@@ -51,7 +51,8 @@ STAGING = ".uploads"
 class Uploads:
     """The uploads of one server, beside the store that they end in."""
 
-    def __init__(self, database: Database, store: Store) -> None:
+    def __init__(self, database: Database, store: Store, *, reserve_bytes: int = SPARE_BYTES) -> None:
+        self._reserve_bytes = reserve_bytes
         self._database = database
         self._store = store
         self._parts = UploadParts(database, store)
@@ -325,8 +326,13 @@ class Uploads:
     def _ensure_room(self, length: int) -> None:
         folder = self._store.staging_root
         folder.mkdir(parents=True, exist_ok=True)
-        if shutil.disk_usage(folder).free < length + SPARE_BYTES:
-            raise StoreFull("the server's disk has no room for this file", fix="tell whoever runs this server")
+        free = shutil.disk_usage(folder).free
+        if free < length + self._reserve_bytes:
+            raise StoreFull(
+                f"the file has {length:,} bytes; the server's disk has {free:,} left, "
+                f"of which {self._reserve_bytes:,} are kept for the database",
+                fix="tell whoever runs this server",
+            )
 
 
 async def _pour(

@@ -3769,6 +3769,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/studios/{studio_id}/quotas": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Studio Quotas
+         * @description Return what a studio uses of its limits.
+         */
+        get: operations["read_studio_quotas"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/operations/storage": {
         parameters: {
             query?: never;
@@ -8493,6 +8513,25 @@ export interface components {
          * @enum {string}
          */
         QueueKind: "single" | "alternates" | "set";
+        /**
+         * QuotaKind
+         * @description What is limited.
+         * @enum {string}
+         */
+        QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads";
+        /**
+         * QuotaRead
+         * @description One limit of a studio, and what it has of that.
+         */
+        QuotaRead: {
+            kind: components["schemas"]["QuotaKind"];
+            /** Used */
+            used: number;
+            /** Limit */
+            limit: number;
+            /** Default */
+            default: number;
+        };
         /**
          * RangeRead
          * @description A lower and an upper bound; null does not limit.
@@ -16265,13 +16304,22 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `too-long-to-compare` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -21742,6 +21790,55 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_studio_quotas: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["QuotaRead"][];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

@@ -38,7 +38,7 @@ def contract_id(world: World) -> UUID:
     def make(session: Session) -> UUID:
         contract_id = add_contract(session, world)
         for kind in ("sent", "agreed", "accepted", "due", "paid"):
-            record.append(session, contract_id, kind, {"amount_minor": 18_000, "cue": "SW-001", "ort": "Köln"})
+            record.append(session, contract_id, kind, {"amount_minor": 18_000, "cue": "SW-001", "ort": "Köln"}, by=None)
         return contract_id
 
     made: UUID = world.server.in_database(make)
@@ -106,7 +106,7 @@ def test_what_is_done_by_hand_is_found(world: World, contract_id: UUID, deed: st
 def test_an_entry_of_another_contract_does_not_fit(world: World, contract_id: UUID) -> None:
     def move(session: Session) -> None:
         other = add_contract(session, world, number=2)
-        entry = record.append(session, other, "paid", {"amount_minor": 1})
+        entry = record.append(session, other, "paid", {"amount_minor": 1}, by=None)
         session.execute(
             sa.delete(ContractEvent).where(ContractEvent.contract_id == contract_id, ContractEvent.seq == 1)
         )

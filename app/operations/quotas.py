@@ -1,0 +1,40 @@
+"""What a studio uses of its limits, for its producer and for who runs the server."""
+
+from collections.abc import Callable, Mapping
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.quotas import DEFAULTS, QuotaKind, limits_of, people_in, tokens_of
+from app.accounts.rules import Actor
+from app.accounts.service import ensure_producer_of
+from app.deliveries.queries import kept_master_bytes, open_uploads
+from app.kit.db import beyond_reach
+from app.operations.schemas import QuotaRead
+from app.projects.queries import projects_count
+from app.sound_lists.queries import cues_count
+
+USED: Mapping[QuotaKind, Callable[[Session, UUID], int]] = {
+    QuotaKind.MASTER_BYTES: kept_master_bytes,
+    QuotaKind.CUES: cues_count,
+    QuotaKind.PROJECTS: projects_count,
+    QuotaKind.PEOPLE: people_in,
+    QuotaKind.TOKENS: tokens_of,
+    QuotaKind.OPEN_UPLOADS: open_uploads,
+}
+
+
+def studio_quotas(session: Session, actor: Actor, studio_id: UUID) -> list[QuotaRead]:
+    """Return what a studio uses of its limits to its producer."""
+    ensure_producer_of(session, actor, studio_id)
+    with beyond_reach(session):  # sums over the whole studio
+        return quotas_of(session, studio_id)
+
+
+def quotas_of(session: Session, studio_id: UUID) -> list[QuotaRead]:
+    """Return what a studio uses of its limits."""
+    limits = limits_of(session, studio_id)
+    return [
+        QuotaRead(kind=kind, used=used(session, studio_id), limit=limits[kind], default=DEFAULTS[kind])
+        for kind, used in USED.items()
+    ]
