@@ -11,7 +11,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { type Entry, recordQuery } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
-import { eventOf, factsOf, sentence } from './words'
+import { authorOf, eventOf, factsOf, sentence } from './words'
 
 /** The record of a contract: every entry, chained to the one before. */
 export function RecordPage() {
@@ -71,13 +71,12 @@ export function RecordPage() {
 }
 
 function Line({ entry }: { entry: Entry }) {
-  const by = entry.payload.by
   return (
     <li>
       <p>
         <span className="mono dim">{entry.seq}</span> <strong>{eventOf(entry)}</strong>
         <span className="small mid">
-          {typeof by === 'string' ? ` by ${by}` : ''}
+          {authorOf(entry)}
           {`, ${day(entry.at)}, ${clock(entry.at)}`}
         </span>
       </p>

@@ -73,6 +73,10 @@ const EVENT_WORDS: Record<string, string> = {
   reminded: 'Reminded of a verdict',
   delivered: 'Delivered',
   judged: 'Judged',
+  moved_away: 'Moved to another cue',
+  returned: 'Held back by a later check',
+  conforms_again: 'Conforms again',
+  waived: 'Let through by a waiver',
   accepted: 'Cue accepted',
   due: 'Due',
   paid: 'Paid',
@@ -84,7 +88,14 @@ const EVENT_WORDS: Record<string, string> = {
 /** What an entry of the record tells, in words. */
 export const eventOf = ({ kind }: Entry): string => EVENT_WORDS[kind] ?? inWords(kind)
 
-const QUIET = new Set(['by', 'by_email', 'text_sha256', 'pdf_sha256'])
+const QUIET = new Set(['by', 'by_email', 'role', 'on_behalf_of', 'text_sha256', 'pdf_sha256'])
+
+/** Who did what an entry tells: name, role at that time, and on whose behalf. */
+export function authorOf({ payload: { by, role, on_behalf_of: behalf } }: Entry): string {
+  if (typeof by !== 'string') return ''
+  const inRole = typeof role === 'string' ? ` (${role})` : ''
+  return ` by ${by}${inRole}${typeof behalf === 'string' ? ` for ${behalf}` : ''}`
+}
 
 /** The facts of an entry, name and value, but for who and for hashes. */
 export function factsOf({ payload }: Entry): { name: string; value: string }[] {
