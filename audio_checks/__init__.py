@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     )
     from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
     from audio_checks.target_presets import TARGET_PRESETS, TargetPreset
+    from audio_checks.text_files import read_toml
     from audio_checks.versions import reverb_between
 
 __all__ = [
@@ -135,6 +136,7 @@ __all__ = [
     "preview",
     "read_manifest",
     "read_sound_list",
+    "read_toml",
     "rehearse_check",
     "render_key",
     "render_master",
@@ -205,6 +207,7 @@ _HOMES = {
     ),
     "audio_checks.spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
     "audio_checks.target_presets": ("TARGET_PRESETS", "TargetPreset"),
+    "audio_checks.text_files": ("read_toml",),
     "audio_checks.versions": ("reverb_between",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}

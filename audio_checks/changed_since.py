@@ -2,13 +2,12 @@
 
 import os
 import subprocess
-import tomllib
 from collections.abc import Iterable
 from pathlib import Path
 
 from audio_checks.errors import AudioChecksError
 from audio_checks.isolation import installed_program
-from audio_checks.text_files import read_text
+from audio_checks.text_files import read_text, read_toml
 
 ENVIRONMENT = {"GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C"}  # only looking: nothing of the repository is written
 # A judged tree may hold a folder that looks like a bare repository, whose configuration names programs to run.
@@ -78,7 +77,7 @@ def spec_files(path: Path) -> list[Path]:
 
 
 def _extended_by(path: Path) -> Path | None:
-    document = tomllib.loads(read_text(path))
+    document = read_toml(read_text(path), str(path))
     table = document.get("tool", {}).get("audio-checks", {}) if path.name == "pyproject.toml" else document
     return path.parent / table["extend"] if "extend" in table else None
 

@@ -4,6 +4,7 @@ import re
 from functools import lru_cache
 from pathlib import Path, PurePath, PureWindowsPath
 
+from audio_checks.patterns import Pattern
 from audio_checks.windows import without_long_prefix
 
 
@@ -14,14 +15,14 @@ def matches(glob: str, path: str | PurePath, folder: PurePath | None) -> bool:
     path below `folder` (the folder of the spec), or about the path as given when it lies elsewhere.
     """
     path = path if isinstance(path, PurePath) else Path(path)
-    pattern = _regex(glob.removeprefix("./"))
+    pattern = _pattern(glob.removeprefix("./"))
     if "/" not in glob:
-        return pattern.fullmatch(path.name) is not None
+        return pattern.matches(path.name)
     if folder is not None:
         whole, above = _plain(path), _plain(folder)
         if whole.is_relative_to(above):
             path = whole.relative_to(above)
-    return pattern.fullmatch(path.as_posix()) is not None
+    return pattern.matches(path.as_posix())
 
 
 def _plain(path: PurePath) -> PurePath:
@@ -29,8 +30,8 @@ def _plain(path: PurePath) -> PurePath:
     return PureWindowsPath(without_long_prefix(str(whole))) if isinstance(whole, PureWindowsPath) else whole
 
 
-@lru_cache(maxsize=256)
-def _regex(glob: str) -> re.Pattern[str]:
+@lru_cache(maxsize=2_048)
+def _pattern(glob: str) -> Pattern:
     parts = re.split(r"(\*\*/|\*\*|\*|\?)", glob)
     meaning = {"**/": "(?:.*/)?", "**": ".*", "*": "[^/]*", "?": "[^/]"}
-    return re.compile("".join(meaning.get(part, re.escape(part)) for part in parts), re.DOTALL)
+    return Pattern("".join(meaning.get(part, re.escape(part)) for part in parts), re.DOTALL)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
+
+from audio_checks import patterns
 
 Case = Literal["lower", "upper", "capital", "any"]
 
@@ -30,7 +31,7 @@ class Token:
     one_of : tuple of str
         The only words it may be; empty for any.
     pattern : str or None
-        A regular expression that the whole part must match.
+        A pattern that the whole part must match; see `audio_checks.patterns`.
     digits : int or None
         It is a number of so many digits.
     case : {"lower", "upper", "capital", "any"}
@@ -62,7 +63,7 @@ class Token:
             return part in self.one_of
         if self.digits is not None:
             return len(part) == self.digits and part.isascii() and part.isdigit()
-        return re.fullmatch(CASES[self.case] if self.pattern is None else self.pattern, part, re.ASCII) is not None
+        return patterns.compiled(CASES[self.case] if self.pattern is None else self.pattern).matches(part)
 
 
 def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
@@ -79,6 +80,7 @@ def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
     """
     parts = stem.split(separator)
     places = [(0, 0)]  # (parts read, tokens done) that the name can be read to
+    known = set(places)
     stuck: dict[int, set[int]] = {}  # tokens that do not fit, by the part they were tried on
     for read, done in places:
         if (read, done) == (len(parts), len(tokens)):
@@ -94,7 +96,9 @@ def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
                 stuck.setdefault(read, set()).add(done)
         else:
             stuck.setdefault(read, set())
-        places += [step for step in steps if step not in places]
+        new = [step for step in dict.fromkeys(steps) if step not in known]
+        known.update(new)
+        places += new
     reached = max(stuck)
     wanted = " or ".join(f"{tokens[done].name} ({tokens[done].wanted})" for done in sorted(stuck[reached]))
     if reached == len(parts):

@@ -10,6 +10,7 @@ import json
 import re
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,8 @@ __all__ = [
     "parse_spec",
     "schema",
 ]
+
+MOST_WARNINGS = 100
 
 
 @dataclass(frozen=True)
@@ -219,12 +222,12 @@ def _spec(tables: Tables, folder: Path | None, where: str) -> DeliverySpec:
                 view = spec.for_category(name)
             except SpecError as error:
                 raise placed(error, f"categories.{name}", ".") from None
-            warnings += (
-                one for one in _warnings_of(view, f"{name}: ") if one.removeprefix(f"{name}: ") not in warnings
-            )
+            if len(warnings) < MOST_WARNINGS:
+                own = _warnings_of(view, f"{name}: ")
+                warnings += (one for one in own if one.removeprefix(f"{name}: ") not in warnings)
     except SpecError as error:
         raise placed(error, where) from None
-    return _view(tables, folder, warnings=tuple(warnings))
+    return _view(tables, folder, warnings=tuple(warnings[:MOST_WARNINGS]))
 
 
 def _view(
@@ -261,13 +264,14 @@ def _view(
 
 def _warnings_of(spec: DeliverySpec, prefix: str) -> list[str]:
     rates = spec.accept.sample_rates_hz or ()
-    found = [
+    low = (
         f"{prefix}accepts {rate} Hz, but target {target.name} is {target.sample_rate_hz} Hz: "
         "nothing is ever converted up, so its render of such a master will be refused"
         for target in spec.targets.values()
         for rate in rates
         if rate < target.sample_rate_hz
-    ]
+    )
+    found = list(islice(low, MOST_WARNINGS))
     extension = spec.naming.extension
     if extension is not None and not re.fullmatch(r"\.[A-Za-z0-9]+", extension):
         found.append(f'{prefix}naming.extension "{extension}" is not an ending such as ".wav"')

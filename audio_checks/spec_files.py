@@ -1,17 +1,21 @@
 """The tables of a delivery spec as its files say them: held to the keys there are, and put on what they extend."""
 
-import tomllib
 from pathlib import Path
 
 from audio_checks import spec_keys
 from audio_checks.errors import SpecError
 from audio_checks.spec_parts import Tables
-from audio_checks.text_files import read_text
+from audio_checks.text_files import read_text, read_toml
+
+MOST_FILES = 20  # that extend one another
 
 
 def has_spec(path: Path) -> bool:
     """Tell whether a pyproject.toml has a table for audio-checks; any other file is a spec by its name."""
-    return path.name != "pyproject.toml" or "audio-checks" in _toml(read_text(path), str(path)).get("tool", {})
+    if path.name != "pyproject.toml":
+        return True
+    tool = read_toml(read_text(path), str(path)).get("tool")
+    return isinstance(tool, dict) and "audio-checks" in tool
 
 
 def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
@@ -25,6 +29,8 @@ def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
     real = path.resolve()
     if real in seen:
         raise SpecError("extends itself in a circle", where=str(path))
+    if len(seen) >= MOST_FILES:
+        raise SpecError(f"extends more than {MOST_FILES} files, one after the other", where=str(path))
     tables = read_tables(read_text(path), str(path), pyproject=path.name == "pyproject.toml")
     for place, naming in namings(tables):
         if "ucs_list" in naming:
@@ -41,9 +47,10 @@ def read_tables(text: str, where: str, *, pyproject: bool = False) -> Tables:
     SpecError
         The text is no TOML, or has keys or values that no spec has.
     """
-    document = _toml(text, where)
+    document = read_toml(text, where)
     if pyproject:
-        document = document.get("tool", {}).get("audio-checks", {})
+        tool = document.get("tool")
+        document = tool.get("audio-checks", {}) if isinstance(tool, dict) else {}
     try:
         return dict(spec_keys.SPEC.read(document, ""))
     except SpecError as error:
@@ -62,13 +69,6 @@ def merged(base: Tables, over: Tables) -> Tables:
 def placed(error: SpecError, where: str, join: str = ": ") -> SpecError:
     """Return the error with its place put behind where the tables came from."""
     return SpecError(error.args[0], where=f"{where}{join}{error.where}" if error.where else where)
-
-
-def _toml(text: str, where: str) -> Tables:
-    try:
-        return tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise SpecError(f"is not TOML: {error}", where=where) from None
 
 
 def namings(tables: Tables) -> list[tuple[str, Tables]]:

@@ -6,7 +6,7 @@ that say the same have the same tables, and so the same hash.
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sized
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -15,11 +15,14 @@ from audio_checks.errors import SpecError
 from audio_checks.layouts import LAYOUTS
 from audio_checks.metadata.bext import FIELDS as BEXT_FIELDS
 from audio_checks.metadata.ixml import ASWG_FIELDS
+from audio_checks.patterns import PatternUnsupported, compiled
 
 ANY = "any"  # lifts a limit
 METADATA_FIELD = r"(bext|iXML|INFO|Vorbis)(\.[A-Za-z0-9_:-]+)+"
 FOLDER = r"[A-Za-z0-9_() .-]+"
 SLUG = r"[a-z0-9]+([_-][a-z0-9]+)*"
+LONGEST_KEY = 200  # a glob of [files] is the longest
+LONGEST_TEXT = 1_000
 
 
 class Kind(Protocol):
@@ -115,19 +118,26 @@ class Text:
     regex: bool = False
 
     def read(self, value: object, where: str) -> str:
-        """Return the text; a pattern must compile."""
+        """Return the text; a pattern must be one that can be matched in linear time."""
         if not isinstance(value, str) or not value:
             raise SpecError(f"wanted text, found {_shown(value)}", where=where)
+        if len(value) > LONGEST_TEXT:
+            raise SpecError(f"a text of {len(value):,} characters; at most {LONGEST_TEXT:,} are read", where=where)
         if self.regex and value != ANY:
             try:
-                re.compile(value, re.ASCII)
-            except (re.error, RecursionError, OverflowError) as error:
-                raise SpecError(f"not a regular expression: {error}", where=where) from None
+                compiled(value)
+            except PatternUnsupported as error:
+                raise SpecError(str(error), where=where) from None
         return value
 
     def schema(self) -> dict[str, Any]:
         """Return a string."""
-        return {"type": "string", "minLength": 1, **({"format": "regex"} if self.regex else {})}
+        return {
+            "type": "string",
+            "minLength": 1,
+            "maxLength": LONGEST_TEXT,
+            **({"format": "regex"} if self.regex else {}),
+        }
 
 
 @dataclass(frozen=True)
@@ -136,6 +146,7 @@ class Listed:
 
     kind: Kind
     may_be_any: bool = True
+    most: int = 100
 
     def read(self, value: object, where: str) -> list[Any] | str:
         """Return the list, or "any"."""
@@ -146,11 +157,14 @@ class Listed:
             raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
         if self.may_be_any and not value:
             raise SpecError('an empty list accepts nothing; "any" accepts everything', where=where)
+        _ensure_few(value, self.most, where)
         return list(dict.fromkeys(self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)))
 
     def schema(self) -> dict[str, Any]:
         """Return an array, or "any"."""
-        array = {"type": "array", "items": self.kind.schema(), **({"minItems": 1} if self.may_be_any else {})}
+        array = {"type": "array", "items": self.kind.schema(), "maxItems": self.most}
+        if self.may_be_any:
+            array["minItems"] = 1
         return {"anyOf": [array, {"const": ANY}]} if self.may_be_any else array
 
 
@@ -160,7 +174,8 @@ class Folder:
 
     def read(self, value: object, where: str) -> str:
         """Return the folders."""
-        if not isinstance(value, str) or (value and not all(map(_is_folder, value.split("/")))):
+        too_long = isinstance(value, str) and len(value) > LONGEST_KEY
+        if not isinstance(value, str) or too_long or (value and not all(map(_is_folder, value.split("/")))):
             raise SpecError(
                 'wanted folders with "/" between, such as "Assets/Audio/{category}", '
                 f"each of letters, digits and inner _ - . ( ) or spaces, found {_shown(value)}",
@@ -170,7 +185,7 @@ class Folder:
 
     def schema(self) -> dict[str, Any]:
         """Return a string of that pattern."""
-        return {"type": "string", "pattern": "^[A-Za-z0-9_() ./{}-]*$"}
+        return {"type": "string", "maxLength": LONGEST_KEY, "pattern": "^[A-Za-z0-9_() ./{}-]*$"}
 
 
 def _is_folder(part: str) -> bool:
@@ -231,10 +246,12 @@ class Named:
 
     kind: Kind
     slugs: bool = True
+    most: int = 500
 
     def read(self, value: object, where: str) -> dict[str, Any]:
         """Return the table with each value read."""
         table = _table(value, where)
+        _ensure_few(table, self.most, where)
         for key in table:
             if self.slugs and not re.fullmatch(SLUG, key):
                 raise SpecError(
@@ -245,7 +262,12 @@ class Named:
     def schema(self) -> dict[str, Any]:
         """Return an object of any names."""
         names = {"propertyNames": {"pattern": f"^{SLUG}$"}} if self.slugs else {}
-        return {"type": "object", **names, "additionalProperties": self.kind.schema()}
+        return {
+            "type": "object",
+            **names,
+            "maxProperties": self.most,
+            "additionalProperties": self.kind.schema(),
+        }
 
 
 @dataclass(frozen=True)
@@ -253,6 +275,7 @@ class Rows:
     """A list of tables, one or more; or "any"."""
 
     kind: Table
+    most: int = 50
 
     def read(self, value: object, where: str) -> list[Any] | str:
         """Return the list with each table read, or "any"."""
@@ -260,11 +283,13 @@ class Rows:
             return ANY
         if not isinstance(value, list) or not value:
             raise SpecError(f'wanted a list of tables or "any", found {_shown(value)}', where=where)
+        _ensure_few(value, self.most, where)
         return [self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)]
 
     def schema(self) -> dict[str, Any]:
         """Return an array of tables, or "any"."""
-        return {"anyOf": [{"type": "array", "items": self.kind.schema(), "minItems": 1}, {"const": ANY}]}
+        array = {"type": "array", "items": self.kind.schema(), "minItems": 1, "maxItems": self.most}
+        return {"anyOf": [array, {"const": ANY}]}
 
 
 @dataclass(frozen=True)
@@ -348,7 +373,7 @@ LIMITS = Table(
 TOKEN = Table(
     {
         "name": Text(),
-        "one_of": Listed(Text(), may_be_any=False),
+        "one_of": Listed(Text(), may_be_any=False, most=1_000),
         "pattern": Text(regex=True),
         "digits": Whole(1, 9),
         "case": Word(("lower", "upper", "capital", "any")),
@@ -365,7 +390,7 @@ NAMING = Table(
         "separator": Text(),
         "grammar": Word(("ucs", ANY)),
         "ucs_list": Text(),
-        "ucs_ids": Listed(Text()),
+        "ucs_ids": Listed(Text(), most=5_000),  # the system has some 750
         "portable": Flag(),
     }
 )
@@ -393,6 +418,7 @@ TARGET = Table(
     }
 )
 CHECKS = Table({name: LEVEL_OVER_FILES if name in OVER_FILES else LEVEL for name in DEFAULT_SEVERITY})
+MOST_TARGETS = 50
 KIND = Word(("event", "natural-decay", "ambience", "voice", "music"))
 
 TABLES: dict[str, Kind] = {
@@ -401,7 +427,7 @@ TABLES: dict[str, Kind] = {
     "naming": NAMING,
     "metadata": METADATA,
     "engine": ENGINE,
-    "targets": Named(TARGET),
+    "targets": Named(TARGET, most=MOST_TARGETS),
     "checks": CHECKS,
 }
 CATEGORY = Table({"kind": KIND, **TABLES})
@@ -411,9 +437,9 @@ SPEC = Table(
         "name": Text(),
         "extend": Text(),
         **TABLES,
-        "targets": Named(Table(TARGET.keys, needed=("sample_rate_hz", "bit_depth"))),
+        "targets": Named(Table(TARGET.keys, needed=("sample_rate_hz", "bit_depth")), most=MOST_TARGETS),
         "categories": Named(CATEGORY),
-        "files": Named(Text(), slugs=False),
+        "files": Named(Text(), slugs=False, most=1_000),
     },
     needed=("format",),
 )
@@ -422,7 +448,15 @@ SPEC = Table(
 def _table(value: object, where: str) -> dict[str, object]:
     if not isinstance(value, dict):
         raise SpecError(f"wanted a table, found {_shown(value)}", where=where)
+    for key in value:
+        if len(key) > LONGEST_KEY:
+            raise SpecError(f"a key of {len(key):,} characters; at most {LONGEST_KEY} are read", where=where)
     return value
+
+
+def _ensure_few(values: Sized, most: int, where: str) -> None:
+    if len(values) > most:
+        raise SpecError(f"has {len(values):,} entries; at most {most:,} are read", where=where)
 
 
 def _join(where: str, key: str) -> str:
@@ -437,4 +471,4 @@ def _shown(value: object) -> str:
 def _nearest(key: str, known: Mapping[str, object] | tuple[str, ...], before: str = "") -> str:
     from difflib import get_close_matches  # only where a mistake is reported
 
-    return f'; the nearest known is "{before}{get_close_matches(key, list(known), n=1, cutoff=0.0)[0]}"'
+    return f'; the nearest known is "{before}{get_close_matches(key[:60], list(known), n=1, cutoff=0.0)[0]}"'

@@ -45,7 +45,7 @@ def misfit(stem: str, cat_ids: Collection[str]) -> str | None:
     if cat_ids and cat_id not in cat_ids:
         from difflib import get_close_matches  # only where a mistake is reported
 
-        (near,) = get_close_matches(cat_id, cat_ids, n=1, cutoff=0.0)
+        (near,) = get_close_matches(cat_id[:40], cat_ids, n=1, cutoff=0.0)
         return f'the list has no CatID "{cat_id}"; the nearest is "{near}"'
     if dash and not user_category.strip():
         return "the user category after the CatID is empty"
@@ -64,9 +64,7 @@ def read_cat_ids(path: Path) -> list[str]:
         The file cannot be read, or has no such column, or no id in it.
     """
     where = str(path)
-    if path.is_file() and path.stat().st_size > MOST_LIST_BYTES:
-        raise SpecError("is too long for a list of categories", where=where)
-    text = read_text(path, fix="save it as CSV UTF-8")
+    text = read_text(path, fix="save it as CSV UTF-8", most_bytes=MOST_LIST_BYTES)
     between = max(",;\t", key=text.partition("\n")[0].count)
     try:
         rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=between))

@@ -10,12 +10,12 @@ System; names reserved on Windows and characters no system forbids (`portable`).
 """
 
 import os
-import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from audio_checks import patterns
 from audio_checks.findings import Finding
 from audio_checks.sound_list import parse_file_name, slug
 from audio_checks.spec import CueFacts, DeliverySpec
@@ -91,9 +91,9 @@ def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
 
 def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Finding]:
     naming = spec.naming
-    if naming.pattern is not None and not re.fullmatch(naming.pattern, stem, re.ASCII):
+    if naming.pattern is not None and not (pattern := patterns.compiled(naming.pattern)).matches(stem):
         proposed = slug(stem)
-        renamed = proposed and re.fullmatch(naming.pattern, proposed, re.ASCII)
+        renamed = proposed and pattern.matches(proposed)
         ending = naming.extension or extension
         yield Finding(
             code="naming:pattern",

@@ -62,7 +62,7 @@ def test_the_list_is_read_by_its_column(tmp_path, between):
         (b"CatID\n", "empty"),
         (b"CatID\nguns auto\n", '"guns auto"'),
         (b"CatID\n\xff\xfe", "UTF-8"),
-        (b"CatID\n" + b"x" * (5 << 20), "too long"),
+        (b"CatID\n" + b"x" * (5 << 20), "is larger than 4 MiB"),
         (None, "cannot be read"),
     ],
 )
