@@ -31,6 +31,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
         sweeping = asyncio.create_task(_sweep(runtime))
+        await asyncio.to_thread(runtime.parsers.start)
         yield
         sweeping.cancel()
         runtime.close()
@@ -47,6 +48,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     )
     app.state.runtime = runtime
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
+    runtime.parsers.connect(rooms.PARSERS)
     events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
     http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
     for router in rooms.ROUTERS:

@@ -17,6 +17,7 @@ from app.deliveries.endpoints import router as deliveries
 from app.notifications.endpoints import router as notifications
 from app.operations.endpoints import router as operations
 from app.projects.endpoints import router as projects
+from app.projects.spec_endpoints import router as specs
 from app.renders.endpoints import router as renders
 from app.reviews.endpoints import router as reviews
 from app.sound_lists.endpoints import router as sound_lists
@@ -27,6 +28,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     me,
     studios,
     projects,
+    specs,
     sound_lists,
     money,
     contract_templates,
@@ -49,6 +51,7 @@ JOB_MODULES = (
     "app.builds.jobs",
     "app.notifications.jobs",
 )
+PARSERS = ("app.sound_lists.sheets", "app.contracts.template_files", "audio_checks.spec")  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),

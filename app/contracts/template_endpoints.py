@@ -1,24 +1,28 @@
 """The endpoints of the clause library and of the templates that studios keep."""
 
 from collections.abc import Sequence
+from typing import TypeAlias
 from urllib.parse import quote
 from uuid import UUID
 
+from fastapi import Depends, Request
 from fastapi.responses import PlainTextResponse
 
 from app.accounts.endpoints import allows
 from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
 from app.accounts.errors import StudioNotFound
 from app.accounts.rules import Actor, Sight
-from app.contracts import clauses, schemas, templates
+from app.contracts import clauses, schemas, template_files, templates
 from app.contracts.errors import BadTemplate, ContractNotFound, TemplateNameTaken, TemplateNotFound
 from app.contracts.models import ContractTemplate
 from app.contracts.rules import ContractKind
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import DbSession, Route, Router, problems
+from app.kit.parsing_turns import ParsingBusy, parse_request
 from app.projects.errors import ProducerNeeded
 
 router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+SentTemplate: TypeAlias = tuple[schemas.TemplateImport, template_files.TemplateFields]
 TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
 
 
@@ -48,7 +52,7 @@ def read_contract_library(
     """Return the clauses that the library has for a kind of contract, and what they leave open."""
     return schemas.LibraryRead(
         kind=kind,
-        notice=templates.NOTICE,
+        notice=template_files.NOTICE,
         clauses=[
             schemas.LibraryClauseRead(
                 **each.clause.as_row(),
@@ -108,17 +112,25 @@ def add_contract_template(
     )
 
 
+async def _parsed(body: schemas.TemplateImport, request: Request) -> SentTemplate:
+    return body, await parse_request(request, template_files.parse_toml, body.toml, refusal=BadTemplate)
+
+
 @router.post(
     "/studios/{studio_id}/contract-templates/import",
     status_code=201,
-    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
+    responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken, ParsingBusy),
     max_body_size=LARGE_BODY_BYTES,
 )
 def import_contract_template(
-    studio_id: UUID, body: schemas.TemplateImport, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.PRODUCER),
+    sent: SentTemplate = Depends(_parsed),
 ) -> schemas.TemplateRead:
     """Keep a template that comes as TOML."""
-    return _template(templates.import_template(session, actor, studio_id, body.toml, name=body.name))
+    body, fields = sent
+    return _template(templates.import_template(session, actor, studio_id, fields, name=body.name))
 
 
 @router.get(
@@ -175,7 +187,7 @@ def download_contract_template(
     """Return a template as the file that an import reads."""
     template = templates.template_in_sight(session, actor, studio_id, template_id)
     rows = [clauses.Clause.of(row) for row in template.clauses]
-    toml = templates.write_toml(template.name, template.kind, rows, template.terms)
+    toml = template_files.write_toml(template.name, template.kind, rows, template.terms)
     return PlainTextResponse(toml, media_type=TOML, headers=attachment(f"{template.name}.toml"))
 
 
@@ -189,7 +201,7 @@ def download_contract_template_text(
 ) -> PlainTextResponse:
     """Return a template's standing clauses as Markdown, for lawyers to read."""
     template = templates.template_in_sight(session, actor, studio_id, template_id)
-    text = templates.write_markdown(template.name, [clauses.Clause.of(row) for row in template.clauses])
+    text = template_files.write_markdown(template.name, [clauses.Clause.of(row) for row in template.clauses])
     return PlainTextResponse(text, media_type=MARKDOWN, headers=attachment(f"{template.name}.md"))
 
 

@@ -1,8 +1,9 @@
 """What a process is wired with: settings, database, store and queue, handed to endpoints and jobs."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from app.kit.db import Database
+from app.kit.parsing import Parsers
 from app.kit.queue import JobQueue
 from app.kit.storage import Store, open_store
 from app.settings import Settings
@@ -16,6 +17,7 @@ class Runtime:
     database: Database
     store: Store
     queue: JobQueue
+    parsers: Parsers = field(default_factory=Parsers)  # of what strangers send; nothing starts before the first call
 
     @classmethod
     def of(cls, settings: Settings) -> "Runtime":
@@ -24,6 +26,7 @@ class Runtime:
         return cls(settings, database, open_store(settings), JobQueue(database))
 
     def close(self) -> None:
-        """Close connections."""
+        """Close connections, and end the parsers' process."""
+        self.parsers.close()
         self.queue.close()
         self.database.dispose()

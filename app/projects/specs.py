@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 from uuid import UUID
 
@@ -9,26 +10,44 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.models import Person
+from app.kit.errors import FieldProblem
 from app.projects.errors import BadSpec
 from app.projects.models import Project, Spec
 from app.projects.rules import stated
 
-FILE_NAME = "spec.toml"
+FILE_NAME = "spec.toml"  # as parse_spec calls a text without a file
+MOST_CHARACTERS = 200_000
 
 
 def read_spec(toml: str) -> audio_checks.DeliverySpec:
-    """Return the spec that a TOML text says, or raise BadSpec naming the place."""
+    """Return the spec that a TOML text says, or raise BadSpec naming the place.
+
+    What a request brings is read in a child process first.
+    """
     try:
-        return audio_checks.parse_spec(toml, where=FILE_NAME)
+        return _parsed(toml)
     except audio_checks.SpecError as error:
-        message = str(error.args[0])
-        where = error.where.removeprefix(FILE_NAME).removeprefix(": ")
-        raise BadSpec(
-            f"{where}: {message}" if where else f"the spec {message}", errors=[{"where": where, "message": message}]
-        ) from None
-    except (OverflowError, ValueError):  # tomllib and float() give up on numbers of hundreds of digits
-        message = "a number is too long to be read"
-        raise BadSpec(message, errors=[{"where": "", "message": message}]) from None
+        raise refusal_of(error) from None
+
+
+def ensure_short(toml: str) -> None:
+    """Raise BadSpec for a text that is longer than any spec needs."""
+    if len(toml) > MOST_CHARACTERS:
+        message = f"a spec may have {MOST_CHARACTERS:,} characters; this one has {len(toml):,}"
+        raise BadSpec(message, errors=[{"where": "", "message": message}])
+
+
+@lru_cache(maxsize=32)
+def _parsed(toml: str) -> audio_checks.DeliverySpec:
+    return audio_checks.parse_spec(toml, where=FILE_NAME)
+
+
+def refusal_of(error: audio_checks.SpecError) -> BadSpec:
+    """Return the fault of a spec as what a caller meets."""
+    message = str(error.args[0])
+    where = error.where.removeprefix(FILE_NAME).removeprefix(": ")
+    errors: list[FieldProblem] = [{"where": where, "message": message}]
+    return BadSpec(f"{where}: {message}" if where else f"the spec {message}", errors=errors)
 
 
 def toml_of_form(tables: Mapping[str, Any]) -> str:

@@ -45,6 +45,8 @@ NO = frozenset(
     {"no", "n", "false", "0", "☐", "off", "nein", "falsch", "non", "one-shot", "one shot", "oneshot", "single"}
 )
 SAMPLED = 50
+LONGEST_HEAD = 200  # what is longer is no head of ours
+LONGEST_FIGURE = 100  # of a cell with a number, a flag or a word of ours, which expressions are run on
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,8 @@ _FIELD_OF = _known_heads()
 
 def head_of(text: str) -> Head:
     """Return what a column's head says, whatever its case, brackets, accents and unit."""
+    if len(text) > LONGEST_HEAD:
+        return Head(None)
     if text.strip() in HEADS:
         return Head(text.strip(), is_ours=True)
     if text.strip() in ("#", "№"):
@@ -180,10 +184,6 @@ def _read_reverb(text: str, _unit_s: float) -> Reverb | None:
     return Reverb(plain)
 
 
-def _read_text(text: str, _unit_s: float) -> str:
-    return text
-
-
 READERS: Mapping[str, Callable[[str, float], Any]] = {
     "duration_s": _read_duration,
     "frame_rate_fps": _read_rate,
@@ -200,7 +200,12 @@ READERS: Mapping[str, Callable[[str, float], Any]] = {
 
 def read_cell(field: str, text: str, unit_s: float = 1.0) -> Any:
     """Return the value of a cell for a field; raise ValueError that says what was wanted and what was found."""
-    return READERS.get(field, _read_text)(text, unit_s)
+    reader = READERS.get(field)
+    if reader is None:
+        return text
+    if len(text) > LONGEST_FIGURE:
+        raise ValueError(f'{len(text):,} characters; wanted {LONGEST_FIGURE} at most, found "{text[:40]}"')
+    return reader(text, unit_s)
 
 
 def looks_like(field: str, cells: Sequence[str], unit_s: float) -> bool:

@@ -1,17 +1,17 @@
 """The endpoints of this room."""
 
 import base64
-import binascii
-from typing import Annotated
+from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
-from fastapi import Query, Response
+from fastapi import Depends, Query, Request, Response
 
 from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Scope, Sight
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.parsing_turns import ParsingBusy, parse_request
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
@@ -52,10 +52,11 @@ from app.sound_lists.schemas import (
     RevisionRead,
     SoundListRead,
 )
-from app.sound_lists.sheets import Sheet, read_bytes, read_text
+from app.sound_lists.sheets import Sheet, parse_bytes, parse_text
 
 router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
 REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
+SentSheet: TypeAlias = tuple[ImportAsk, Sheet]
 PageLength = Annotated[int, Query(ge=1, le=LONGEST_PAGE, description="How many cues to answer at most.")]
 
 
@@ -170,37 +171,42 @@ def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Acto
     service.order_cues(session, actor, project_id, body.cue_ids)
 
 
+async def _parsed(body: ImportAsk, request: Request) -> SentSheet:
+    if body.text is not None:
+        arguments: tuple[Any, ...] = (parse_text, body.text, body.format == "paste")
+    elif body.content_base64 is None:
+        raise SheetUnreadable("nothing was sent; give text or content_base64")
+    else:
+        try:
+            arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True))
+        except ValueError:
+            raise SheetUnreadable("content_base64 is no base64") from None
+    return body, Sheet(*await parse_request(request, *arguments, refusal=SheetUnreadable))
+
+
 @router.post(
     "/projects/{project_id}/sound-list/import",
     response_model=ImportRead,
-    responses=problems(ProjectNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown),
+    responses=problems(ProjectNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown, ParsingBusy),
     max_body_size=LARGE_BODY_BYTES,
 )
 def import_sound_list(
-    project_id: UUID, body: ImportAsk, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.TEAM),
+    sent: SentSheet = Depends(_parsed),
 ) -> ImportRead:
     """Read a spreadsheet into the list; with an error in any row nothing is imported."""
-    standing_in(session, actor, project_id).ensure_speaks()
+    body, sheet = sent
     return import_sheet(
         session,
         actor,
         project_id,
-        _sheet_of(body),
+        sheet,
         mapping=body.mapping,
         match=body.match,
         dry_run=body.dry_run,
     )
-
-
-def _sheet_of(body: ImportAsk) -> Sheet:
-    if body.text is not None:
-        return read_text(body.text, pasted=body.format == "paste")
-    if body.content_base64 is None:
-        raise SheetUnreadable("nothing was sent; give text or content_base64")
-    try:
-        return read_bytes(base64.b64decode(body.content_base64, validate=True))
-    except binascii.Error:
-        raise SheetUnreadable("content_base64 is no base64") from None
 
 
 @router.get(

@@ -12,6 +12,7 @@ import audio_checks
 
 GUESSES = 3
 COMPARED_LETTER_BY_LETTER = 60  # of the candidates that share most words
+COMPARED_LETTERS = 100  # to compare two names takes the square of their length
 NAMES_REMEMBERED = 50_000  # some 300 bytes each: the same lists are looked through for file after file
 HEAD_LETTERS = 4  # words that begin alike are taken for the same: step, steps, stepping
 NOISE = frozenset(
@@ -69,7 +70,7 @@ def likeliest(file_name: str, duration_s: float | None, candidates: Sequence[Can
     """Return three candidates, the likeliest first; where too few are alike, cues that still wait fill up."""
     stem = audio_checks.parse_file_name(file_name).stem
     words = words_of(stem)
-    typed = "".join(words)
+    typed = "".join(words)[:COMPARED_LETTERS]
     heads = {word[:HEAD_LETTERS] for word in words if len(word) >= HEAD_LETTERS}
     ranked = sorted(
         ((_shared(words, heads, one.words), place) for place, one in enumerate(candidates)),
@@ -113,7 +114,7 @@ def _likeness(
 ) -> Likeness | None:
     reasons = []
     score = 0.0
-    own = "".join(one.stem_words)
+    own = "".join(one.stem_words)[:COMPARED_LETTERS]
     spelling = SequenceMatcher(None, typed, own, autojunk=False).ratio() if closely and typed and own else 0.0
     if shared:
         score += 0.5 * _weight(shared, words) + 0.2 * len(shared) / max(1, len(one.stem_words))

@@ -29,6 +29,7 @@ class Reverb(StrEnum):
 PAGE = 50  # cues answered at once, unless somebody asks for more: what a tall screen shows
 LONGEST_PAGE = 500
 MAX_VARIATIONS = 99
+LONGEST_LABEL = 60
 LONGEST_S = 86_400.0
 Facts = dict[str, Any]  # what the list says of one cue, by the names of NEW_CUE
 
@@ -71,6 +72,8 @@ def label(cue_prefix: str, number: int) -> str:
 
 def read_label(cue_prefix: str, text: str) -> int | None:
     """Return the number that `SW-014`, `sw14` or `14` names, None where it names none of this project's."""
+    if len(text) > LONGEST_LABEL:  # the expression takes longer than the text is long
+        return None
     found = re.fullmatch(r"(?:(.*?)[\s_-]*)?0*([1-9][0-9]{0,5})(?:\.0+)?", text.strip())
     if found is None or (found[1] and found[1].casefold() != cue_prefix.casefold()):
         return None

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from app.contracts.clauses import Clause, begin
 from app.contracts.errors import BadTemplate
 from app.contracts.rules import ContractKind
-from app.contracts.templates import library_toml, read_toml, write_toml
+from app.contracts.template_files import parse_toml, write_toml
+from app.contracts.templates import library_toml
 from tests.app.contracts.conftest import Contracts, words_of
 from tests.support.server import World
 
@@ -20,14 +21,14 @@ KEYS = st.text(string.ascii_lowercase, min_size=1, max_size=8)
 @pytest.mark.parametrize("kind", ContractKind)
 def test_the_library_comes_back_from_its_file(kind: ContractKind):
     clauses, terms = begin(kind)
-    assert read_toml(library_toml(kind))[1:] == (kind, clauses, terms)
+    assert parse_toml(library_toml(kind))[1:] == (kind, [clause.as_row() for clause in clauses], terms)
 
 
 @given(KEYS, ANY, ANY, st.booleans(), st.dictionaries(KEYS, st.integers(0, 2**53) | ANY, max_size=3))
 def test_whatever_is_written_is_read_again(key: str, title: str, text: str, stands: bool, terms: dict[str, int | str]):
     clause = Clause(key, title.strip(), text.strip(), stands)
     toml = write_toml("A template", ContractKind.SINGLE, [clause], terms)
-    assert read_toml(toml) == ("A template", ContractKind.SINGLE, [clause], terms)
+    assert parse_toml(toml) == ("A template", ContractKind.SINGLE, [clause.as_row()], terms)
 
 
 WHOLE = 'format = 1\nname = "x"\nkind = "nda"\n'
@@ -36,7 +37,7 @@ WHOLE = 'format = 1\nname = "x"\nkind = "nda"\n'
 @pytest.mark.parametrize(
     ("toml", "words"),
     [
-        ("format = ", "this is no TOML"),
+        ("format = ", "the template is not TOML"),
         ("format = 2\nname = 'x'\nkind = 'nda'\nclauses = []", "reads format 1"),
         (WHOLE, "clauses is missing"),
         (WHOLE + "clauses = 3", "wanted a list of tables"),
@@ -50,7 +51,7 @@ WHOLE = 'format = 1\nname = "x"\nkind = "nda"\n'
 )
 def test_what_is_no_template_is_refused_in_words(toml: str, words: str):
     with pytest.raises(BadTemplate, match=words):
-        read_toml(toml)
+        parse_toml(toml)
 
 
 def test_kept_taken_out_changed_and_brought_in(world: World, contracts: Contracts):

@@ -1,0 +1,88 @@
+"""Parsing of what strangers send: in a child process under limits, so that no input can stop the web process."""
+
+import codecs
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any, TypeVar
+
+import structlog
+
+from app.kit.errors import FieldProblem, Refused
+from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut
+
+TIMEOUT_S = 5.0
+MEMORY_BYTES = 512 << 20  # of address space, of which the interpreter and what it has loaded take some 100 MiB
+RESULT_BYTES = 64 << 20
+FIX = "send less at once, or save it again in another format"
+
+Result = TypeVar("Result")
+log = structlog.get_logger(__name__)
+
+
+class Parsers:
+    """The children in which one web process parses.
+
+    The server process from which they are forked starts with the first call, or with `start`.
+    """
+
+    def __init__(self) -> None:
+        self._modules: Sequence[str] = ()
+
+    def connect(self, modules: Sequence[str]) -> None:
+        """Say, before the first call, which modules the server process loads."""
+        self._modules = modules
+
+    @cached_property
+    def _sandbox(self) -> Sandbox:
+        return Sandbox(
+            timeout_s=TIMEOUT_S,
+            memory_bytes=MEMORY_BYTES,
+            file_bytes=0,
+            result_bytes=RESULT_BYTES,
+            preload=(__name__, *self._modules),
+            rehearsal=load_codecs,
+        )
+
+    def start(self) -> None:
+        """Start the server process, so that no request waits for it."""
+        self._sandbox.call(load_codecs)
+
+    def call(self, function: Callable[..., Result], *args: Any, refusal: type[Refused]) -> Result:
+        """Return what a function returns, from a child; raise `refusal` where it refuses, or gives no answer.
+
+        The function is one that can be imported by name, takes and returns plain values, and refuses by a Refused.
+        """
+        try:
+            answer = self._sandbox.call(_answer, function, args)
+        except SandboxTimedOut:
+            message = f"this takes longer than {TIMEOUT_S:g} s to read; nothing of it was kept"
+            raise refusal(message, fix=FIX) from None
+        except SandboxFailed as error:  # a library that is out of memory may crash too
+            log.warning("a parser failed", function=function.__qualname__, error=str(error))
+            message = f"this is damaged, or takes more than {MEMORY_BYTES >> 20} MiB to read; nothing of it was kept"
+            raise refusal(message, fix=FIX) from None
+        match answer:
+            case ("value", value):
+                return value  # type: ignore[no-any-return]
+            case ("refused", str(message), list(errors), str() | None as fix):
+                problems: list[FieldProblem] = [{"where": str(where), "message": str(what)} for where, what in errors]
+                raise refusal(message, errors=problems, fix=fix)
+        raise AssertionError("the child answers by _answer")
+
+    def close(self) -> None:
+        """End the server process and its children."""
+        self._sandbox.close()
+
+
+def load_codecs() -> None:
+    """Load what Python would load when text is decoded."""
+    for name in ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1", "cp437", "ascii"):
+        codecs.lookup(name)
+
+
+def _answer(function: Callable[..., Any], args: Sequence[Any]) -> tuple[Any, ...]:
+    """Run in the child."""
+    try:
+        return "value", function(*args)
+    except Refused as refused:
+        return "refused", refused.message, [(one["where"], one["message"]) for one in refused.errors], refused.fix

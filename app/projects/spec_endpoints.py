@@ -1,0 +1,169 @@
+"""The endpoints of delivery specs."""
+
+from typing import Annotated, TypeAlias
+from uuid import UUID
+
+from fastapi import Depends, Header, Path, Request, Response
+from fastapi.responses import PlainTextResponse
+from starlette.concurrency import run_in_threadpool
+
+import audio_checks
+from app.accounts.endpoints import allows
+from app.accounts.rules import Actor, Scope, Sight
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
+from app.kit.parsing_turns import ParsingBusy, parse_request
+from app.projects import schemas, service, specs
+from app.projects.errors import BadSpec, ProjectNotFound, SpecMovedOn, SpecVersionNotFound, TeamNeeded
+from app.projects.models import Spec
+
+PAGE_ROWS = 50
+router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+SentForm: TypeAlias = tuple[schemas.SpecFormChange, str]  # with the text that it comes to
+
+
+def _tried(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecTried:
+    return schemas.SpecTried(
+        toml=toml,
+        sha256=spec.sha256,
+        tables=spec.tables,
+        resolved=schemas.ResolvedSpec.model_validate(spec),
+        warnings=list(spec.warnings),
+    )
+
+
+def _spec(spec: Spec) -> schemas.SpecRead:
+    tried = _tried(spec.toml, specs.read_spec(spec.toml))
+    brief = schemas.SpecBrief.model_validate(spec)
+    return schemas.SpecRead.model_validate(tried.model_dump() | brief.model_dump())
+
+
+@router.get("/projects/{project_id}/spec", responses=problems(ProjectNotFound))
+def read_spec(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ)
+) -> schemas.SpecRead:
+    """Return the delivery spec that holds now."""
+    return _spec(service.spec_in_force(session, actor, project_id))
+
+
+@router.get(
+    "/projects/{project_id}/spec.toml",
+    response_class=PlainTextResponse,
+    responses=problems(ProjectNotFound) | {304: {"description": "the copy that was named in If-None-Match is good"}},
+)
+def download_spec(
+    project_id: UUID,
+    session: DbSession,
+    if_none_match: Annotated[str | None, Header()] = None,
+    actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ),
+) -> Response:
+    """Return the delivery spec as the file that audio-checks reads."""
+    spec = service.spec_in_force(session, actor, project_id)
+    etag = specs.etag_of(spec)
+    known = [tag.strip().removeprefix("W/") for tag in (if_none_match or "").split(",")]
+    headers = {"ETag": etag, "Cache-Control": "private, no-cache"}
+    if etag in known or "*" in known:
+        return Response(status_code=304, headers=headers)
+    headers["Content-Disposition"] = f'inline; filename="{specs.FILE_NAME}"'
+    return PlainTextResponse(spec.toml, headers=headers)
+
+
+@router.get("/projects/{project_id}/spec/versions", responses=problems(ProjectNotFound, BadCursor))
+def list_spec_versions(
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.PROJECT)
+) -> Page[schemas.SpecBrief]:
+    """Return the versions of the spec, newest first."""
+    below = number_cursor(cursor)
+    found = service.spec_versions(session, actor, project_id, below=below, limit=PAGE_ROWS + 1)
+    shown = found[:PAGE_ROWS]
+    items = [schemas.SpecBrief.model_validate(spec) for spec in shown]
+    return Page(items=items, next=cursor_of(shown[-1].version) if len(found) > PAGE_ROWS else None)
+
+
+@router.get("/projects/{project_id}/spec/versions/{version}", responses=problems(ProjectNotFound, SpecVersionNotFound))
+def read_spec_version(
+    project_id: UUID,
+    version: Annotated[int, Path(ge=1, le=2**31 - 1)],
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+) -> schemas.SpecRead:
+    """Return one version of the spec."""
+    return _spec(service.spec_version(session, actor, project_id, version))
+
+
+async def _ensure_readable(request: Request, toml: str) -> None:
+    specs.ensure_short(toml)
+    try:
+        await parse_request(request, audio_checks.parse_spec, toml, refusal=BadSpec)
+    except audio_checks.SpecError as error:
+        raise specs.refusal_of(error) from None
+
+
+async def _readable_text(request: Request, body: schemas.SpecChange) -> schemas.SpecChange:
+    await _ensure_readable(request, body.toml)
+    return body
+
+
+async def _readable_form(request: Request, body: schemas.SpecFormChange) -> SentForm:
+    toml = await run_in_threadpool(specs.toml_of_form, body.tables)
+    await _ensure_readable(request, toml)
+    return body, toml
+
+
+async def _readable_draft(request: Request, body: schemas.SpecTry) -> str:
+    toml = body.toml if body.toml is not None else await run_in_threadpool(specs.toml_of_form, body.tables or {})
+    await _ensure_readable(request, toml)
+    return toml
+
+
+@router.put(
+    "/projects/{project_id}/spec",
+    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec, ParsingBusy),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def save_spec(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.TEAM),
+    body: schemas.SpecChange = Depends(_readable_text),
+) -> schemas.SpecRead:
+    """Save the spec from its text; takes that it touches are judged anew."""
+    return _spec(
+        service.save_spec(
+            session, actor, project_id, toml=body.toml, note=body.note, based_on_version=body.based_on_version
+        )
+    )
+
+
+@router.post(
+    "/projects/{project_id}/spec/form",
+    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec, ParsingBusy),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def save_spec_form(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.TEAM),
+    sent: SentForm = Depends(_readable_form),
+) -> schemas.SpecRead:
+    """Save the spec from the tables of a form; takes that it touches are judged anew."""
+    body, toml = sent
+    return _spec(
+        service.save_spec(session, actor, project_id, toml=toml, note=body.note, based_on_version=body.based_on_version)
+    )
+
+
+@router.post(
+    "/projects/{project_id}/spec/check-toml",
+    responses=problems(ProjectNotFound, BadSpec, ParsingBusy),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def try_spec(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Sight.PROJECT),
+    toml: str = Depends(_readable_draft),
+) -> schemas.SpecTried:
+    """Say what a text or a form's tables come to, and what is wrong with them; nothing is saved."""
+    service.standing_in(session, actor, project_id)
+    return _tried(toml, specs.read_spec(toml))
