@@ -18,8 +18,10 @@ from typing import Any
 LONGEST_PATTERN = 1_000
 LONGEST_TEXT = 4_096  # the longest path of Linux; longer names fit no pattern
 MOST_STATES = 5_000
+MOST_DEPTH = 50  # of groups within one another
 MOST_REMEMBERED = 100_000  # states in the sets that were met, and steps between these
 
+_GROUP_MARK = re.compile(r"\\.|[()]", re.DOTALL)
 _FLAGS = re.IGNORECASE | re.MULTILINE | re.DOTALL
 _LAST_LINE_END = "\n$"  # a line end that is the last character, which `$` matches before
 _WORD = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")
@@ -51,6 +53,11 @@ class Pattern:
     def __init__(self, pattern: str, flags: int = re.ASCII) -> None:
         if len(pattern) > LONGEST_PATTERN:
             raise PatternUnsupported(f"a pattern of {len(pattern):,} characters; at most {LONGEST_PATTERN:,} are read")
+        depth = 0
+        for mark in _GROUP_MARK.findall(pattern):  # so that the verdict does not hang on how deep the caller is
+            depth += 1 if mark == "(" else -1 if mark == ")" else 0
+            if depth > MOST_DEPTH:
+                raise PatternUnsupported(f"groups lie more than {MOST_DEPTH} deep in one another")
         try:
             parsed = parser.parse(pattern, flags)
             self._automaton = _Automaton()

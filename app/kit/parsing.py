@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 import structlog
 
 from app.kit.errors import FieldProblem, Refused
-from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut
+from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut, new_spec, parse_spec
 
 TIMEOUT_S = 5.0
 MEMORY_BYTES = 512 << 20  # of address space, of which the interpreter and what it has loaded take some 100 MiB
@@ -40,12 +40,12 @@ class Parsers:
             file_bytes=0,
             result_bytes=RESULT_BYTES,
             preload=(__name__, *self._modules),
-            rehearsal=load_codecs,
+            rehearsal=rehearse,
         )
 
     def start(self) -> None:
         """Start the server process, so that no request waits for it."""
-        self._sandbox.call(load_codecs)
+        self._sandbox.call(rehearse)
 
     def call(self, function: Callable[..., Result], *args: Any, refusal: type[Refused]) -> Result:
         """Return what a function returns, from a child; raise `refusal` where it refuses, or gives no answer.
@@ -74,8 +74,9 @@ class Parsers:
         self._sandbox.close()
 
 
-def load_codecs() -> None:
-    """Load what Python would load when text is decoded."""
+def rehearse() -> None:
+    """Load what is loaded when something is decoded or parsed for the first time."""
+    parse_spec(new_spec())
     for name in ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1", "cp437", "ascii"):
         codecs.lookup(name)
 
