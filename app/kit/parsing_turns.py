@@ -48,7 +48,7 @@ async def parse_request(
         turns = _TURNS.get()
     except LookupError:
         _TURNS.set(turns := _Turns())
-    if turns.of_caller[caller] >= MOST_OF_ONE_CALLER or turns.free.statistics().tasks_waiting >= MOST_WAITING:
+    if turns.of_caller[caller] >= MOST_OF_ONE_CALLER or turns.of_caller.total() >= AT_ONCE + MOST_WAITING:
         raise ParsingBusy("the server is reading other files; nothing was done", fix="try again in a few seconds")
     turns.of_caller[caller] += 1
     try:

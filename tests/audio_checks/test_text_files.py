@@ -1,5 +1,6 @@
 """Texts that people write are bounded before they are parsed."""
 
+import contextlib
 import subprocess
 import sys
 import time
@@ -70,10 +71,8 @@ def test_a_spec_with_60_categories_is_read():
 
 @given(st.text("a.=[]{}\"'#\n\\1, ", max_size=60))
 def test_any_text_is_read_or_refused(text: str):
-    try:
+    with contextlib.suppress(SpecError):
         parse_spec(text)
-    except SpecError as refused:
-        assert refused.args[0]
 
 
 def test_a_file_larger_than_any_is_refused_before_it_is_read_whole(tmp_path):

@@ -1,0 +1,118 @@
+"""What strangers send is parsed in a child: whatever it does there, the caller is refused in words."""
+
+import os
+import threading
+import time
+from collections.abc import Iterator
+
+import anyio
+import pytest
+from fastapi import Request
+
+from app import rooms
+from app.kit.errors import Invalid
+from app.kit.parsing import Parsers
+from app.kit.parsing_turns import AT_ONCE, MOST_OF_ONE_CALLER, MOST_WAITING, ParsingBusy, parse_request
+from app.kit.reach import Reach
+from app.kit.runtime import Runtime
+from app.sound_lists.errors import SheetUnreadable
+from app.sound_lists.sheets import parse_text
+from audio_checks import SpecError, new_spec, parse_spec
+
+
+class Unreadable(Invalid):
+    """Of these tests."""
+
+
+@pytest.fixture(scope="module")
+def parsers() -> Iterator[Parsers]:
+    made = Parsers()
+    made.connect(rooms.PARSERS)
+    made.start()
+    yield made
+    made.close()
+
+
+def test_it_answers_as_the_function_does(parsers: Parsers):
+    assert parsers.call(parse_text, "Name\nDoor\n", False, refusal=Unreadable) == (1, ("Name",), [(2, ["Door"])])
+    assert parsers.call(parse_spec, new_spec(), refusal=Unreadable).sha256 == parse_spec(new_spec()).sha256
+    with pytest.raises(Unreadable, match="the sheet is empty"):
+        parsers.call(parse_text, "", False, refusal=Unreadable)
+    with pytest.raises(SpecError, match="more than 16 parts"):
+        parsers.call(parse_spec, "a" + ".a" * 30_000 + "=1", refusal=Unreadable)
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "words"),
+    [
+        (time.sleep, (60,), "longer than 5 s"),
+        (bytearray, (1 << 40,), "512 MiB"),
+        (os.abort, (), "damaged"),
+        (int, ("x",), "damaged"),
+    ],
+)
+def test_what_ends_a_child_is_refused_in_words(parsers: Parsers, function, arguments, words: str):
+    with pytest.raises(Unreadable, match=words) as refused:
+        parsers.call(function, *arguments, refusal=Unreadable)
+    assert refused.value.status == 422
+    assert refused.value.fix
+    assert parsers.call(parse_text, "Name\nDoor\n", False, refusal=Unreadable)[0] == 1
+
+
+class _Slow:
+    """Stands for the parsers of a process, to see how many are asked at once."""
+
+    def __init__(self) -> None:
+        self.now = self.most = 0
+        self.lock, self.go = threading.Lock(), threading.Event()
+
+    def call(self, *_arguments: object, **_named: object) -> str:
+        with self.lock:
+            self.now += 1
+            self.most = max(self.most, self.now)
+        self.go.wait(20)
+        with self.lock:
+            self.now -= 1
+        return "parsed"
+
+
+def _request_of(person: int, slow: _Slow) -> Request:
+    scope = {"type": "http", "app": type("App", (), {"state": type("State", (), {})()})(), "headers": []}
+    request = Request(scope)
+    request.app.state.runtime = type("Runtime", (), {"parsers": slow})()
+    request.state.asking = lambda: None
+    request.state.reach = Reach(person_id=person)  # type: ignore[arg-type]
+    return request
+
+
+@pytest.mark.parametrize(("persons", "served"), [(1, MOST_OF_ONE_CALLER), (40, AT_ONCE + MOST_WAITING)])
+def test_a_flood_is_refused_and_the_rest_are_served_in_turn(persons: int, served: int):
+    slow = _Slow()
+    answers: list[str] = []
+
+    async def ask(person: int) -> None:
+        try:
+            answers.append(await parse_request(_request_of(person, slow), parse_text, refusal=SheetUnreadable))
+        except ParsingBusy:
+            answers.append("busy")
+            if answers.count("busy") == 40 - served:
+                slow.go.set()
+
+    async def flood() -> None:
+        async with anyio.create_task_group() as group:
+            for place in range(40):
+                group.start_soon(ask, place % persons)
+
+    anyio.run(flood)
+    assert (answers.count("parsed"), slow.most) == (served, AT_ONCE)
+
+
+def test_a_runtime_ends_its_parsers(tmp_path):
+    from app.settings import Settings
+
+    runtime = Runtime.of(Settings(data_dir=tmp_path, secret_key="only for tests"))
+    runtime.parsers.start()
+    server = runtime.parsers._sandbox._server
+    assert server is not None
+    runtime.close()
+    assert server._process.poll() is not None
