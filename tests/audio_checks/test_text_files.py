@@ -79,7 +79,7 @@ def test_a_file_larger_than_any_is_refused_before_it_is_read_whole(tmp_path):
     path = tmp_path / "audio-checks.toml"
     with path.open("wb") as file:
         file.truncate(1 << 40)
-    with pytest.raises(SpecError, match="larger than 16,777,216 bytes"):
+    with pytest.raises(SpecError, match="is larger than 32 MiB"):
         read_text(path)
 
 
