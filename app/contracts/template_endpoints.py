@@ -7,11 +7,13 @@ from uuid import UUID
 
 from fastapi import Depends, Request
 from fastapi.responses import PlainTextResponse
+from sqlalchemy.orm import Session
 
 from app.accounts.endpoints import allows
 from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
 from app.accounts.errors import StudioNotFound
 from app.accounts.rules import Actor, Sight
+from app.accounts.service import ensure_producer_of
 from app.contracts import clauses, schemas, template_files, templates
 from app.contracts.errors import BadTemplate, ContractNotFound, TemplateNameTaken, TemplateNotFound
 from app.contracts.models import ContractTemplate
@@ -112,8 +114,11 @@ def add_contract_template(
     )
 
 
-async def _parsed(body: schemas.TemplateImport, request: Request) -> SentTemplate:
-    return body, await parse_request(request, template_files.parse_toml, body.toml, refusal=BadTemplate)
+async def _parsed(studio_id: UUID, body: schemas.TemplateImport, request: Request) -> SentTemplate:
+    def permit(session: Session, actor: Actor) -> None:
+        ensure_producer_of(session, actor, studio_id)
+
+    return body, await parse_request(request, template_files.parse_toml, body.toml, refusal=BadTemplate, permit=permit)
 
 
 @router.post(

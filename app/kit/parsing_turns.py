@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import anyio
 from anyio.lowlevel import RunVar
 from fastapi import Request
+from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 from app.kit.errors import Refused
@@ -36,13 +37,18 @@ _TURNS: RunVar[_Turns] = RunVar("parsing_turns")
 
 
 async def parse_request(
-    request: Request, function: Callable[..., Result], *args: Any, refusal: type[Refused]
+    request: Request,
+    function: Callable[..., Result],
+    *args: Any,
+    refusal: type[Refused],
+    permit: Callable[[Session, Any], object],
 ) -> Result:
     """Return what a function makes of what a request brought, before its transaction begins; see `Parsers.call`.
 
-    Nothing is parsed for somebody who is not signed in.
+    `permit` is given a session that reads, and the caller. It raises where they may not send this: nothing is parsed
+    for somebody who is not signed in, or may not see what it is for.
     """
-    await run_in_threadpool(request.state.asking)
+    await run_in_threadpool(_ensure_permitted, request, permit)
     caller = repr(request.state.reach)
     try:
         turns = _TURNS.get()
@@ -60,3 +66,9 @@ async def parse_request(
         turns.of_caller[caller] -= 1
         if not turns.of_caller[caller]:
             del turns.of_caller[caller]
+
+
+def _ensure_permitted(request: Request, permit: Callable[[Session, Any], object]) -> None:
+    actor = request.state.asking()
+    with request.app.state.runtime.database.reading(request.state.reach) as session:
+        permit(session, actor)

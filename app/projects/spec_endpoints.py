@@ -5,6 +5,7 @@ from uuid import UUID
 
 from fastapi import Depends, Header, Path, Request, Response
 from fastapi.responses import PlainTextResponse
+from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 import audio_checks
@@ -91,28 +92,33 @@ def read_spec_version(
     return _spec(service.spec_version(session, actor, project_id, version))
 
 
-async def _ensure_readable(request: Request, toml: str) -> None:
+async def _ensure_readable(request: Request, project_id: UUID, toml: str, *, saves: bool) -> None:
+    def permit(session: Session, actor: Actor) -> None:
+        standing = service.standing_in(session, actor, project_id)
+        if saves:
+            standing.ensure_speaks()
+
     specs.ensure_short(toml)
     try:
-        await parse_request(request, audio_checks.parse_spec, toml, refusal=BadSpec)
+        await parse_request(request, audio_checks.parse_spec, toml, refusal=BadSpec, permit=permit)
     except audio_checks.SpecError as error:
         raise specs.refusal_of(error) from None
 
 
-async def _readable_text(request: Request, body: schemas.SpecChange) -> schemas.SpecChange:
-    await _ensure_readable(request, body.toml)
+async def _readable_text(request: Request, project_id: UUID, body: schemas.SpecChange) -> schemas.SpecChange:
+    await _ensure_readable(request, project_id, body.toml, saves=True)
     return body
 
 
-async def _readable_form(request: Request, body: schemas.SpecFormChange) -> SentForm:
+async def _readable_form(request: Request, project_id: UUID, body: schemas.SpecFormChange) -> SentForm:
     toml = await run_in_threadpool(specs.toml_of_form, body.tables)
-    await _ensure_readable(request, toml)
+    await _ensure_readable(request, project_id, toml, saves=True)
     return body, toml
 
 
-async def _readable_draft(request: Request, body: schemas.SpecTry) -> str:
+async def _readable_draft(request: Request, project_id: UUID, body: schemas.SpecTry) -> str:
     toml = body.toml if body.toml is not None else await run_in_threadpool(specs.toml_of_form, body.tables or {})
-    await _ensure_readable(request, toml)
+    await _ensure_readable(request, project_id, toml, saves=False)
     return toml
 
 

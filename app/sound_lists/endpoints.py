@@ -5,6 +5,7 @@ from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
 from fastapi import Depends, Query, Request, Response
+from sqlalchemy.orm import Session
 
 from app.accounts.endpoints import allows
 from app.accounts.queries import has_account
@@ -171,7 +172,10 @@ def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Acto
     service.order_cues(session, actor, project_id, body.cue_ids)
 
 
-async def _parsed(body: ImportAsk, request: Request) -> SentSheet:
+async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSheet:
+    def permit(session: Session, actor: Actor) -> None:
+        standing_in(session, actor, project_id).ensure_speaks()
+
     if body.text is not None:
         arguments: tuple[Any, ...] = (parse_text, body.text, body.format == "paste")
     elif body.content_base64 is None:
@@ -181,7 +185,7 @@ async def _parsed(body: ImportAsk, request: Request) -> SentSheet:
             arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True))
         except ValueError:
             raise SheetUnreadable("content_base64 is no base64") from None
-    return body, Sheet(*await parse_request(request, *arguments, refusal=SheetUnreadable))
+    return body, Sheet(*await parse_request(request, *arguments, refusal=SheetUnreadable, permit=permit))
 
 
 @router.post(
