@@ -45,10 +45,10 @@ check: setup  ## Lint, types, import contracts, OpenAPI drift
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
 unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record .make/statements $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record=.make/statements $(ARGS)
 
 unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## What differs on PostgreSQL and S3, and every statement there once
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded .make/statements tests/app tests/journeys $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
 
 frontend-test: setup  ## Tests of the frontend's parts
 	@cd frontend && npm run --silent test

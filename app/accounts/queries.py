@@ -169,13 +169,12 @@ def drop_verifications(session: Session, person_id: UUID) -> None:
     session.execute(delete(EmailVerification).where(EmailVerification.person_id == person_id, unused))
 
 
-def open_sign_up(session: Session, secret_sha256: str) -> SignUp | None:
-    """Return the sign-up behind a link that is still good."""
-    return session.scalar(
-        select(SignUp)
-        .where(SignUp.secret_sha256 == secret_sha256, SignUp.used_at.is_(None), SignUp.expires_at > clock.now())
-        .with_for_update()
+def open_sign_up(session: Session, secret_sha256: str, *, lock: bool = False) -> SignUp | None:
+    """Return the sign-up behind a link that is still good; `lock` it where the link is about to be used."""
+    query = select(SignUp).where(
+        SignUp.secret_sha256 == secret_sha256, SignUp.used_at.is_(None), SignUp.expires_at > clock.now()
     )
+    return session.scalar(query.with_for_update() if lock else query)
 
 
 def drop_sign_ups(session: Session, email: str) -> None:

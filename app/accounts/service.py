@@ -50,10 +50,10 @@ def ask_sign_up(session: Session, email: str) -> None:
     publish(session, "sign_up.asked", studio_id=None, recipient=ensure_address(email))
 
 
-def sign_up_by_secret(session: Session, secret: str) -> SignUp:
+def sign_up_by_secret(session: Session, secret: str, *, lock: bool = False) -> SignUp:
     """Return what a mailed link opens; raise SignUpNotFound when it is past use."""
     with beyond_reach(session):  # the secret is all that says whose link it is
-        begun = queries.open_sign_up(session, sha256_of(secret))
+        begun = queries.open_sign_up(session, sha256_of(secret), lock=lock)
     if begun is None:
         raise SignUpNotFound("this link is used or older than a day", fix="sign up again for a new one")
     return begun
@@ -61,7 +61,7 @@ def sign_up_by_secret(session: Session, secret: str) -> SignUp:
 
 def finish_sign_up(session: Session, secret: str, *, name: str, password: str, studio_name: str) -> Person:
     """Make the account that a mailed link opens, its address verified by the link, with its studio."""
-    begun = sign_up_by_secret(session, secret)
+    begun = sign_up_by_secret(session, secret, lock=True)
     person = sign_up(session, email=begun.email, name=name, password=password, studio_name=studio_name)
     with beyond_reach(session):  # the row is nobody's
         begun.used_at = clock.now()

@@ -54,7 +54,7 @@ CONNECTION = {
     "tcp_user_timeout": "30000",
 }
 # Keys in a session's info: whose it is, what its transaction was told, and what it begins with.
-REACH, SAID_REACH, BEGINS = "reach", "said reach", "begins"
+REACH, SAID_REACH, BYPASSED, BEGINS = "reach", "said reach", "bypassed", "begins"
 
 
 def new_id() -> UUID:
@@ -235,7 +235,7 @@ def reach_further(session: Session, reach: Reach) -> None:
     if REACH not in session.info:
         return
     session.info[REACH] = reach
-    if _is_guarded(session):
+    if _is_guarded(session) and not session.info.get(BYPASSED):
         session.flush()
         connection = session.connection()
         if session.info[SAID_REACH] != reach:  # a transaction that began just now has said it
@@ -291,18 +291,21 @@ def row_of(new: Base) -> dict[str, Any]:
 
 @contextmanager
 def beyond_reach(session: Session) -> Iterator[None]:
-    """Let a block of a request touch any row: each use says why the caller's own reach cannot do."""
-    if not _is_guarded(session):
+    """Let a block of a request touch any row: each use says why the caller's own reach cannot do. Blocks may nest."""
+    if not _is_guarded(session) or session.info.get(BYPASSED):
         yield
         return
     session.flush()  # what came before is held to the caller's reach
     _tell(session.connection(), "SET LOCAL ROLE NONE")
+    session.info[BYPASSED] = True
     try:
         yield
         session.flush()
     except BaseException:
         session.rollback()  # nobody goes on from here with every row in sight
         raise
+    finally:
+        session.info[BYPASSED] = False
     _say_reach(session, session.connection())  # which may be more now
 
 
