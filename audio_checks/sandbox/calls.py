@@ -30,6 +30,7 @@ START_S = 60.0  # for the server to import what calls need, on a busy machine
 MOST_FILES = 1_000  # that a call may have written at a time
 GRACE_S = 5.0  # for the server to tell how a child ended
 ENVIRONMENT = {
+    "PATH": os.defpath,  # pydub looks there for programs as it is imported; a child can run none
     "OPENBLAS_NUM_THREADS": "1",
     "OMP_NUM_THREADS": "1",
     "MKL_NUM_THREADS": "1",

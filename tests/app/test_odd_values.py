@@ -22,6 +22,7 @@ def test_a_search_for_an_odd_number_finds_nothing(world: World, typed: str):
     assert answer.status_code == 422 or answer.json()["hits"] == []
 
 
+@pytest.mark.parametrize("cursor", ["²", "9" * 11, str(2**63), "9" * 5_000, "-1", "a.b.c"])
 @pytest.mark.parametrize(
     "path", ["sound-list", "sound-list/standing", "spec/versions", "sound-list/revisions", "builds"]
 )

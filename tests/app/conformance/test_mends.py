@@ -241,8 +241,8 @@ def test_a_child_that_dies_is_tried_three_times(world: World, take: dict[str, An
             raise audio_checks.SandboxCrashed("the child was ended by SIGSEGV", signal=11)
 
     class Deadly(audio_checks.Sandbox):
-        def child(self, *, timeout_s: float | None = None) -> Dying:
-            return Dying(self, timeout_s=timeout_s or self.timeout_s)
+        def child(self, *, timeout_s: float | None = None, **files: Any) -> Dying:
+            return Dying(self, timeout_s=timeout_s or self.timeout_s, **files)
 
     def again(session: Any) -> UUID:
         mend = session.scalar(select(Mend).where(Mend.take_id == UUID(take["id"])))

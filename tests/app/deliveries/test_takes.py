@@ -216,7 +216,6 @@ def test_an_upload_of_another_delivery_is_not_there(world: World) -> None:
         ("..\\..\\laser.wav", "..\\..\\laser.wav"),
         ("la\nser.wav", "la\\nser.wav"),
         ("laser\u202evaw.exe", "laser\\u202evaw.exe"),
-        ("laser\0.wav", "laser\ufffd.wav"),
         ("<img src=x>.wav", "<img src=x>.wav"),
         ("лазер.wav", "лазер.wav"),
         ("x" * 9_996 + ".wav", "x" * 230 + "…" + "x" * 20 + ".wav"),
@@ -236,7 +235,7 @@ def test_any_name_is_kept_and_none_is_a_path(world: World, name: str, shown: str
 def test_a_name_that_is_no_text_is_refused_in_words(world: World) -> None:
     delivery_id = open_delivery(world)
     upload_id = upload(world, delivery_id, "a.wav", SOUND)
-    for name in (b'""', b'"\\ud800.wav"', b"7"):
+    for name in (b'""', b'"\\ud800.wav"', b'"laser\\u0000.wav"', b"7"):
         body = b'{"upload_id": "%s", "file_name": %s}' % (upload_id.encode(), name)
         answer = world.designer.post(
             f"/v1/deliveries/{delivery_id}/takes", content=body, headers={"Content-Type": "application/json"}

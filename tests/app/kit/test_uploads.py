@@ -364,12 +364,10 @@ def test_too_long_for_one_file(incoming: Uploads, store: FolderStore) -> None:
 
 
 def test_a_full_disk_is_said_before_and_while_bytes_come(
-    incoming: Uploads, store: FolderStore, monkeypatch: pytest.MonkeyPatch
+    incoming: Uploads, database: Database, store: FolderStore
 ) -> None:
-    with monkeypatch.context() as patched:
-        patched.setattr(uploads, "SPARE_BYTES", 1 << 60)
-        with pytest.raises(StoreFull):
-            begun(incoming)
+    with pytest.raises(StoreFull):
+        begun(Uploads(database, store, reserve_bytes=1 << 60))
     upload = begun(incoming)
     with largest_file(1_000_000), pytest.raises(StoreFull, match="could not write"):
         send(incoming, upload, 0, CONTENT)

@@ -200,7 +200,7 @@ def test_a_change_is_a_draft_that_can_be_reworded(stage: Stage) -> None:
         ({"note": "x", "start_s": 0.5, "end_s": 0.4}, "range-invalid"),
         ({"note": "x", "end_s": 0.4}, "range-invalid"),
         ({"note": "x", "start_s": -1}, "invalid-request"),
-        ({"note": "x\0"}, "invalid-request"),
+        ({"note": "x\0"}, "unstorable"),
         ({"note": "x" * 10_001}, "invalid-request"),
         ({"note": "x", "colour": "blue"}, "invalid-request"),
         ({"note": "x", "seen_state": "gone"}, "invalid-request"),
