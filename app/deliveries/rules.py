@@ -11,7 +11,7 @@ import audio_checks
 from app.deliveries.errors import VariationUnknown, WrongState
 
 MAX_FILE_BYTES = 2 << 30
-MAX_ARCHIVE_BYTES = 4 << 30
+MAX_ARCHIVE_BYTES = 5 << 30  # the largest object that S3 copies in one request
 MAX_NAME_CHARS = 255
 _KEPT_END = 24  # of a name that is too long: its end says what kind of file it is
 

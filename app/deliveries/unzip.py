@@ -14,7 +14,7 @@ from app.deliveries.errors import ArchiveRefused
 from app.deliveries.rules import MAX_FILE_BYTES, base_name
 
 MAX_ENTRIES = 5_000
-MAX_TOTAL_BYTES = 8 << 30
+MAX_TOTAL_BYTES = 16 << 30
 MAX_RATIO = 200  # digital silence packs 1000 : 1, so the ratio counts for archives that grow large only
 RATIO_COUNTS_FROM_BYTES = 512 << 20
 MAX_READ_BYTES = 8 << 20  # the directory is read at once: 5,000 entries with long names fit

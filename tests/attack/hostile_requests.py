@@ -23,7 +23,6 @@ from anyio.from_thread import start_blocking_portal
 from fastapi.testclient import TestClient
 
 from app import logs
-from app.accounts import rate_limits
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -261,7 +260,7 @@ def send_to_application(server: RunningServer, seed: int, count: int) -> Outcome
     outcome = Outcome(Counter(), {})
     chance = random.Random(f"roles {seed}")
     for begun in range(0, count, HOUSE_LASTS):
-        rate_limits.forget_all()
+        server.forget_tries()
         house = House(server)
         clients = {role: getattr(house, role) for role in ROLES if role != "build"}
         clients["build"] = house.build(house.own_secret)
@@ -328,10 +327,10 @@ def running_application(database: str) -> Iterator[RunningServer]:
 
 
 def _wired(folder: Path, database_url: str, portal: Any) -> Iterator[RunningServer]:
-    runtime = Runtime.of(Settings(data_dir=folder, database_url=database_url, secret_key="only for tests"))
+    runtime = Runtime.of(Settings(data_dir=folder, database_url=database_url, secret_key="only for tests", sign_up="open"))
     migrate(runtime.database)
     yield RunningServer(runtime, create_app(runtime), portal)
-    runtime.database.dispose()
+    runtime.close()
 
 
 def main() -> int:

@@ -7,30 +7,40 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from limits import RateLimitItem, parse
 
+from app.accounts.quotas import DEFAULTS, QuotaKind
 from app.accounts.rate_limits import Limit
+from app.settings import Settings
 
 TEXT = (Path(__file__).resolve().parents[2] / "docs/operate.md").read_text()
 TABLE = TEXT.partition("\n## Limits\n")[2].partition("\n## ")[0]
 ROWS = re.findall(r"^\| ([^|]+) \| ([^|]+) \| `([\w.]+)` \|$", TABLE, re.MULTILINE)
 UNITS = {"KiB": 1 << 10, "MiB": 1 << 20, "GiB": 1 << 30, "minutes": 60, "hours": 3600, "days": 86_400}
+RATE = re.compile(r"([\d,]+) at once, then one every ([\d,]+) s")
 
 
 def in_code(constant: str) -> Any:
-    module, _, name = constant.rpartition(".")
-    value = getattr(import_module(module), name)
+    place, _, name = constant.rpartition(".")
+    if place == "app.settings.Settings":
+        return Settings.model_fields[name].default
+    if place == "app.accounts.quotas.DEFAULTS":
+        return DEFAULTS[QuotaKind(name)]
+    value = getattr(import_module(place), name)
     if isinstance(value, Limit):
-        return value.rate
+        return value.burst, value.interval_s
     return value.total_seconds() if isinstance(value, timedelta) else value
 
 
-def in_words(limit: str) -> RateLimitItem | float:
-    """Return what a cell says: a rate, or a number in bytes, seconds or pieces."""
-    if " per " in limit:
-        return parse(limit)
+def in_words(limit: str) -> tuple[float, float] | float:
+    """Return what a cell says: tries at once and seconds between more, or a number in bytes, seconds or pieces."""
+    if rate := RATE.fullmatch(limit):
+        return _number(rate[1]), _number(rate[2])
     number, _, unit = limit.partition(" ")
-    return float(number.replace(",", "")) * UNITS.get(unit, 1)
+    return _number(number) * UNITS.get(unit, 1)
+
+
+def _number(text: str) -> float:
+    return float(text.replace(",", ""))
 
 
 def test_every_row_is_read():
@@ -47,3 +57,13 @@ def test_every_rate_is_in_the_table():
     module = import_module("app.accounts.rate_limits")
     rates = {f"{module.__name__}.{name}" for name, value in vars(module).items() if isinstance(value, Limit)}
     assert rates <= {constant for _, _, constant in ROWS}
+
+
+def test_every_quota_is_in_the_table():
+    assert {f"app.accounts.quotas.DEFAULTS.{kind}" for kind in DEFAULTS} <= {constant for _, _, constant in ROWS}
+
+
+def test_nothing_is_in_the_table_twice():
+    constants = [constant for _, _, constant in ROWS]
+    assert sorted(set(constants)) == sorted(constants)
+

@@ -6,7 +6,6 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.accounts import rate_limits
 from app.accounts.rules import Sight
 from app.kit import clock
 from app.projects.models import Engagement, Project
@@ -36,8 +35,8 @@ def house(server: RunningServer) -> House:
 
 
 @pytest.fixture(autouse=True)
-def _no_tries_yet() -> None:
-    rate_limits.forget_all()
+def _no_tries_yet(server: RunningServer) -> None:
+    server.forget_tries()
 
 
 def shows_the_project(operation: Operation) -> bool:

@@ -24,7 +24,7 @@ from app.kit.storage.patience import Patience
 from app.kit.storage.signing import Signer
 from app.kit.storage.store import StoreUnavailable, key_refused
 
-PART_BYTES = 16 << 20  # 4 GiB are 256 parts; S3 takes 10,000 of 5 MiB or more
+PART_BYTES = 16 << 20  # 5 GiB are 320 parts; S3 takes 10,000 of 5 MiB or more
 PARTS_AT_ONCE = 4
 SIGNED_FOR_S = 900
 CHECKSUM = "x-amz-checksum-sha256"

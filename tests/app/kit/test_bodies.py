@@ -239,7 +239,7 @@ def test_an_upload_may_not_send_more_than_any_file_has(world: World):
     answer = world.designer.put(
         "/v1/uploads",
         params={"delivery_id": str(world.project_id), "file_name": "a.wav"},
-        headers={"Content-Length": str(5 << 30)},
+        headers={"Content-Length": str(6 << 30)},
         content=b"",
     )
-    assert answer.json()["detail"] == "this request may have 4 GiB; this one has 5 GiB"
+    assert answer.json()["detail"] == "this request may have 5 GiB; this one has 6 GiB"
