@@ -2,18 +2,25 @@
 
 import base64
 import io
+import itertools
 import random
 import socket
 import string
 import time
 import zipfile
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import httpx
 import numpy as np
 
+from app.accounts.endpoints import CSRF_HEADER
+from tests.attack.hostile_requests import hostile_requests
+from tests.attack.long_contract import add_two_long_versions
+from tests.house.routes import operations
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.mutants import mutant
 from tests.support.server import World
@@ -22,20 +29,11 @@ from tests.support.waves import sine, wav_bytes
 ANSWER_WITHIN_S = 15.0
 NO_ANSWER = 0  # in place of a status: the server closed the line
 SLOW_LINES, SLOW_FOR_S = 20, 1.0
-ODD = (
-    "²",
-    "9" * 20,
-    "9" * 5_000,
-    "-1",
-    "\0",
-    "a\0b",
-    "..",
-    "../../etc/passwd",
-    str(2**31),
-    str(2**63),
-    "{}",
-    "é" * 999,
-)
+ODD = ("²", "9" * 20, "9" * 5_000, "-1", "\0", "a\0b", "..", "../../etc/passwd", str(2**31), str(2**63), "{}",
+       "é" * 999)  # fmt: skip
+AT_ONCE = 4  # comparisons of one person
+ENDS = {"sign_out", "end_my_other_sign_ins", "end_my_sign_in"}  # of attackers themselves
+HOSTILE_REQUESTS = 60  # of other seeds each time
 
 
 @dataclass
@@ -54,6 +52,8 @@ class Target:
         self.take_id = deliver(self.world, "laser_fire.wav", wav_bytes(sine(hz=997, seconds=0.2)))["id"]
         self.delivery_id = open_delivery(self.world)
         self.project = f"/v1/projects/{self.world.project_id}"
+        with self.world.server.runtime.database.writing() as session:
+            self.contract_id = add_two_long_versions(session, self.world)
 
     def bad_word(self) -> str:
         """Return a value that parsers and databases stumble over."""
@@ -84,12 +84,14 @@ def sent(client: httpx.Client, method: str, path: str, **more: Any) -> int:
         return NO_ANSWER
 
 
-def sent_raw(target: Target, head: bytes, body: bytes = b"") -> int:
+def sent_raw(target: Target, head: bytes, body: bytes = b"", *, host: bytes = b"Host: 127.0.0.1\r\n") -> int:
     """Return the status of a request that no client would write."""
     with socket.create_connection(("127.0.0.1", target.port), timeout=ANSWER_WITHIN_S) as line:
         try:
-            line.sendall(head + b"\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n" + body)
+            line.sendall(head + b"\r\n" + host + b"Connection: close\r\n\r\n" + body)
             first = line.makefile("rb").readline().split()
+        except TimeoutError:
+            raise httpx.ReadTimeout(f"no answer to {head[:80]!r}") from None
         except OSError:
             return NO_ANSWER
     return int(first[1]) if len(first) > 1 and first[1].isdigit() else NO_ANSWER
@@ -98,7 +100,7 @@ def sent_raw(target: Target, head: bytes, body: bytes = b"") -> int:
 # Sheets.
 
 
-def workbook(sheet: str, *, compressed: bool = True) -> bytes:
+def workbook(sheet: str, *, level: int | None = None) -> bytes:
     """Return an XLSX file of one sheet, whose XML is given."""
     main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
     of_office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
@@ -118,7 +120,7 @@ def workbook(sheet: str, *, compressed: bool = True) -> bytes:
         "xl/worksheets/sheet1.xml": sheet.replace("MAIN", f'xmlns="{main}"'),
     }
     made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED if compressed else zipfile.ZIP_STORED) as archive:
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED, compresslevel=level) as archive:
         for name, text in parts.items():
             archive.writestr(name, text)
     return made.getvalue()
@@ -153,9 +155,16 @@ def far_rows(target: Target) -> Iterator[int]:
     yield imported_workbook(target, cells("A1", "A999999999"))
 
 
-@attack("sheet: 200 MB in 200 kB")
+@attack("sheet: 99 MB in 500 kB")
 def sheet_bomb(target: Target) -> Iterator[int]:
-    yield imported_workbook(target, "<worksheet MAIN><sheetData>" + " " * 200_000_000 + "</sheetData></worksheet>")
+    yield imported(target, format="xlsx", content_base64=bomb())
+
+
+@cache
+def bomb() -> str:
+    """Return a workbook that is mostly spaces, in Base64."""
+    sheet = "<worksheet MAIN><sheetData>" + " " * 99_000_000 + "</sheetData></worksheet>"
+    return base64.b64encode(workbook(sheet, level=1)).decode()
 
 
 @attack("sheet: entities in entities")
@@ -276,7 +285,8 @@ def odd_headers(target: Target) -> Iterator[int]:
              b"Accept-Encoding: " + b"a" * 60_000, b"Origin: http://127.0.0.1:99999999")  # fmt: skip
     for head in heads:
         for method in (b"GET", b"POST"):
-            yield sent_raw(target, method + b" /v1/sign-in HTTP/1.1\r\n" + head)
+            # Where a chunked body is expected, it is not one.
+            yield sent_raw(target, method + b" /v1/sign-in HTTP/1.1\r\n" + head, b"zz\r\n\r\n")
 
 
 @attack("cursors and searches: huge numbers, NUL, half of a pair")
@@ -342,3 +352,43 @@ def hostile_zips(target: Target) -> Iterator[int]:
         archive.writestr("bomb.wav", bytes(50_000_000))
     yield from delivered(target, "bomb.zip", made.getvalue())
     yield from delivered(target, "half.zip", made.getvalue()[: len(made.getvalue()) // 2])
+
+
+# What everybody shares.
+
+
+@attack("contracts: four comparisons at once by one person")
+def comparisons(target: Target) -> Iterator[int]:
+    path = f"/v1/contracts/{target.contract_id}/comparison"
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        versions = {"from_version": 1, "to_version": 2}
+        asked = [pool.submit(sent, target.world.producer, "GET", path, params=versions) for _ in range(AT_ONCE)]
+        yield from (one.result() for one in asked)
+
+
+@attack("routes: every route with values that break parsers, databases and arithmetic")
+def every_route(target: Target) -> Iterator[int]:
+    world = target.world
+    ids = {
+        "studio_id": world.studio_id,
+        "project_id": world.project_id,
+        "cue_id": target.cue_ids[0],
+        "take_id": target.take_id,
+        "delivery_id": target.delivery_id,
+        "contract_id": target.contract_id,
+    }
+    people = (world.producer, world.reviewer, world.designer, world.stranger, world.nobody)
+    requests = hostile_requests(
+        target.numbers.getrandbits(32), [one for one in operations() if one.name not in ENDS], ids
+    )
+    for request in itertools.islice(requests, HOSTILE_REQUESTS):
+        person = target.numbers.choice(people)
+        cookies = "; ".join(f"{name}={value}" for name, value in person.cookies.items())
+        given = {"host": "127.0.0.1", "cookie": cookies, CSRF_HEADER.lower(): person.headers.get(CSRF_HEADER, "")}
+        headers = {name.encode(): value.encode() for name, value in given.items() if value}
+        headers |= {name.lower(): value for name, value in request.headers}
+        if request.body:
+            headers.setdefault(b"content-length", b"%d" % len(request.body))
+        head = f"{request.method} {request.target} HTTP/1.1".encode()
+        lines = [head, *(name + b": " + value for name, value in headers.items())]
+        yield sent_raw(target, b"\r\n".join(lines), request.body, host=b"")

@@ -327,7 +327,9 @@ def running_application(database: str) -> Iterator[RunningServer]:
 
 
 def _wired(folder: Path, database_url: str, portal: Any) -> Iterator[RunningServer]:
-    runtime = Runtime.of(Settings(data_dir=folder, database_url=database_url, secret_key="only for tests", sign_up="open"))
+    runtime = Runtime.of(
+        Settings(data_dir=folder, database_url=database_url, secret_key="only for tests", sign_up="open")
+    )
     migrate(runtime.database)
     yield RunningServer(runtime, create_app(runtime), portal)
     runtime.close()

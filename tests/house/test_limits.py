@@ -66,4 +66,3 @@ def test_every_quota_is_in_the_table():
 def test_nothing_is_in_the_table_twice():
     constants = [constant for _, _, constant in ROWS]
     assert sorted(set(constants)) == sorted(constants)
-

@@ -8,26 +8,15 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from sqlalchemy.orm import Session
 
 from app.contracts import comparison
-from app.contracts.clauses import Clause
 from app.contracts.comparison import MOST_CHARS, MOST_LINES, compare
 from app.contracts.differences import differences
 from app.contracts.errors import TooLongToCompare
-from app.contracts.models import ContractVersion
 from app.kit.db import new_id
 from app.kit.fair_share import FairShare, TooManyAtOnce
-from tests.app.contracts.agreed import Agreed
+from tests.attack.long_contract import add_two_long_versions, random_text
 from tests.support.server import World
-
-SIDE = MOST_CHARS // 2 - 1_000
-
-
-def words(seed: int, some: list[str], between: str) -> str:
-    """Return the longest text that is compared, of words drawn at random."""
-    draw = random.Random(seed)
-    return between.join(" ".join(draw.choices(some, k=200)) for _ in range(3_000))[:SIDE]
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -66,7 +55,7 @@ def test_a_few_changed_words_of_a_long_text_are_the_only_ones_told() -> None:
 )
 def test_the_longest_texts_take_seconds_at_most(some: list[str], between: str) -> None:
     began = time.process_time()
-    compare(words(1, some, between), words(2, some, between))
+    compare(random_text(1, some, between), random_text(2, some, between))
     assert time.process_time() - began < 6.0, "the square of 50,000 words would take hours"
 
 
@@ -86,27 +75,8 @@ def test_one_person_has_two_at_once_and_another_has_two_more() -> None:
 
 
 def test_twenty_comparisons_by_one_person_keep_nobody_else_waiting(world: World) -> None:
-    agreed = Agreed(world)
-    some = [f"w{place}" for place in range(3_000)]
-
-    def two_long_versions(session: Session) -> None:
-        for number in (2, 3):
-            session.add(
-                ContractVersion(
-                    studio_id=world.studio_id,
-                    project_id=world.project_id,
-                    contract_id=agreed.contract_id,
-                    number=number,
-                    clauses=[Clause("terms", "Terms", "long").as_row()],
-                    terms={},
-                    text=words(number, some, "\n\n"),
-                    text_sha256="",
-                    created_by=world.producer_id,
-                )
-            )
-
-    world.server.in_database(two_long_versions)
-    url = f"/v1/contracts/{agreed.contract_id}/comparison"
+    contract_id = world.server.in_database(lambda session: add_two_long_versions(session, world))
+    url = f"/v1/contracts/{contract_id}/comparison"
     greedy, other = world.producer, world.reviewer
 
     def timed(ask: Callable[[], Any]) -> tuple[int, float]:
@@ -114,7 +84,7 @@ def test_twenty_comparisons_by_one_person_keep_nobody_else_waiting(world: World)
         return ask().status_code, time.monotonic() - began
 
     with ThreadPoolExecutor(20) as pool:
-        asked = [pool.submit(lambda: greedy.get(url, params={"from_version": 2, "to_version": 3})) for _ in range(20)]
+        asked = [pool.submit(lambda: greedy.get(url, params={"from_version": 1, "to_version": 2})) for _ in range(20)]
         answers = [timed(lambda: other.get("/v1/me")) for _ in range(5)]
         statuses = [one.result().status_code for one in asked]
     assert {status for status, _ in answers} == {200}
