@@ -72,6 +72,13 @@ def test_a_small_workbook_that_asks_for_much_is_refused_with_numbers(parsers: Pa
     assert words in refusal.value.message
 
 
+@pytest.mark.parametrize("name", ["xl/worksheets/sheet1.xml", "xl/workbook.xml"])
+def test_a_megabyte_between_two_tags_is_refused_before_the_reader_keeps_it(parsers: Parsers, name: str):
+    book = with_part(b"<worksheet>" + b" " * 3_000_000 + b"</worksheet>", name)
+    with pytest.raises(SheetUnreadable, match="1 MiB without a cell or a tag"):
+        parsers.call(parse_bytes, book, refusal=SheetUnreadable)
+
+
 @pytest.mark.parametrize(
     "data",
     [
