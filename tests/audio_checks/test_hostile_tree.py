@@ -41,7 +41,7 @@ COMMANDS = {
     "check --changed-since": ["check", "--changed-since", "HEAD", "good.wav", "--no-cache"],
     "measure": ["measure", "good.wav", "packed.flac"],
     "render": ["render", "good.wav", "--target", "handheld", "--out", "rendered"],
-    "mend": ["mend", "good.wav", "--out", "mended"],
+    "mend": ["fix", "good.wav", "--out", "mended"],
     "export-master": ["export-master", "good.wav", "--out", "exported"],
     "placeholders": ["placeholders", "--list", "sounds.csv", "--spec", "spec.toml", "--out", "stand-ins"],
     "memory": ["memory", "--list", "sounds.csv", "--spec", "spec.toml"],

@@ -95,14 +95,18 @@ def test_results_come_back(sandbox):
 
 def test_a_child_answers_calls_that_belong_together(sandbox):
     with sandbox.child() as child, sandbox.child() as other:
-        pid = child.call(os.getpid)
-        assert child.call(os.getpid) == pid != other.call(os.getpid)
+        pid = child.call(process_id)
+        assert child.call(process_id) == pid != other.call(process_id)
         with pytest.raises(RenderRefused):
             child.call(refuse)  # an answer too
-        assert child.call(os.getpid) == pid
+        assert child.call(process_id) == pid
         child.close()
-        assert (later := child.call(os.getpid)) != pid
+        assert (later := child.call(process_id)) != pid
     assert {pid, later}.isdisjoint(descendants())
+
+
+def process_id():
+    return os.getpid()
 
 
 def refuse():

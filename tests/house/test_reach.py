@@ -18,7 +18,7 @@ BEFORE_ANYBODY_IS_KNOWN = {
     "app/accounts/endpoints.py": "notes after the answer that a token was used",
 }
 SERVERS_OWN_TABLES = {
-    "app/kit/http.py": "answers kept for an Idempotency-Key",
+    "app/kit/saved_answers.py": "answers kept for an Idempotency-Key",
     "app/kit/queue.py": "jobs and heartbeats",
     "app/kit/workers.py": "heartbeats",
     "app/kit/health.py": "whether the database answers",

@@ -52,7 +52,8 @@ def test_only_where_the_spec_limits_it(codes_of):
 
 @pytest.mark.parametrize("seconds", [0.4, 0.42, 0.46, 0.5, 0.59, 0.6, 0.61])
 def test_a_pause_too_near_both_ends_for_another_beside_it(found_by, seconds):
-    word = sine(hz=300, dbfs=-12, seconds=(seconds - 0.2) / 2, channels=2)
-    whole = join(word, silence(seconds=0.2, channels=2), word) + noise(dbfs=-45, seconds=seconds, channels=2)
+    pause_s = 0.21  # so that 20 whole steps of 10 ms lie in it, wherever it begins
+    word = sine(hz=300, dbfs=-12, seconds=(seconds - pause_s) / 2, channels=2)
+    whole = join(word, silence(seconds=pause_s, channels=2), word) + noise(dbfs=-45, seconds=seconds, channels=2)
     (finding,) = found_by("noise-floor", whole, LIMIT)
     assert finding.measured == pytest.approx(-45.0, abs=0.5)

@@ -41,6 +41,7 @@ const JOBS: Partial<Record<string, string>> = {
   'reviews.mind_silence': 'Remind of waiting verdicts, and accept by silence',
   'server.send_waiting': 'Send mails that wait',
   'server.sweep_uploads': 'Clear away unfinished uploads',
+  'server.forget_rate_limits': 'Clear away old counts of attempts',
 }
 
 export function jobWords(job: string): string {
