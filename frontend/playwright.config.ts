@@ -14,7 +14,7 @@ export default defineConfig({
   projects: [
     { name: 'job', testMatch: ['main-job.spec.ts', 'contract.spec.ts', 'mend.spec.ts', 'resume.spec.ts'] },
     { name: 'parts', testMatch: 'parts.spec.ts' },
-    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts'] },
+    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts'] },
   ],
   use: {
     actionTimeout: 15_000,
