@@ -234,6 +234,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   ],
   'GET /v1/studios/s1/people': members,
   'GET /v1/studios/s1/outbox': { can_send: false, mails: [] },
+  'GET /v1/studios/s1/quotas': [],
   'POST /v1/projects/p1/spec/check-toml': ({ body }: { body: unknown }) => {
     const { toml, tables } = body as { toml?: string; tables?: unknown }
     return tried(toml ?? `# by form\n${JSON.stringify(tables)}`, tables ?? TABLES)

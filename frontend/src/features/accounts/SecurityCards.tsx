@@ -8,12 +8,21 @@ import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import classes from './Account.module.css'
-import { type Me, type SignIn, signInsQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
+import {
+  type Me,
+  type SignIn,
+  signInsQuery,
+  signUpQuery,
+  useAskVerification,
+  useEndOtherSignIns,
+  useEndSignIn,
+} from './api'
 import { CardProblem } from './PeopleCards'
 
 /** The address, and whether it is verified. */
 export function AddressCard({ me }: { me: Me }) {
   const asking = useAskVerification()
+  const { data: way } = useQuery(signUpQuery)
   const isVerified = me.email_verified_at !== null
   return (
     <Card aria-labelledby="address-card">
@@ -23,22 +32,44 @@ export function AddressCard({ me }: { me: Me }) {
           <span className="strong">{me.email}</span>
           <State kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</State>
         </p>
-        {!isVerified && (
-          <>
-            <p className={`mid ${classes.note}`}>
-              Verify it before you accept a contract: the other party can then tell who accepted.
+        {!isVerified && way !== undefined && (
+          <div className={classes.unverified}>
+            <p className="mid">
+              {way.by_mail
+                ? 'Verify it before you accept a contract: the other party can then tell who accepted.'
+                : 'You can accept contracts without it; their record then says that your address was not verified.'}
             </p>
+            {!way.by_mail && (
+              <p className="small mid">
+                This server sends no mail. Its administrator can read the link with{' '}
+                <code>soundlist mails {me.email}</code> and hand it to you.
+              </p>
+            )}
             <CardProblem error={asking.error} />
-            <Button
-              className={classes.note}
-              aria-busy={asking.isPending}
-              onClick={() =>
-                asking.mutate(undefined, { onSuccess: () => showToast(`A link is on its way to ${me.email}.`) })
-              }
-            >
-              {asking.isSuccess ? 'Send the link again' : 'Send a link to verify it'}
-            </Button>
-          </>
+            <div>
+              <Button
+                aria-busy={asking.isPending}
+                onClick={() =>
+                  asking.mutate(undefined, {
+                    onSuccess: () =>
+                      showToast(
+                        way.by_mail
+                          ? `A link is on its way to ${me.email}.`
+                          : 'The link is ready. Ask the server’s administrator for it.',
+                      ),
+                  })
+                }
+              >
+                {way.by_mail
+                  ? asking.isSuccess
+                    ? 'Send the link again'
+                    : 'Send a verification link'
+                  : asking.isSuccess
+                    ? 'Make a new link'
+                    : 'Make a verification link'}
+              </Button>
+            </div>
+          </div>
         )}
       </div>
     </Card>

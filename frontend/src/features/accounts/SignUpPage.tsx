@@ -26,6 +26,7 @@ function AccountFields({ email }: { email?: string }) {
         autoComplete="username"
         defaultValue={email}
         readOnly={email !== undefined}
+        hint={email === undefined ? undefined : 'Verified by the link in your mail.'}
       />
       <Field
         name="password"
@@ -102,13 +103,16 @@ function AskByMail() {
     return (
       <Sheet>
         <h1>Check your mail</h1>
-        <p className="mid">A mail to {asking.variables} says how to go on. Its link works for a day, once.</p>
+        <p className="mid">
+          A mail to {asking.variables} says how to go on. Its link works once, within a day. No mail after a few
+          minutes: look into the spam folder.
+        </p>
         <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
-          No mail?{' '}
           <button type="button" className="link" onClick={() => asking.reset()}>
-            Try again
+            Use another address, or send it again
           </button>
         </p>
+        <p style={{ marginTop: 'var(--sl-4)' }}>{toSignIn}</p>
       </Sheet>
     )
   }

@@ -8,9 +8,10 @@ import { Segmented } from '@/ui/Segmented'
 import { meQuery } from './api'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
+import { QuotasCard } from './QuotasCard'
 import classes from './Studio.module.css'
 
-/** Who belongs to the studio, who is invited, and the mails that wait. */
+/** Who belongs to the studio, who is invited, the mails that wait, and the limits. */
 export function StudioPage() {
   useTitle('Studio')
   const { data: me } = useQuery(meQuery)
@@ -34,7 +35,7 @@ export function StudioPage() {
           <h1>{studio.name}</h1>
           <p className="mid">
             {isProducer
-              ? 'Its people, who is invited, and the mails it sends.'
+              ? 'Its people, who is invited, the mails it sends and its limits.'
               : 'Its people. A producer invites and changes them.'}
           </p>
         </div>
@@ -52,7 +53,12 @@ export function StudioPage() {
           <PeopleCard key={studio.id} studioId={studio.id} meId={me.person.id} isProducer={isProducer} />
           {isProducer && <OutboxCard key={`outbox ${studio.id}`} studioId={studio.id} />}
         </div>
-        {isProducer && <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />}
+        {isProducer && (
+          <div className="stack">
+            <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
+            <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
+          </div>
+        )}
       </div>
     </div>
   )

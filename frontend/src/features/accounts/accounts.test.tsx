@@ -267,11 +267,17 @@ describe('the studio', () => {
     sent_at: null,
     failure: null,
   }
+  const QUOTAS = [
+    { kind: 'master_bytes', used: 1_900_000_000_000, limit: 2_000_000_000_000, default: 2_000_000_000_000 },
+    { kind: 'cues', used: 412, limit: 500_000, default: 500_000 },
+    { kind: 'tokens', used: 5, limit: 5, default: 1_000 },
+  ]
   const studio = (more: Answers = {}) =>
     as(PRODUCER, {
       'GET /v1/studios/s1/people': PEOPLE,
       'GET /v1/studios/s1/invitations': [],
       'GET /v1/studios/s1/outbox': { can_send: false, mails: [MAIL] },
+      'GET /v1/studios/s1/quotas': QUOTAS,
       ...more,
     })
 
@@ -330,13 +336,25 @@ describe('the studio', () => {
     expect(await screen.findByText('The link is copied.')).toBeInTheDocument()
   })
 
+  test('a producer sees how near each limit is, and what happens there', async () => {
+    serve(studio())
+    openApp('/studio')
+    const card = await screen.findByRole('region', { name: 'Limits' })
+    await within(card).findByText('1.9 TB of 2.0 TB')
+    const [masters, cues, tokens] = within(card).getAllByRole('listitem')
+    expect(masters).toHaveTextContent('Almost full New uploads are refused. Finished uploads are never refused.')
+    expect(cues).toHaveTextContent('Cues412 of 500,000 At the limit: no cue can be added or imported.')
+    expect(tokens).toHaveTextContent('5 of 5Limit reached A token can be created once another is revoked.')
+    expect(within(card).getByRole('img', { name: 'Tokens: 5 of 5' })).toBeInTheDocument()
+  })
+
   test('who is no producer sees the people and nothing to change', async () => {
     const me = { ...PRODUCER, studios: [{ ...STUDIO, roles: ['reviewer'] }] }
     const { asked } = serve(as(me, { 'GET /v1/studios/s1/people': PEOPLE }))
     openApp('/studio')
     expect(await screen.findByText('Audio director')).toBeInTheDocument()
     expect(screen.queryByRole('region', { name: 'Outbox' })).not.toBeInTheDocument()
-    expect(asked.some(({ path }) => path.endsWith('/outbox') || path.endsWith('/invitations'))).toBe(false)
+    expect(asked.some(({ path }) => /(outbox|invitations|quotas)$/.test(path))).toBe(false)
   })
 })
 
@@ -436,14 +454,28 @@ describe('signing up', () => {
 
 describe('the security of an account', () => {
   test('an address that is not verified says why it should be, and sends the link', async () => {
-    const server = serve(as(DESIGNER, { 'POST /v1/me/email-verifications': null }))
+    const byMail = { open: true, by_mail: true }
+    const server = serve(as(DESIGNER, { 'GET /v1/sign-up': byMail, 'POST /v1/me/email-verifications': null }))
     const user = userEvent.setup()
     openApp('/account')
     const card = within(await screen.findByRole('region', { name: 'Mail address' }))
     expect(card.getByText('Not verified')).toBeInTheDocument()
-    await user.click(card.getByRole('button', { name: 'Send a link to verify it' }))
+    await user.click(await card.findByRole('button', { name: 'Send a verification link' }))
+    expect(await screen.findByText(`A link is on its way to ${DESIGNER.email}.`)).toBeInTheDocument()
     expect(await card.findByRole('button', { name: 'Send the link again' })).toBeInTheDocument()
     expect(server.asked.filter(({ path }) => path === '/v1/me/email-verifications')).toHaveLength(1)
+  })
+
+  test('without a mail server an address that is not verified says who has the link', async () => {
+    serve(as(DESIGNER, { 'GET /v1/sign-up': AT_ONCE, 'POST /v1/me/email-verifications': null }))
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    expect(await card.findByText(`soundlist mails ${DESIGNER.email}`)).toBeInTheDocument()
+    expect(card.getByText(/^You can accept contracts without it/)).toBeInTheDocument()
+    await user.click(card.getByRole('button', { name: 'Make a verification link' }))
+    expect(await screen.findByText('The link is ready. Ask the server’s administrator for it.')).toBeInTheDocument()
+    expect(card.getByRole('button', { name: 'Make a new link' })).toBeInTheDocument()
   })
 
   test('a verified address asks for nothing', async () => {

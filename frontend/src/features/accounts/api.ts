@@ -12,6 +12,7 @@ export type Member = Schemas['MemberRead']
 export type Role = Schemas['Role']
 export type StudioInvitation = Schemas['StudioInvitationRead']
 export type Mail = Schemas['MailRead']
+export type Quota = Schemas['QuotaRead']
 
 const MINUTE_MS = 60_000
 
@@ -168,6 +169,12 @@ export const useOutbox = (studioId: string, enabled: boolean) =>
     enabled,
     // The worker writes and sends mails a moment after what they tell of.
     refetchInterval: 2_000,
+  })
+
+export const useQuotas = (studioId: string) =>
+  useQuery({
+    queryKey: ['quotas', studioId],
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/quotas', inStudio(studioId))),
   })
 
 export function useSetRoles(studioId: string) {

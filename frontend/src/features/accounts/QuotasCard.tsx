@@ -1,0 +1,68 @@
+import { Card, CardHead } from '@/ui/Card'
+import { bytes, countOf } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+import { Row, Rows } from '@/ui/Rows'
+import { State, type Tone } from '@/ui/State'
+
+import { type Quota, useQuotas } from './api'
+import { CardProblem } from './PeopleCards'
+import classes from './Studio.module.css'
+
+const NEAR = 0.9
+
+const WORDS: Record<Quota['kind'], { name: string; atLimit: string }> = {
+  master_bytes: {
+    name: 'Storage for masters',
+    atLimit: 'New uploads are refused. Finished uploads are never refused.',
+  },
+  cues: { name: 'Cues', atLimit: 'No cue can be added or imported.' },
+  projects: { name: 'Projects', atLimit: 'No project can be created.' },
+  people: { name: 'Members', atLimit: 'Nobody else can join the studio. Designers do not count.' },
+  tokens: { name: 'Tokens', atLimit: 'A token can be created once another is revoked.' },
+  open_uploads: {
+    name: 'Unfinished uploads',
+    atLimit: 'New uploads are refused until others finish or are cleared away.',
+  },
+}
+
+/** What the studio uses of the limits of this server, and what happens at each. */
+export function QuotasCard({ studioId }: { studioId: string }) {
+  const { data: quotas, error } = useQuotas(studioId)
+  return (
+    <Card aria-labelledby="quotas">
+      <CardHead id="quotas" title="Limits" note="of the whole studio" />
+      <CardProblem error={error} />
+      <Rows aria-labelledby="quotas">
+        {quotas?.map((quota) => (
+          <QuotaRow key={quota.kind} quota={quota} />
+        ))}
+      </Rows>
+      <p className={`small mid ${classes.foot}`}>
+        Nothing is deleted at a limit. The server’s administrator can raise one with <code>soundlist quota</code>.
+      </p>
+    </Card>
+  )
+}
+
+function QuotaRow({ quota: { kind, used, limit } }: { quota: Quota }) {
+  const { name, atLimit } = WORDS[kind]
+  const inWords = kind === 'master_bytes' ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
+  const isFull = used >= limit
+  const isNear = !isFull && used >= limit * NEAR
+  const tone: Tone | undefined = isFull ? 'bad' : isNear ? 'warn' : undefined
+  return (
+    <Row>
+      <div className="grow">
+        <p className={classes.quota}>
+          <span className="strong">{name}</span>
+          <span className="num small">{inWords}</span>
+        </p>
+        <Meter thin label={`${name}: ${inWords}`} whole={limit} parts={[{ value: used, tone }]} />
+        <p className="small dim">
+          {isFull ? <State kind="refused">Limit reached</State> : isNear && <State kind="warning">Almost full</State>}{' '}
+          {isFull || isNear ? atLimit : `At the limit: ${atLimit.charAt(0).toLowerCase()}${atLimit.slice(1)}`}
+        </p>
+      </div>
+    </Row>
+  )
+}
