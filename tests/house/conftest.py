@@ -16,7 +16,7 @@ from tests.support.server import RunningServer
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
     """The application on a database of its own."""
     folder = tmp_path_factory.mktemp("policies")
-    runtime = Runtime.of(Settings(data_dir=folder, secret_key="only for tests"))
+    runtime = Runtime.of(Settings(data_dir=folder, sign_up="open", secret_key="only for tests"))
     migrate(runtime.database)
     with start_blocking_portal() as portal:
         yield RunningServer(runtime, create_app(runtime), portal)
