@@ -33,7 +33,7 @@ export default defineConfig({
     testTimeout: 60_000,
     hookTimeout: 60_000,
     projects: [
-      // A page environment for each file costs 3 s of processor: screens need it, as the router keeps state in its routes.
+      // A page environment for each file costs 3 s of processor. Tests of screens are not independent without one.
       { extends: true, test: { name: 'screens', include: ['src/**/*.test.tsx'] } },
       { extends: true, test: { name: 'logic', include: ['src/**/*.test.ts'], isolate: false } },
     ],

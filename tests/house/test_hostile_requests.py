@@ -38,7 +38,7 @@ def whole_numbers(
         return
     for choice in schema.get("anyOf", ()):
         yield from whole_numbers(choice, name, seen)
-    if schema.get("type") == "integer":
+    if schema.get("type") == "integer" and "const" not in schema:
         yield name, schema
     if "items" in schema:
         yield from whole_numbers(schema["items"], name, seen)
