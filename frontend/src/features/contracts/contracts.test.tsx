@@ -93,7 +93,7 @@ describe('a designer', () => {
     expect(form.getByRole('button', { name: 'Accept version 2' })).toBeDisabled()
     await userEvent.type(form.getByLabelText('Your full name'), 'N. Designer')
     await userEvent.click(form.getByRole('button', { name: 'Accept version 2' }))
-    expect(await screen.findByText('for the designer, n@sound.example')).toBeVisible()
+    expect(await screen.findByText('for the designer, n@sound.example, address not proven')).toBeVisible()
     const sent = asked.find(({ path }) => path.endsWith('/accept'))
     expect(sent?.body).toEqual({ name: 'N. Designer', text_sha256: 'a'.repeat(64) })
     expect(screen.getByText('Waits for the studio')).toBeVisible()
