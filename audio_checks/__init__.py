@@ -13,16 +13,16 @@ from typing import TYPE_CHECKING, Any
 from audio_checks.version import TOOL_VERSION
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
-    from audio_checks.audit.build import audit_build, listen_to
+    from audio_checks.audio.audio_file import AudioFile, DryStem
+    from audio_checks.audio.sandbox import Sandbox, SandboxChild, confinement_gaps, ensure_declared
+    from audio_checks.audit.build import audit_build, fingerprint_files
     from audio_checks.audit.fingerprint import FINGERPRINT_VERSION
-    from audio_checks.audit.heard import Heard
+    from audio_checks.audit.fingerprinted import FingerprintedFile
     from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
     from audio_checks.audit.report import Audit
-    from audio_checks.beside import DryStem, reverb_beside
     from audio_checks.errors import (
         AudioChecksError,
-        MendRefused,
+        FixRefused,
         RenderRefused,
         SandboxCrashed,
         SandboxFailed,
@@ -31,29 +31,33 @@ if TYPE_CHECKING:
         SpecError,
         Unreadable,
     )
-    from audio_checks.findings import FileReport, Finding, Report
+    from audio_checks.fixing.fix_master import fix_master
+    from audio_checks.fixing.fixed import FIXER_VERSION, FixedMaster
+    from audio_checks.fixing.offers import Offer, fix_in_words, fix_offer
+    from audio_checks.fixing.spots import Spot, repair_spots
+    from audio_checks.judge.compare.dry_stem import compare_reverb_with_dry
+    from audio_checks.judge.compare.takes import compare_reverb_of_takes
+    from audio_checks.matching.index import ListedCue, NameIndex
     from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.waveform import WaveShape
-    from audio_checks.memory_budget import Memory, MemoryUse, SoundSize, memory_use, sizes_asked_for
-    from audio_checks.mending.mend import mend_master
-    from audio_checks.mending.mended import MENDER_VERSION, Mended
-    from audio_checks.mending.offers import Offer, mend_in_words, mendable
-    from audio_checks.mending.spots import repair_spots
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
-    from audio_checks.placeholders.speech import spoken
-    from audio_checks.provenance import Exported, Provenance, export_master
-    from audio_checks.rehearsal import rehearse_check, write_rehearsal_sound
+    from audio_checks.placeholders.speech import synthesize_speech
     from audio_checks.render.key import render_key
-    from audio_checks.render.preview import average_spectrum, plays_as_preview, preview, spectrogram, wave_shapes
+    from audio_checks.render.preview import average_spectrum, is_preview, preview, spectrogram, wave_shapes
+    from audio_checks.render.provenance import Exported, Provenance, export_master
     from audio_checks.render.render import RENDERER_VERSION, render_master
     from audio_checks.render.rendered import Loss, Rendered
-    from audio_checks.runner import check_file, check_files, is_placeholder, measure_file
-    from audio_checks.sandbox import Sandbox, SandboxChild, confinement_gaps
-    from audio_checks.sets import Judged, off_its_set_lu, set_findings
-    from audio_checks.sound_list import (
+    from audio_checks.report.findings import FileReport, Finding, Report
+    from audio_checks.report.judged import JudgedFile
+    from audio_checks.run.memory_budget import Memory, MemoryUse, SoundSize, memory_use, requested_sizes
+    from audio_checks.run.rehearsal import rehearse_check, write_rehearsal_sound
+    from audio_checks.run.runner import check_file, check_files, is_placeholder, measure_file
+    from audio_checks.run.sets import offset_from_set_lu, set_findings
+    from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
+    from audio_checks.spec.sound_list import (
         SoundList,
         TakeName,
-        dry_stem_for,
+        dry_stem_name,
         parse_file_name,
         read_sound_list,
         slug,
@@ -61,14 +65,12 @@ if TYPE_CHECKING:
         stems_of,
         write_sound_list,
     )
-    from audio_checks.spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
-    from audio_checks.target_presets import TARGET_PRESETS, TargetPreset
-    from audio_checks.text_files import read_toml
-    from audio_checks.versions import reverb_between
+    from audio_checks.spec.target_presets import TARGET_PRESETS, TargetPreset
+    from audio_checks.system.text_files import read_toml
 
 __all__ = [
     "FINGERPRINT_VERSION",
-    "MENDER_VERSION",
+    "FIXER_VERSION",
     "RENDERER_VERSION",
     "TARGET_PRESETS",
     "TOOL_VERSION",
@@ -82,13 +84,15 @@ __all__ = [
     "Exported",
     "FileReport",
     "Finding",
-    "Heard",
-    "Judged",
+    "FingerprintedFile",
+    "FixRefused",
+    "FixedMaster",
+    "JudgedFile",
+    "ListedCue",
     "Loss",
     "Memory",
     "MemoryUse",
-    "MendRefused",
-    "Mended",
+    "NameIndex",
     "Offer",
     "Placeholder",
     "Provenance",
@@ -104,6 +108,7 @@ __all__ = [
     "SoundList",
     "SoundSize",
     "SpecError",
+    "Spot",
     "TakeName",
     "Target",
     "TargetPreset",
@@ -113,11 +118,18 @@ __all__ = [
     "average_spectrum",
     "check_file",
     "check_files",
+    "compare_reverb_of_takes",
+    "compare_reverb_with_dry",
     "confinement_gaps",
-    "dry_stem_for",
+    "dry_stem_name",
+    "ensure_declared",
     "export_master",
+    "fingerprint_files",
+    "fix_in_words",
+    "fix_master",
+    "fix_offer",
     "is_placeholder",
-    "listen_to",
+    "is_preview",
     "load_spec",
     "make_placeholder",
     "make_placeholders",
@@ -125,14 +137,10 @@ __all__ = [
     "manifest_of",
     "measure_file",
     "memory_use",
-    "mend_in_words",
-    "mend_master",
-    "mendable",
     "new_spec",
-    "off_its_set_lu",
+    "offset_from_set_lu",
     "parse_file_name",
     "parse_spec",
-    "plays_as_preview",
     "preview",
     "read_manifest",
     "read_sound_list",
@@ -141,15 +149,13 @@ __all__ = [
     "render_key",
     "render_master",
     "repair_spots",
-    "reverb_beside",
-    "reverb_between",
+    "requested_sizes",
     "set_findings",
-    "sizes_asked_for",
     "slug",
     "spectrogram",
-    "spoken",
     "stem_of_file",
     "stems_of",
+    "synthesize_speech",
     "wave_shapes",
     "write_manifest",
     "write_rehearsal_sound",
@@ -157,16 +163,16 @@ __all__ = [
 ]
 
 _HOMES = {
-    "audio_checks.audio": ("AudioFile",),
-    "audio_checks.audit.build": ("audit_build", "listen_to"),
+    "audio_checks.audio.audio_file": ("AudioFile", "DryStem"),
+    "audio_checks.audit.build": ("audit_build", "fingerprint_files"),
     "audio_checks.audit.fingerprint": ("FINGERPRINT_VERSION",),
-    "audio_checks.audit.heard": ("Heard",),
+    "audio_checks.audit.fingerprinted": ("FingerprintedFile",),
     "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
     "audio_checks.audit.report": ("Audit",),
-    "audio_checks.beside": ("DryStem", "reverb_beside"),
+    "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),
     "audio_checks.errors": (
         "AudioChecksError",
-        "MendRefused",
+        "FixRefused",
         "RenderRefused",
         "SandboxCrashed",
         "SandboxFailed",
@@ -175,29 +181,31 @@ _HOMES = {
         "SpecError",
         "Unreadable",
     ),
-    "audio_checks.findings": ("FileReport", "Finding", "Report"),
+    "audio_checks.report.findings": ("FileReport", "Finding", "Report"),
+    "audio_checks.matching.index": ("ListedCue", "NameIndex"),
     "audio_checks.measure.average_spectrum": ("BandLevels",),
     "audio_checks.measure.waveform": ("WaveShape",),
-    "audio_checks.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "sizes_asked_for"),
-    "audio_checks.mending.mend": ("mend_master",),
-    "audio_checks.mending.mended": ("MENDER_VERSION", "Mended"),
-    "audio_checks.mending.offers": ("Offer", "mend_in_words", "mendable"),
-    "audio_checks.mending.spots": ("repair_spots",),
+    "audio_checks.run.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "requested_sizes"),
+    "audio_checks.fixing.fix_master": ("fix_master",),
+    "audio_checks.fixing.fixed": ("FIXER_VERSION", "FixedMaster"),
+    "audio_checks.fixing.offers": ("Offer", "fix_in_words", "fix_offer"),
+    "audio_checks.fixing.spots": ("Spot", "repair_spots"),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
-    "audio_checks.placeholders.speech": ("spoken",),
-    "audio_checks.provenance": ("Exported", "Provenance", "export_master"),
-    "audio_checks.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
+    "audio_checks.placeholders.speech": ("synthesize_speech",),
+    "audio_checks.render.provenance": ("Exported", "Provenance", "export_master"),
+    "audio_checks.run.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
     "audio_checks.render.key": ("render_key",),
-    "audio_checks.render.preview": ("average_spectrum", "plays_as_preview", "preview", "spectrogram", "wave_shapes"),
+    "audio_checks.render.preview": ("average_spectrum", "is_preview", "preview", "spectrogram", "wave_shapes"),
     "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
-    "audio_checks.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
-    "audio_checks.sandbox": ("Sandbox", "SandboxChild", "confinement_gaps"),
-    "audio_checks.sets": ("Judged", "off_its_set_lu", "set_findings"),
-    "audio_checks.sound_list": (
+    "audio_checks.run.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
+    "audio_checks.audio.sandbox": ("Sandbox", "SandboxChild", "confinement_gaps", "ensure_declared"),
+    "audio_checks.report.judged": ("JudgedFile",),
+    "audio_checks.run.sets": ("offset_from_set_lu", "set_findings"),
+    "audio_checks.spec.sound_list": (
         "SoundList",
         "TakeName",
-        "dry_stem_for",
+        "dry_stem_name",
         "parse_file_name",
         "read_sound_list",
         "slug",
@@ -205,10 +213,10 @@ _HOMES = {
         "stems_of",
         "write_sound_list",
     ),
-    "audio_checks.spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
-    "audio_checks.target_presets": ("TARGET_PRESETS", "TargetPreset"),
-    "audio_checks.text_files": ("read_toml",),
-    "audio_checks.versions": ("reverb_between",),
+    "audio_checks.spec.delivery_spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
+    "audio_checks.spec.target_presets": ("TARGET_PRESETS", "TargetPreset"),
+    "audio_checks.system.text_files": ("read_toml",),
+    "audio_checks.judge.compare.takes": ("compare_reverb_of_takes",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

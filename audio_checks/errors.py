@@ -22,7 +22,7 @@ class Unreadable(AudioChecksError):
     code : str
         Stable name of the condition, such as "structure:truncated" or "container:mp3".
     fix : str
-        How to mend it.
+        How to fix it.
     """
 
     def __init__(self, message: str, rule: str, code: str, fix: str) -> None:
@@ -67,15 +67,15 @@ class RenderRefused(AudioChecksError):
         self.fix = fix
 
 
-class MendRefused(AudioChecksError):
-    """A mend that cannot be made without harm, such as one that would overwrite its master.
+class FixRefused(AudioChecksError):
+    """A fix that cannot be made without harm, such as one that would overwrite its master.
 
     Parameters
     ----------
     message : str
         What was asked, and why it is not done.
     code : str
-        Stable name of the condition, such as "mend:over-master".
+        Stable name of the condition, such as "fix:over-master".
     fix : str
         What to do instead.
     """

@@ -1,4 +1,4 @@
-"""A client that costs little beside what it measures: HTTP/1.1 over lines that it keeps, and nothing else."""
+"""A client that costs little compared with what it measures: HTTP/1.1 over persistent connections, and nothing else."""
 
 import asyncio
 import json
@@ -9,7 +9,7 @@ from typing import Any, Self
 from urllib.parse import urlsplit
 
 KEPT_LINES = 32  # opened at once, and used in turns, as a proxy before several web processes does
-MOST_HEAD_BYTES = 1 << 16
+MAX_HEAD_BYTES = 1 << 16
 
 
 class Broken(Exception):
@@ -48,7 +48,7 @@ Line = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
 
 class Client:
-    """Somebody who asks a server, any number of questions at once."""
+    """A client of a server, with any number of requests at once."""
 
     def __init__(self, address: str, headers: Mapping[str, str]) -> None:
         self._place = urlsplit(address)
@@ -74,8 +74,8 @@ class Client:
         pieces: AsyncIterator[bytes] | None = None,
     ) -> Answer:
         """Ask once; a body that comes in pieces is sent as it comes, and its length is among the headers."""
-        told = self._head | ({} if pieces else {"Content-Length": str(len(body))}) | dict(headers or {})
-        head = "".join([f"{method} {path} HTTP/1.1\r\n", *(f"{name}: {value}\r\n" for name, value in told.items())])
+        fields = self._head | ({} if pieces else {"Content-Length": str(len(body))}) | dict(headers or {})
+        head = "".join([f"{method} {path} HTTP/1.1\r\n", *(f"{name}: {value}\r\n" for name, value in fields.items())])
         reader, writer = line = self._unused.popleft() if self._unused else await self._line()
         try:
             writer.write(head.encode() + b"\r\n" + body)
@@ -101,7 +101,7 @@ class Client:
 
     async def _line(self) -> Line:
         assert self._place.hostname is not None
-        return await asyncio.open_connection(self._place.hostname, self._place.port, limit=MOST_HEAD_BYTES)
+        return await asyncio.open_connection(self._place.hostname, self._place.port, limit=MAX_HEAD_BYTES)
 
 
 async def _nothing() -> AsyncIterator[bytes]:

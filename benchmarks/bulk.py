@@ -113,7 +113,7 @@ def bare(database: Database) -> Iterator[None]:
 
 
 def analyse(database: Database) -> None:
-    """Have PostgreSQL count what its planner goes by, as it would by itself in time; no server of ours tells SQLite."""
+    """Have PostgreSQL gather planner statistics, as autovacuum would; our servers run no ANALYZE on SQLite."""
     if not database.is_sqlite:
         with database.engine.connect().execution_options(**{BEGIN: ""}) as connection:
             connection.exec_driver_sql("VACUUM ANALYZE")

@@ -1,4 +1,4 @@
-"""Checks of whole files beside what others measure on the same files: CPU seconds, as ratios."""
+"""Checks of whole files compared with other tools on the same files: CPU seconds, as ratios."""
 
 import os
 import sys

@@ -1,13 +1,13 @@
-"""How the server answers while 200 files come in at once and 50 requests a second are asked.
+"""The server's response times under 200 uploads at once and 50 requests a second.
 
     python -m benchmarks.load                     5 minutes, on a PostgreSQL and an S3 server that it starts
     python -m benchmarks.load --seconds 60 --uploads 50 --rate 20
 
 Each of the 200 uploads lasts 20 seconds, as over a line of 350 kbit/s, becomes a take that is checked and drawn,
 and is followed by the next. Requests come at fixed times whether or not earlier ones are answered, and are timed from
-then: what waits counts. They are those of a working day in a project of 10,000 takes: lists, queue, search, single
+then: waiting counts. They are those of a working day in a project of 10,000 takes: lists, queue, search, single
 takes, comments and verdicts. Two web processes for each core and one worker share the machine with database, store and
-whoever asks.
+the clients.
 """
 
 import argparse
@@ -51,21 +51,21 @@ P95_MS = 250.0
 TAKES = 10_000
 UPLOAD_S = 20.0
 PIECES = 20
-LOOK_EVERY_S = 2.0
+POLL_EVERY_S = 2.0
 SAY_EVERY_S = 30.0
-APPROVES_EVERY = 5  # rounds of requests of each kind: who listens decides once a second, and some 450 takes wait
+APPROVES_EVERY = 5  # rounds of requests of each kind: the approver decides once a second, and some 450 takes wait
 CALM_S = 5.0  # before anything is timed
 WARM_UP, ALONE = 6, 15  # answers of each kind before the load; psycopg prepares a statement at its sixth time
 TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
-WEB_PROCESSES = 2 * (os.cpu_count() or 1)  # as docs/operate.md says
+WEB_PROCESSES = 2 * (os.cpu_count() or 1)  # as docs/settings.md says
 WORKER_NICENESS = 19  # as in deploy/systemd: whoever waits for an answer goes first
 HEADER_BYTES, SAMPLE_BYTES = 44, 3
 Answered = Coroutine[Any, Any, Answer]
 
 
 @dataclass
-class Told:
-    """What came of it: seconds by kind of request, what went wrong, and memory as it went."""
+class Outcome:
+    """The results: seconds by kind of request, what went wrong, and memory as it went."""
 
     times_s: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     by_minute_s: dict[int, list[float]] = field(default_factory=lambda: defaultdict(list))  # by when they were due
@@ -86,18 +86,18 @@ class Told:
 
 
 class People:
-    """Whoever asks: a designer who delivers, and the decider's side that looks and decides."""
+    """The clients: a designer who delivers, and the approver's side that reads and decides."""
 
-    def __init__(self, address: str, made: Made, to_approve: list[UUID], takes: list[UUID], told: Told) -> None:
-        secrets = (made.designer_secret, made.decider_secret)
-        self.designer, self.decider = (Client(address, headers_for(secret)) for secret in secrets)
+    def __init__(self, address: str, made: Made, to_approve: list[UUID], takes: list[UUID], outcome: Outcome) -> None:
+        secrets = (made.designer_secret, made.approver_secret)
+        self.designer, self.approver = (Client(address, headers_for(secret)) for secret in secrets)
         self._project = f"/v1/projects/{made.project_id}"
         self._project_id = made.project_id
         self._takes = takes
         self._to_approve = iter(to_approve)
         self._dice = random.Random(1)
         self._names = itertools.count(1)
-        self.told = told
+        self.outcome = outcome
 
     async def ask(self, kind: str, due: float) -> None:
         """Ask once, timed from when it was due."""
@@ -105,18 +105,18 @@ class People:
             answer: Answer | Exception = await self.kinds[kind](self)
         except Broken as error:
             answer = error
-        self.told.add(kind, time.perf_counter() - due, answer)
+        self.outcome.add(kind, time.perf_counter() - due, answer)
 
     async def cost_alone_s(self, web_pid: int, database_pid: int) -> None:
-        """Note the CPU time of one answer of each kind while nobody else asks: the median of a few."""
+        """Record the CPU time of one answer of each kind without other load: the median of a few."""
         for kind, ask in self.kinds.items():
             costs = []
             for _ in range(WARM_UP + ALONE):
                 before = cpu_now_s(web_pid, database_pid)
                 (await ask(self)).ensured()
                 costs.append(cpu_since_s(before, web_pid, database_pid))
-            self.told.alone_s[kind] = statistics.median(costs[WARM_UP:])
-            print(f"{kind:20} {1000 * self.told.alone_s[kind]:6.1f} ms of CPU alone", flush=True)
+            self.outcome.alone_s[kind] = statistics.median(costs[WARM_UP:])
+            print(f"{kind:20} {1000 * self.outcome.alone_s[kind]:6.1f} ms of CPU alone", flush=True)
 
     async def deliver(self, content: bytes, until: float) -> None:
         """Send files, one after the other, each in many pieces over its time."""
@@ -129,7 +129,7 @@ class People:
                     delivery_id = str(opened.ensured().json()["id"])
                 await self._deliver_one(delivery_id, f"load_{next(self._names)}.wav", unlike(content, self._dice))
             except (Broken, Refused) as error:
-                self.told.wrong.append(f"upload: {error!r}")
+                self.outcome.wrong.append(f"upload: {error!r}")
 
     async def _deliver_one(self, delivery_id: str, name: str, content: bytes) -> None:
         named = metadata(delivery_id=delivery_id, file_name=name)
@@ -141,14 +141,14 @@ class People:
         body = {"upload_id": location.rpartition("/")[2], "file_name": name}
         due = time.perf_counter()
         made = await self.designer.ask_json("POST", f"/v1/deliveries/{delivery_id}/takes", body)
-        self.told.add("a finished upload becomes a take", time.perf_counter() - due, made)
+        self.outcome.add("a finished upload becomes a take", time.perf_counter() - due, made)
         if sent.is_success and made.is_success:
-            self.told.takes += 1
+            self.outcome.takes += 1
         else:
-            self.told.wrong.append(f"upload: {sent.status} {sent.body[:200].decode()}")
+            self.outcome.wrong.append(f"upload: {sent.status} {sent.body[:200].decode()}")
 
     def _get(self, path: str, **params: str) -> Answered:
-        return self.decider.ask("GET", f"{path}?{urlencode(params)}" if params else path)
+        return self.approver.ask("GET", f"{path}?{urlencode(params)}" if params else path)
 
     def _take(self) -> str:
         return f"/v1/takes/{self._dice.choice(self._takes)}"
@@ -157,15 +157,15 @@ class People:
         return self._get(f"{self._project}/find", q=self._dice.choice(TYPED))
 
     def _comment(self) -> Answered:
-        return self.decider.ask_json("POST", f"{self._take()}/comments", {"text": "a little shorter", "start_s": 0.5})
+        return self.approver.ask_json("POST", f"{self._take()}/comments", {"text": "a little shorter", "start_s": 0.5})
 
     def _approve(self) -> Answered:
-        return self.decider.ask_json("POST", f"/v1/takes/{next(self._to_approve)}/verdict", {"kind": "approve"})
+        return self.approver.ask_json("POST", f"/v1/takes/{next(self._to_approve)}/verdict", {"kind": "approve"})
 
     kinds: dict[str, Callable[["People"], Answered]] = {  # noqa: RUF012 - of the class, and never changed
         "review queue": lambda self: self._get("/v1/review-queue", project_id=str(self._project_id)),
         "sound list": lambda self: self._get(f"{self._project}/sound-list"),
-        "where cues stand": lambda self: self._get(f"{self._project}/sound-list/standing"),
+        "where cues stand": lambda self: self._get(f"{self._project}/sound-list/progress"),
         "search": _find,
         "deliveries": lambda self: self.designer.ask("GET", f"{self._project}/deliveries"),
         "a take": lambda self: self._get(self._take()),
@@ -195,14 +195,14 @@ async def in_pieces(content: bytes) -> AsyncIterator[bytes]:
 async def load(
     people: People, *, seconds: float, uploads: int, rate: float, watch: Callable[[], None], pids: Mapping[str, int]
 ) -> dict[str, float]:
-    """Ask alone, then let everybody work for a time; return what each process used of CPU in that, in seconds."""
-    for client in (people.designer, people.decider):
+    """Measure without load, then run the load; return the CPU time of each process under it, in seconds."""
+    for client in (people.designer, people.approver):
         await client.open()
     await people.cost_alone_s(pids["web"], pids["database"])
     content = sound(1)
     pids = {**pids, "client": os.getpid()}
     before = {name: own_cpu_s(name, pid) for name, pid in pids.items()}
-    begun = people.told.begun = time.perf_counter()
+    begun = people.outcome.begun = time.perf_counter()
     until = begun + seconds
     deliveries = [asyncio.create_task(people.deliver(content, until)) for _ in range(uploads)]
     asked: set[asyncio.Task[None]] = set()
@@ -211,7 +211,7 @@ async def load(
         last_said, used_s = begun, before
         while time.perf_counter() < until:
             watch()
-            await asyncio.sleep(LOOK_EVERY_S)
+            await asyncio.sleep(POLL_EVERY_S)
             if (now := time.perf_counter()) - last_said >= SAY_EVERY_S:
                 now_s = {name: own_cpu_s(name, pid) for name, pid in pids.items()}
                 cores = {name: (now_s[name] - used_s[name]) / (now - last_said) for name in pids}
@@ -231,7 +231,7 @@ async def load(
         asked.add(task)
         task.add_done_callback(asked.discard)
     await asyncio.gather(*asked, watched, *deliveries)
-    for client in (people.designer, people.decider):
+    for client in (people.designer, people.approver):
         client.close()
     return {name: own_cpu_s(name, pid) - before[name] for name, pid in pids.items()}
 
@@ -242,14 +242,14 @@ def own_cpu_s(name: str, pid: int) -> float:
 
 
 def main() -> None:
-    """Load the server, and tell how it bore it."""
+    """Load the server, and print the report."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.load", description=__doc__.partition("\n")[0])
     parser.add_argument("--seconds", type=float, default=300.0)
     parser.add_argument("--uploads", type=int, default=200, help="at once")
     parser.add_argument("--rate", type=float, default=50.0, help="requests a second")
     parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
     options = parser.parse_args()
-    told = Told()
+    outcome = Outcome()
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="soundlist-load-"))).resolve()
         postgres = stack.enter_context(running_postgres(durable=True))
@@ -270,19 +270,19 @@ def main() -> None:
         processes = {"web": web, "worker": worker}
         pids = {name: process.pid for name, process in processes.items()} | {"database": postgres.pid}
         checked = checked_takes(runtime)
-        people = People(address, made, to_approve, takes, told)
-        watch = watcher(told, processes)
+        people = People(address, made, to_approve, takes, outcome)
+        watch = watcher(outcome, processes)
         loading = load(
             people, seconds=options.seconds, uploads=options.uploads, rate=options.rate, watch=watch, pids=pids
         )
         spent = asyncio.run(loading)
         checked = checked_takes(runtime) - checked
-    text = report(told, options, spent, checked)
+    text = report(outcome, options, spent, checked)
     print(text)
     if options.docs:
         write_between(DOCS / "scale.md", "load", text)
-    if told.wrong:
-        raise SystemExit("\n".join([f"{len(told.wrong)} errors; the first of them:", *told.wrong[:5]]))
+    if outcome.wrong:
+        raise SystemExit("\n".join([f"{len(outcome.wrong)} errors; the first of them:", *outcome.wrong[:5]]))
 
 
 def fill(runtime: Runtime) -> tuple[Made, list[UUID], list[UUID]]:
@@ -310,39 +310,39 @@ def checked_takes(runtime: Runtime) -> int:
         return session.query(CheckRun).count()
 
 
-def watcher(told: Told, processes: dict[str, Popen[bytes]]) -> Callable[[], None]:
+def watcher(outcome: Outcome, processes: dict[str, Popen[bytes]]) -> Callable[[], None]:
     """Return what notes the memory of each process and all below it."""
 
     def watch() -> None:
         for name, process in processes.items():
-            told.memory_bytes[name].append(memory_bytes(process.pid))
+            outcome.memory_bytes[name].append(memory_bytes(process.pid))
 
     return watch
 
 
-def report(told: Told, options: argparse.Namespace, cpu_s: dict[str, float], checked: int) -> str:
+def report(outcome: Outcome, options: argparse.Namespace, cpu_s: dict[str, float], checked: int) -> str:
     """Return what was found, as Markdown."""
-    rows = [[*_row(kind, times), _alone(told, kind)] for kind, times in told.times_s.items()]
-    whole = [taken for times in told.times_s.values() for taken in times]
+    rows = [[*_row(kind, times), _alone(outcome, kind)] for kind, times in outcome.times_s.items()]
+    whole = [taken for times in outcome.times_s.values() for taken in times]
     rows.append([*_row("all", whole), ""])
-    growth = ", ".join(f"{name} {_growth(sizes)}" for name, sizes in told.memory_bytes.items())
+    growth = ", ".join(f"{name} {_growth(sizes)}" for name, sizes in outcome.memory_bytes.items())
     spent = ", ".join(f"{name} {1000 * seconds / len(whole):.0f}" for name, seconds in cpu_s.items())
-    met = "met" if _p_ms(whole, 95) <= P95_MS and not told.wrong else "not met"
-    minutes = ", ".join(f"{_p_ms(times, 95):.0f}" for _, times in sorted(told.by_minute_s.items()))
+    met = "met" if _p_ms(whole, 95) <= P95_MS and not outcome.wrong else "not met"
+    minutes = ", ".join(f"{_p_ms(times, 95):.0f}" for _, times in sorted(outcome.by_minute_s.items()))
     lines = (
         f"{options.uploads} uploads at once, {options.rate:g} requests/s, {options.seconds:g} s, {machine()};"
-        f" {os.getloadavg()[0]:.1f} processes wanted to run.",
-        f"{told.takes} files came in whole, {checked} takes were checked meanwhile; {len(told.wrong)} errors.",
-        f"Its p95 minute by minute, in ms: {minutes}.",
-        f"Memory, first and last quarter of the time: {growth}.",
-        f"CPU time in ms a request, uploads and jobs in it: {spent}.",
+        f" load average {os.getloadavg()[0]:.1f}.",
+        f"{outcome.takes} files arrived, {checked} takes were checked meanwhile; {len(outcome.wrong)} errors.",
+        f"p95 by minute, ms: {minutes}.",
+        f"Memory, first and last quarter: {growth}.",
+        f"CPU time per request, uploads and jobs included, ms: {spent}.",
         f"The limit, a p95 of {P95_MS:.0f} ms without an error, was {met}.",
     )
     return " ".join(lines) + "\n\n" + table(["ms", "requests", "p50", "p95", "p99", "CPU alone"], rows)
 
 
-def _alone(told: Told, kind: str) -> str:
-    return f"{1000 * told.alone_s[kind]:.0f}" if kind in told.alone_s else ""
+def _alone(outcome: Outcome, kind: str) -> str:
+    return f"{1000 * outcome.alone_s[kind]:.0f}" if kind in outcome.alone_s else ""
 
 
 def _row(kind: str, times_s: list[float]) -> list[object]:

@@ -1,4 +1,4 @@
-"""How exact the meters are beside others': true peak of tones, loudness in closed form."""
+"""The exactness of the meters compared with others': true peak of tones, loudness in closed form."""
 
 import math
 import subprocess

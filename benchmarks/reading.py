@@ -1,4 +1,4 @@
-"""Reading and decoding beside soundfile, and how much memory a large file takes."""
+"""Reading and decoding compared with soundfile, and the memory that a large file takes."""
 
 import subprocess
 import sys
@@ -12,7 +12,7 @@ from benchmarks.rows import Row
 from benchmarks.timing import in_turns, own_cpu
 from tests.support.waves import write_large
 
-MOST_MIB = 256
+MAX_MIB = 256
 LARGE_BYTES = 2 << 30
 MEASURE = """
 import sys, time
@@ -38,4 +38,4 @@ def rows(folder: Path, quick: bool) -> list[Row]:
     said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     mib, seconds = (float(one) for one in said.split())
     what = f"every figure of a file of {path.stat().st_size / (1 << 30):g} GiB: memory at most"
-    return [*found, Row(what, mib, "MiB", MOST_MIB, None, "less", f"{seconds:.1f} s CPU")]
+    return [*found, Row(what, mib, "MiB", MAX_MIB, None, "less", f"{seconds:.1f} s CPU")]

@@ -1,4 +1,4 @@
-"""Rendering beside other resamplers and writers: quality, speed, dither, and what survives beside the sound."""
+"""Rendering compared with other resamplers and writers: quality, speed, dither, and the metadata that survives."""
 
 import itertools
 import shutil
@@ -12,7 +12,7 @@ import numpy as np
 from audio_checks import wav
 from audio_checks.render.render import render_master
 from audio_checks.render.resample import resample
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from benchmarks import peers
 from benchmarks.resamplers import SOXR_33, Resampler, Samples, all_of_them, ffmpeg_command
 from benchmarks.rows import Row
@@ -146,7 +146,7 @@ def _dither(folder: Path, bits: int, theory_dbfs: float) -> Row:
 
 
 def _undithered(folder: Path, bits: int) -> str:
-    """Return how others' rounding keeps a tone far below a step: without dither it is gone, or grows to a step."""
+    """Return how others' rounding keeps a tone far below a step: without dither it is lost, or grows to a step."""
     soundfile = peers.module("soundfile")
     dbfs = -80.0 if bits == 8 else -110.0
     samples = waves.sine(hz=997, dbfs=dbfs, seconds=1, rate=44_100)
@@ -206,9 +206,9 @@ def _chunks(folder: Path) -> Row:
             file.setparams((1, sound.sample_width, 48_000, 0, "NONE", ""))
             file.writeframes(sound.raw_data)
         others["pydub"] = folder / "pydub.wav"
-    told = "; ".join(f"{name}: {_survivors(path, kept)}" for name, path in others.items())
+    survivors = "; ".join(f"{name}: {_survivors(path, kept)}" for name, path in others.items())
     return Row(
-        "kinds of chunk that survive, of 9", _survivors(folder / "kept.wav", kept), "", 9, None, "more", "", told
+        "kinds of chunk that survive, of 9", _survivors(folder / "kept.wav", kept), "", 9, None, "more", "", survivors
     )
 
 

@@ -1,4 +1,4 @@
-"""One figure of ours beside what it must be, what it would be at best, and what a peer needs on the same files."""
+"""One figure of ours, with its limit, the best possible value, and that of another tool on the same files."""
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
@@ -47,6 +47,12 @@ class Row:
 def markdown(rows: Iterable[Row]) -> str:
     """Return rows as a table."""
     return table(HEAD, [row.cells() for row in rows])
+
+
+def promised(rows: Iterable[Row]) -> list[Row]:
+    """Return the rows with a must; all rows where none has one."""
+    rows = list(rows)
+    return [row for row in rows if row.must is not None] or rows
 
 
 def plain(rows: Iterable[Row]) -> list[dict[str, Any]]:

@@ -3,7 +3,9 @@
     python -m benchmarks.scale --keep DIR             a project of 100,000 takes on a server of 1,000,000, on SQLite
     python -m benchmarks.scale --keep DIR --postgresql    the same on PostgreSQL, a server of its own in the folder
     python -m benchmarks.scale --quick                a hundredth of it, in a minute
-    … --docs                                          and write the tables and the picture into docs
+    … --docs                                          and write the main rows and the picture into docs
+
+The whole table, and the indexes by which rows are found, are printed only.
 
 Filling comes first and takes minutes; what is filled once in a folder that is kept is asked again and again.
 """
@@ -44,11 +46,16 @@ DATABASE = "scale"
 FILLED = "filled.json"
 LIMIT_MS = 100.0
 HELD = ("review queue", "sound list", "where its cues stand", "search")  # to the limit; drawn, and asked first
+IN_DOCS = (*HELD, "today", "desk")
 FURTHER = ", further pages"
 BITE_BYTES = 2**20
 WARM_UP = 3
 ASKS = 50  # of one screen in one project
-LEAST, LEAST_OF_OTHERS, LONGEST_S = 20, 5, 2.0  # asks of a slow one: of those that are held to the limit, of others
+LEAST, LEAST_OF_OTHERS, MAX_DURATION_S = (
+    20,
+    5,
+    2.0,
+)  # asks of a slow one: of those that are held to the limit, of others
 LARGE_ROWS = 10_000
 TURNS = 3  # with and without policies
 
@@ -83,8 +90,8 @@ def fill(place: Place, size: Size) -> list[Made]:
             teams: dict[str, Team] = {}
             # each in a studio of its own: a queue of all projects is then of that size
             measured = [make(f"Measured {takes}", takes, takes) for takes in size.projects]
-            for place_of, takes in others(size.server - sum(size.projects)):
-                make(f"Other {place_of}", takes, takes + place_of)
+            for network_of, takes in others(size.server - sum(size.projects)):
+                make(f"Other {network_of}", takes, takes + network_of)
         print(f"{time.monotonic() - begun:6.0f} s  {bulk.written:>9,} rows; indexes next", flush=True)
     analyse(runtime.database)
     print(f"{time.monotonic() - begun:6.0f} s  filled", flush=True)
@@ -159,7 +166,7 @@ class Server:
         dice, times, cursors = random.Random(7), Asked([], []), []
         with httpx.Client(base_url=self._address, headers=headers_for(screen.secret(made)), timeout=60) as client:
             for turn in range(WARM_UP + ASKS):
-                if turn >= WARM_UP + least and sum(times.wall_s) > LONGEST_S:
+                if turn >= WARM_UP + least and sum(times.wall_s) > MAX_DURATION_S:
                     break
                 address = screen.address(made).format(words=dice.choice(WORDS))
                 if further and cursors:
@@ -180,14 +187,14 @@ class Server:
 
 def ask_all(server: Server, made: Sequence[Made], names: Iterable[str]) -> dict[str, list[Asked]]:
     """Return what screens took, by project, and print each as it is known."""
-    told: dict[str, list[Asked]] = {}
+    measured: dict[str, list[Asked]] = {}
     for name in names:
         screen, least = SCREENS[name], LEAST if name in HELD else LEAST_OF_OTHERS
         for further in (False, True) if screen.paged else (False,):
             line = name + FURTHER * further
-            told[line] = [server.ask(screen, each, least=least, further=further) for each in made]
-            print(f"{line:40} {'  '.join(f'{each!s:>11}' for each in told[line])}", flush=True)
-    return told
+            measured[line] = [server.ask(screen, each, least=least, further=further) for each in made]
+            print(f"{line:40} {'  '.join(f'{each!s:>11}' for each in measured[line])}", flush=True)
+    return measured
 
 
 def plans(place: Place, made: Made) -> tuple[dict[str, set[str]], dict[str, set[str]]]:
@@ -212,22 +219,27 @@ def plans(place: Place, made: Made) -> tuple[dict[str, set[str]], dict[str, set[
     return whole, found
 
 
+def in_docs(name: str) -> bool:
+    """Return whether docs/scale.md shows this row of the table."""
+    return name.removesuffix(FURTHER) in IN_DOCS
+
+
 def policies_cost(place: Place, server: Server, made: Made) -> dict[str, tuple[float, float]]:
     """Return the median CPU seconds of each held screen with row policies and without, asked in turns."""
     runtime = place.runtime()
     spent: dict[str, tuple[list[float], list[float]]] = {name: ([], []) for name in HELD}
     for _ in range(TURNS):
-        for place_of, verb in enumerate(("ENABLE", "DISABLE")):
+        for network_of, verb in enumerate(("ENABLE", "DISABLE")):
             with runtime.database.writing() as session:
                 for table in Base.metadata.sorted_tables:
                     if condition(table) is not None:
                         session.execute(sa.text(f"ALTER TABLE {table.name} {verb} ROW LEVEL SECURITY"))
             for name in HELD:
-                spent[name][place_of].extend(server.ask(SCREENS[name], made, least=LEAST).cpu_s)
-        told = ", ".join(
+                spent[name][network_of].extend(server.ask(SCREENS[name], made, least=LEAST).cpu_s)
+        measured = ", ".join(
             f"{name} {statistics.median(held) / statistics.median(free):.2f}" for name, (held, free) in spent.items()
         )
-        print(f"with row policies, times as much CPU as without: {told}", flush=True)
+        print(f"with row policies, times as much CPU as without: {measured}", flush=True)
     with runtime.database.writing() as session:
         for table in Base.metadata.sorted_tables:
             if condition(table) is not None:
@@ -241,7 +253,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.scale", description=__doc__.partition("\n")[0])
     parser.add_argument("--quick", action="store_true", help="small sizes; nothing is written to docs")
     parser.add_argument("--postgresql", action="store_true", help="on a PostgreSQL server of its own; else on SQLite")
-    parser.add_argument("--docs", action="store_true", help="write the tables and the picture into docs/scale.md")
+    parser.add_argument("--docs", action="store_true", help="write the main rows and the picture into docs/scale.md")
     parser.add_argument("--keep", type=Path, help="a folder to keep the data in, or to find it in")
     options = parser.parse_args()
     logs.configure()
@@ -253,25 +265,19 @@ def main() -> None:
         print("read from one end to the other:", whole or "no large table", flush=True)
         with place.serving() as (address, process):
             server = Server(address, process.pid, database.pid if database else None)
-            told = ask_all(server, made, HELD)
+            measured = ask_all(server, made, HELD)
             cost = policies_cost(place, server, made[-1]) if database else {}
-            told |= ask_all(server, made, [name for name in SCREENS if name not in HELD])
-    by_index = table(
-        ["screen", "its rows of large tables are found by"], [[name, ", ".join(sorted(found[name]))] for name in HELD]
-    )
-    print(by_index)
+            measured |= ask_all(server, made, [name for name in SCREENS if name not in HELD])
+    print(table(["screen", "indexes used"], [[name, ", ".join(sorted(found[name]))] for name in HELD]))
     head = ["p95, ms: wall (CPU)", *(f"{each.takes:,} takes, {each.cues:,} cues" for each in made)]
-    text = f"{table(head, [[name, *times] for name, times in told.items()])}\n\n{by_index}"
+    print(table(head, [[name, *times] for name, times in measured.items()]))
+    text = table(head[:1] + head[1::2], [[name, *times[::2]] for name, times in measured.items() if in_docs(name)])
     if cost:
-        rows = [
-            [name, *(f"{1000 * each:.1f}" for each in both), f"{both[0] / both[1]:.2f}"] for name, both in cost.items()
-        ]
-        costs = table(["CPU, ms, median", "with row policies", "without", "ratio"], rows)
-        print(costs)
-        text += f"\n\nWhat row policies cost in the largest project, asked with and without in turns:\n\n{costs}"
+        ratios = ", ".join(f"{name} {held / free:.2f}" for name, (held, free) in cost.items())
+        text += f"\n\nCPU time with row policies, as a multiple of the time without: {ratios}."
     slow = [
         name
-        for name, times in told.items()
+        for name, times in measured.items()
         if name.removesuffix(FURTHER) in HELD and p95_ms(times[-1].wall_s) > LIMIT_MS
     ]
     print(f"over {LIMIT_MS:.0f} ms of those that must not be: {', '.join(slow) or 'none'}")
@@ -284,7 +290,7 @@ def main() -> None:
         DOCS / "pictures" / f"growth_{kind.lower()}.svg",
         title=f"CPU time of an answer, p95, {kind}",
         takes=[each.takes for each in made],
-        times_ms={name: [p95_ms(each.cpu_s) for each in told[name]] for name in HELD},
+        times_ms={name: [p95_ms(each.cpu_s) for each in measured[name]] for name in HELD},
         limit_ms=LIMIT_MS,
     )
 

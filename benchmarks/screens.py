@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from fastapi.testclient import TestClient
 
-from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token
+from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token
 from app.settings import Settings
 from benchmarks.studios import Made
 
@@ -14,12 +14,12 @@ class Screen:
     """One request, and who makes it."""
 
     path: str
-    by: str = "decider"
+    by: str = "approver"
     paged: bool = False  # further pages of it are asked for too
 
     def secret(self, made: Made) -> str:
-        """Return the sign-in of whoever asks."""
-        return {"decider": made.decider_secret, "producer": made.producer_secret, "designer": made.designer_secret}[
+        """Return the sign-in of the client."""
+        return {"approver": made.approver_secret, "producer": made.producer_secret, "designer": made.designer_secret}[
             self.by
         ]
 
@@ -33,8 +33,8 @@ SCREENS = {
     "review queue of all projects": Screen("/v1/review-queue"),
     "how many wait for review": Screen("/v1/review-queue/count?project_id={project}"),
     "sound list": Screen("/v1/projects/{project}/sound-list", paged=True),
-    "where its cues stand": Screen("/v1/projects/{project}/sound-list/standing", paged=True),
-    "where a designer's cues stand": Screen("/v1/projects/{project}/sound-list/standing", "designer"),
+    "where its cues stand": Screen("/v1/projects/{project}/sound-list/progress", paged=True),
+    "where a designer's cues stand": Screen("/v1/projects/{project}/sound-list/progress", "designer"),
     "how many cues stand where": Screen("/v1/projects/{project}/sound-list/counts"),
     "search": Screen("/v1/projects/{project}/find?q={{words}}"),
     "judged lately": Screen("/v1/projects/{project}/judged-lately"),
@@ -53,7 +53,7 @@ WORDS = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zz
 
 
 def sign_in(client: TestClient, settings: Settings, secret: str) -> TestClient:
-    """Have a client send what the browser of whoever holds this sign-in sends."""
+    """Have a client send what a browser with this sign-in sends."""
     client.cookies.set(SESSION_COOKIE, secret)
     client.headers[CSRF_HEADER] = csrf_token(settings, secret)
     return client

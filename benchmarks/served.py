@@ -14,7 +14,7 @@ from pathlib import Path
 
 import httpx
 
-from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token
+from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token
 from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
@@ -86,7 +86,7 @@ class Place:
 
 
 def free_port() -> int:
-    """Return a port that nobody listens on."""
+    """Return a free port."""
     with socket.socket() as asked:
         asked.bind(("127.0.0.1", 0))
         return int(asked.getsockname()[1])
@@ -165,6 +165,6 @@ def _stat(pid: int) -> list[str]:
 
 
 def headers_for(secret: str) -> dict[str, str]:
-    """Return what the browser of whoever holds this sign-in sends."""
+    """Return the headers that a browser with this sign-in sends."""
     settings = Settings(secret_key=SECRET_KEY)
     return {"Cookie": f"{SESSION_COOKIE}={secret}", CSRF_HEADER: csrf_token(settings, secret)}

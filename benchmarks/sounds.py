@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tests.support.waves import wav_bytes
 
 Samples = NDArray[np.float64]
-SHORTEST_S, LONGEST_S = 0.2, 3.0
+SHORTEST_S, MAX_DURATION_S = 0.2, 3.0
 
 
 def coloured(rng: np.random.Generator, frames: int, channels: int, corner: float) -> Samples:
@@ -20,7 +20,7 @@ def coloured(rng: np.random.Generator, frames: int, channels: int, corner: float
 
 def effect(rng: np.random.Generator, rate: int, channels: int) -> Samples:
     """One effect of 0.2 to 3 s: coloured noise that dies away, its peak between -12 and -2 dBFS."""
-    frames = round(rate * SHORTEST_S * (LONGEST_S / SHORTEST_S) ** rng.uniform())
+    frames = round(rate * SHORTEST_S * (MAX_DURATION_S / SHORTEST_S) ** rng.uniform())
     samples = coloured(rng, frames, channels, 10 ** rng.uniform(-2.5, -0.6))
     samples *= np.exp(-np.arange(frames) / frames * rng.uniform(3, 9))[:, np.newaxis]
     return samples * 10 ** (rng.uniform(-12, -2) / 20) / np.abs(samples).max()

@@ -11,21 +11,21 @@ from typing import Any
 from uuid import UUID
 
 import audio_checks
-from app.accounts.endpoints import sha256_of
+from app.accounts.authentication import sha256_of
 from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.conformance.models import CheckRun
+from app.deliveries.cue_sums import views_of
 from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.rules import TakeState
-from app.deliveries.sum_rules import SummedTake
-from app.deliveries.sums import views_of
+from app.deliveries.sum_rules import TakeForSums
 from app.kit import clock
 from app.kit.db import new_id
-from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
+from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec
 from app.projects.rules import EngagementKind
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.rules import RENDERED_STATES, RenderState, recipes
-from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
+from app.reviews.models import ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question, Revision, Stem
 from app.sound_lists.rules import CueState
@@ -58,7 +58,7 @@ class Team:
 
     studio_id: UUID
     producer_id: UUID
-    decider_id: UUID
+    approver_id: UUID
     designer_ids: tuple[UUID, ...]
 
 
@@ -72,16 +72,16 @@ class Made:
     takes: int
     waiting_cues: int
     producer_secret: str
-    decider_secret: str
+    approver_secret: str
     designer_secret: str
 
 
 def make_team(bulk: Bulk, name: str) -> Team:
-    """Add a studio with a producer, a decider and four designers."""
+    """Add a studio with a producer, an approver and four designers."""
     studio_id = new_id()
     bulk.add(Studio, id=studio_id, name=name)
     people = []
-    for part in ("producer", "decider", *(f"designer {place}" for place in range(1, 5))):
+    for part in ("producer", "approver", *(f"designer {place}" for place in range(1, 5))):
         person_id = new_id()
         bulk.add(Person, id=person_id, email=f"{person_id}@scale.example", name=f"{name} {part}")
         people.append(person_id)
@@ -126,7 +126,7 @@ class ProjectMaker:
             self._takes,
             self._waiting_cues,
             sign_in(self._bulk, self._team.producer_id),
-            sign_in(self._bulk, self._team.decider_id),
+            sign_in(self._bulk, self._team.approver_id),
             sign_in(self._bulk, self._team.designer_ids[0]),
         )
 
@@ -136,8 +136,8 @@ class ProjectMaker:
             created_by=team.producer_id)  # fmt: skip
         add(Spec, id=self._spec_id, **self._tenant, version=1, toml=TOML, sha256=_spec().sha256,
             created_by=team.producer_id)  # fmt: skip
-        add(Liaison, **self._tenant, person_id=team.decider_id)
-        add(DeciderChange, **self._tenant, person_id=team.decider_id, reason="named at the start",
+        add(Liaison, **self._tenant, person_id=team.approver_id)
+        add(ApproverChange, **self._tenant, person_id=team.approver_id, reason="named at the start",
             changed_by=team.producer_id)  # fmt: skip
         for designer_id in team.designer_ids:
             add(Engagement, **self._tenant, designer_id=designer_id, kind=EngagementKind.CONTRACT)
@@ -145,8 +145,8 @@ class ProjectMaker:
             designer_id = team.designer_ids[number % len(team.designer_ids)]
             add(Delivery, id=delivery_id, **self._tenant, designer_id=designer_id, number=number,
                 created_at=self._begun + timedelta(hours=number))  # fmt: skip
-        for sending_id in self._sendings:
-            add(Sending, id=sending_id, **self._tenant, sent_by=team.decider_id)
+        for feedback_id in self._sendings:
+            add(Feedback, id=feedback_id, **self._tenant, sent_by=team.approver_id)
         add(Revision, **self._tenant, number=1, summary="imported", changed_by=team.producer_id)
 
     def _make_cue(self, number: int) -> None:
@@ -181,7 +181,7 @@ class ProjectMaker:
                 state=CueState.CUT if is_cut else CueState.LOCKED, **asdict(sums))  # fmt: skip
         self._waiting_cues += waits
         if dice.random() < 0.3:
-            add(Round, **self._tenant, cue_id=cue_id, sending_id=dice.choice(self._sendings), number=1)
+            add(Round, **self._tenant, cue_id=cue_id, feedback_id=dice.choice(self._sendings), number=1)
 
     def _states(self) -> list[TakeState]:
         """Return how the takes of one variation stand, the oldest first; together as many as a cue has on average."""
@@ -194,7 +194,7 @@ class ProjectMaker:
     def _make_take(
         self, cue_id: UUID, words: tuple[str, ...], category: str, variation: int, number: int, state: TakeState,
         *, loop: bool,
-    ) -> SummedTake:  # fmt: skip
+    ) -> TakeForSums:  # fmt: skip
         self._takes += 1
         dice, add, take_id = self._dice, self._bulk.add, new_id()
         sha256 = hashlib.sha256(take_id.bytes).hexdigest()
@@ -202,7 +202,7 @@ class ProjectMaker:
         place = self._takes % len(self._deliveries)
         name = f"{'_'.join(words)}_{variation:02}.wav"
         designer_id = self._team.designer_ids[(place + 1) % len(self._team.designer_ids)]
-        summed = SummedTake(take_id, designer_id, variation, number, state, state_since=at, received_at=at)
+        summed = TakeForSums(take_id, designer_id, variation, number, state, state_since=at, received_at=at)
         add(
             Take, **self._tenant, **summed._asdict(), delivery_id=self._deliveries[place], cue_id=cue_id,
             file_name=name, master_sha256=sha256, master_bytes=864_044,
@@ -218,12 +218,12 @@ class ProjectMaker:
             self._make_renders(take_id, sha256, category, loop=loop)
         if state is TakeState.APPROVED:
             self._say(Verdict, cue_id, take_id, at, action_id=new_id(), kind=VerdictKind.APPROVE,
-                      state_before=TakeState.CONFORMING, since_before=at, given_by=self._team.decider_id)  # fmt: skip
+                      state_before=TakeState.CONFORMING, since_before=at, given_by=self._team.approver_id)  # fmt: skip
         if state is TakeState.CHANGE_REQUESTED:
             self._say(ChangeRequest, cue_id, take_id, at, text=dice.choice(SAID), start_s=0.1, end_s=0.4,
-                      written_by=self._team.decider_id, sending_id=dice.choice(self._sendings))  # fmt: skip
+                      written_by=self._team.approver_id, feedback_id=dice.choice(self._sendings))  # fmt: skip
         if dice.random() < 0.2:
-            add(Comment, **self._tenant, take_id=take_id, text=dice.choice(SAID), written_by=self._team.decider_id,
+            add(Comment, **self._tenant, take_id=take_id, text=dice.choice(SAID), written_by=self._team.approver_id,
                 decides=True, created_at=at)  # fmt: skip
         return summed
 
@@ -249,7 +249,7 @@ class ProjectMaker:
 
 
 def others(total: int) -> Iterator[tuple[int, int]]:
-    """Yield a studio's place and a project's size until the server holds so many takes beside the measured ones."""
+    """Yield a studio's place and a project's size until the server holds so many takes besides the measured ones."""
     place, sizes = 0, (2_000, 5_000, 10_000, 25_000)
     while total > 0:
         takes = min(total, sizes[place % len(sizes)])
@@ -317,7 +317,7 @@ def _finding() -> dict[str, Any]:
 
 @cache
 def _report_text(*, rejected: bool) -> str:
-    """Return the report on a file whose name and hash stand in it as {name} and {sha256}."""
+    """Return the report on a file, with {name} and {sha256} in place of its name and hash."""
     report = {
         "path": "{name}", "sha256": "{sha256}", "pcm_sha256": "{sha256}", "category": "ui",
         "verdict": "rejected" if rejected else "conforming", "facts": _facts(), "measurements": _measurements(),

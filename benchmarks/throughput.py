@@ -4,9 +4,9 @@
     python -m benchmarks.throughput --postgres           the same on a PostgreSQL that it starts
     python -m benchmarks.throughput --takes 40 --workers 1 2
 
-From the moment at which all takes are written down to the one at which no job waits or runs, or at most 40 seconds:
+From the moment at which all takes are recorded to the one at which no job waits or runs, or at most 40 seconds:
 each is checked, drawn, rendered to the one target of the preset for 48 kHz, the game file measured and drawn too;
-its people are told of all takes of some seconds together, for some of them after the end. CPU time says what a free
+people are notified of the takes of a few seconds together, of some of them after the end. CPU time says what a free
 machine could do where this one is shared: that of the workers, of the processes in which they open sounds, and of
 PostgreSQL; what an upload costs the web process is measured before.
 """
@@ -49,7 +49,7 @@ from tests.support.waves import wav_bytes
 
 AT_MOST_S = 40.0
 WARM_WITHIN_S = 120.0
-LOOK_EVERY_S = 0.25
+POLL_EVERY_S = 0.25
 UPLOADS = 60
 SECONDS, RATE_HZ, BITS = 3, 48_000, 24
 JUDGING = {"without": worker_without_judgements.COMMAND, "with judgements": ("-m", "app", "worker")}
@@ -67,7 +67,7 @@ class Cost:
     database_s: float
 
     def row(self, name: str) -> list[str]:
-        """Return what stands in the table."""
+        """Return the row of the table."""
         parts = (self.worker_s, self.sandbox_s, self.database_s)
         return [
             name,
@@ -84,7 +84,7 @@ def main() -> None:
     parser.add_argument("--postgres", action="store_true", help="on PostgreSQL in place of SQLite")
     parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
     options = parser.parse_args()
-    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
+    events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
     kind = "PostgreSQL" if options.postgres else "SQLite"
     sounds = [sound(seed) for seed in range(options.takes + 2 * max(options.workers))]
     rows: list[list[str]] = []
@@ -93,15 +93,15 @@ def main() -> None:
         print(f"{kind}, {options.takes} takes, {machine()}", flush=True)
         with _place(postgres) as place:
             upload_ms = 1000 * upload_cost_s(place, postgres, sounds[:UPLOADS])
-        told = f"An upload that becomes a take costs web process and database {upload_ms:.0f} ms of CPU time."
-        print(f"{told}\n{' | '.join(HEAD)}", flush=True)
+        note = f"An upload that becomes a take costs web process and database {upload_ms:.0f} ms of CPU time."
+        print(f"{note}\n{' | '.join(HEAD)}", flush=True)
         for judging, command in JUDGING.items():
             for workers in options.workers:
                 with _place(postgres) as place:
                     cost = run(place, postgres, sounds[options.takes :], sounds[: options.takes], workers, command)
                 rows.append(cost.row(f"{workers}, {judging}"))
                 print(" | ".join(rows[-1]), flush=True)
-    text = f"{kind}, {options.takes} takes, {machine()}; {os.getloadavg()[0]:.1f} processes wanted to run. {told}"
+    text = f"{kind}, {options.takes} takes, {machine()}; load average {os.getloadavg()[0]:.1f}. {note}"
     text = f"{text}\n\n{table(HEAD, rows)}"
     print(f"\n{text}")
     if options.docs:
@@ -222,7 +222,7 @@ def _waited(condition: Callable[[], bool], within_s: float) -> bool:
     """Return once it is so, or the time is over; whether it is so."""
     deadline = time.monotonic() + within_s
     while not (is_so := condition()) and time.monotonic() < deadline:
-        time.sleep(LOOK_EVERY_S)
+        time.sleep(POLL_EVERY_S)
     return is_so
 
 

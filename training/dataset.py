@@ -1,7 +1,7 @@
 """The development set: sounds with and without reverb, each with what is known of it.
 
 A sound is dry, or dry and sent to a room; both then go through the same hands (trimmed, faded, equalised, with a
-noise floor, normalised, rounded to a depth), so that nothing but the reverb tells them apart.
+noise floor, normalised, rounded to a depth), so that they differ only in reverb.
 """
 
 import os
@@ -18,7 +18,7 @@ from training.sources import FAMILIES, Draws, Family, Floats, log_uniform
 RATE = 48_000  # of synthesis; files are brought to rates of their own at the end
 LONGEST_S = 9.0
 REAL_SHARE = 0.15
-# Recordings without a room of their own, as far as their making tells; every second one is kept apart.
+# Recordings without room reverb, as far as is known; every second one is kept apart.
 REAL_DRY = {
     "event": "elec_beep elec_blip elec_blip2 elec_blup elec_flip elec_plip elec_pop elec_tick elec_twip elec_wood"
     " elec_ping elec_twang glitch_perc1 glitch_perc2 glitch_perc3 glitch_perc4 glitch_perc5 glitch_robot1 glitch_robot2"
@@ -49,7 +49,7 @@ class Known:
 
     @property
     def is_audible(self) -> bool:
-        """Whether the reverb is one that a listener would speak of."""
+        """Whether the reverb is strong enough for a listener to notice."""
         return self.is_wet and self.wet_db >= -10 and self.rt60_s >= 0.5
 
 
@@ -106,11 +106,18 @@ def made(
     real: list[tuple[str, str, Floats]],
     *,
     reversed_share: float = 0.0,
+    real_share: float = REAL_SHARE,
+    cut_share: float = 0.0,
+    start: int = 0,
 ) -> Iterator[tuple[Known, Floats, int]]:
-    """Yield sounds: what is known of each, its samples, its sample rate; a share of them turned round."""
-    for number in range(count):
+    """Yield sounds: what is known of each, its samples, its sample rate.
+
+    `reversed_share` of them are reversed and `cut_share` end before they have died away, in 0..1. `start` is the
+    number of the first sound: the same number and seed always give the same sound.
+    """
+    for number in range(start, start + count):
         draws = np.random.default_rng([seed, number])
-        if real and draws.random() < REAL_SHARE:
+        if real and draws.random() < real_share:
             source, kind, dry = real[draws.integers(len(real))]
             is_real = True
             dry = np.repeat(dry, 2, axis=1) if dry.shape[1] == 1 and draws.random() < 0.3 else dry
@@ -126,6 +133,8 @@ def made(
             known, dry = _sent(draws, known, dry, rooms)
         if reversed_share and draws.random() < reversed_share:
             known, dry = replace(known, is_reversed=True), dry[::-1]
+        if cut_share and draws.random() < cut_share:
+            dry = _cut(draws, dry)
         samples, rate = _finished(draws, dry)
         yield known, samples, rate
 
@@ -173,6 +182,16 @@ def _sent(draws: Draws, known: Known, dry: Floats, rooms: list[Response]) -> tup
     out = wet * scale
     out[: len(dry)] += dry
     return replace(known, is_wet=True, room=response.room, rt60_s=response.rt60_s, wet_db=wet_db), out
+
+
+def _cut(draws: Draws, x: Floats) -> Floats:
+    """Return a sound without its end: from where it has fallen by 15 to 45 dB, or from any frame behind its peak on."""
+    loud = np.abs(x).max(axis=1)
+    shortest = int(np.argmax(loud)) + RATE // 20
+    if draws.random() < 0.3:
+        return x[: max(shortest, int(len(x) * draws.uniform(0.3, 1)))]
+    above = np.flatnonzero(loud > loud.max() * 10 ** (-draws.uniform(15, 45) / 20))
+    return x[: max(shortest, above[-1] + 1)]
 
 
 def _finished(draws: Draws, x: Floats) -> tuple[Floats, int]:

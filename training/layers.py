@@ -163,7 +163,7 @@ def _wavering(draws: Draws, rate: int, frames: int) -> Floats:
     return 10 ** (np.clip(slow / (slow.std() + 1e-12), -3, 3) * draws.uniform(0, 8) / 20)
 
 
-FAMILIES = [  # long decays are what is hardest to tell from a room
+FAMILIES = [  # long decays are hardest to distinguish from a room
     *[Family("passing", "event", passing)] * 2,
     *[Family("ringing", "natural-decay", ringing)] * 3,
     Family("lasting", "ambience", lasting),

@@ -1,7 +1,7 @@
 """Learns the score and the limits of the judgement `lossy`, and writes them and the tables of how good they are.
 
 `make weights` (`python -m training.lossy`) has real encoders code sounds of many families, trims them, changes their
-level and the rate of some; beside them stand sounds that were never coded, many of which look so. Kept apart are
+level and the rate of some; and takes sounds that were never coded, many of which look coded. Kept apart are
 families of sounds, encoders and every second real recording. Needs ffmpeg; real recordings come from SOUNDS_DIR.
 """
 
@@ -152,12 +152,12 @@ def _measured(draws: Draws, x: Floats, rate_hz: int, way: str, kbit_s: int | Non
 
 def learned(some: list[Known]) -> dict[str, list[float]]:
     """Return offset and slope of the score, and below what a sound is clean and from what on lossy."""
-    told = [one for one in some if one.contrast is not None]
-    contrasts = np.array([[one.contrast] for one in told])
-    coded = np.array([one.is_coded for one in told])
+    judged = [one for one in some if one.contrast is not None]
+    contrasts = np.array([[one.contrast] for one in judged])
+    coded = np.array([one.is_coded for one in judged])
     fitted = LogisticRegression(C=100.0, class_weight="balanced").fit(contrasts, coded)
     scores = fitted.predict_proba(contrasts)[:, 1]
-    ends = np.array([one.low_pass_hz is not None for one in told])
+    ends = np.array([one.low_pass_hz is not None for one in judged])
     low = float(np.quantile(scores[~coded & ~ends], 1 - UNDECIDED))
     high = float(np.quantile(scores[~coded], 1 - FALSE_ALARMS))
     score = [round(float(fitted.intercept_[0]), 4), round(float(fitted.coef_[0, 0]), 4)]

@@ -20,7 +20,7 @@ SHARE_OF_DITHERED = 0.5
 
 
 def is_found(draws: Draws, sound: Floats, *, padded: bool) -> bool | None:
-    """Return whether steps are found in one file made of a sound; None where too few values differ to tell."""
+    """Return whether steps are found in one file made of a sound; None if too few values differ to decide."""
     level_db = -draws.uniform(0.5, 20)
     x = sound * 10 ** (level_db / 20)
     if padded:  # moved by up to 6 dB, and never into clipping
@@ -56,7 +56,7 @@ def main() -> None:
     padded = found_in(families, PADDED_SOUNDS, 81, padded=True)
     true = found_in(families, TRUE_SOUNDS, 82, padded=False)
     rows = [
-        "| | files | steps found | too few values to tell |",
+        "| | files | steps found | too few values |",
         "|---|---|---|---|",
         f"| 16 bits, another level, written with 24 | {len(padded)} | {padded.count(True)} | {padded.count(None)} |",
         f"| 24 bits | {len(true)} | {true.count(True)} | {true.count(None)} |",

@@ -23,9 +23,9 @@ from sklearn.metrics import roc_auc_score
 from sklearn.neural_network import MLPClassifier
 
 from audio_checks.judge import reverb
+from audio_checks.judge.learned.nets import Nets
+from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure import decay, tails
-from audio_checks.nets import Nets
-from audio_checks.trees import Trees
 from training import dataset, layers, strikes
 from training.dataset import Known
 from training.reverb_limits import at_the_edge, held, scored, thresholds
@@ -105,7 +105,7 @@ def measured(made: Made, cache: Path) -> Set:
 
 @dataclass
 class Learned:
-    """What tells wet from dry: trees, and nets over scaled features."""
+    """The classifier of wet and dry: trees, and nets over scaled features."""
 
     trees: HistGradientBoostingClassifier
     nets: list[MLPClassifier]
@@ -131,7 +131,7 @@ class Learned:
 
 
 def learned_rt60(some: Set) -> HistGradientBoostingRegressor:
-    """Return trees that tell the decay time, as a power of two; learned from reverb that can be heard."""
+    """Return trees that estimate the decay time, as a power of two; learned from reverb that can be heard."""
     heard = some.column(lambda one: one.is_wet and one.wet_db > -14)
     trees = HistGradientBoostingRegressor(**TREES, loss="absolute_error", early_stopping=False, random_state=1)
     return trees.fit(some.features[heard], np.log2(some.column(lambda one: one.rt60_s or 1.0)[heard]))
@@ -164,7 +164,7 @@ def limits_on(some: Set, *, says_kind: bool = True) -> tuple[Floats, Floats]:
 
 
 def numbers_of(trees: Any) -> dict[str, Any]:
-    """Return scikit-learn's trees as `audio_checks.trees` reads them."""
+    """Return scikit-learn's trees as `audio_checks.judge.learned.trees` reads them."""
     out: dict[str, Any] = {"start": float(np.ravel(trees._baseline_prediction)[0]), "roots": []}
     columns: dict[str, list[Any]] = {key: [] for key in ("feature", "threshold", "left", "right", "nan_left", "value")}
     for (tree,) in trees._predictors:
@@ -182,7 +182,7 @@ def numbers_of(trees: Any) -> dict[str, Any]:
 
 
 def numbers_of_nets(learned: Learned) -> dict[str, Any]:
-    """Return scikit-learn's nets as `audio_checks.nets` reads them."""
+    """Return scikit-learn's nets as `audio_checks.judge.learned.nets` reads them."""
     return {name: _rounded(values) for name, values in learned.scale.items()} | {
         "nets": [
             [

@@ -1,8 +1,8 @@
 """Sets the limits of `reverb`: under which score a sound is dry, and from which on it has reverb.
 
-They come from the scores of sounds by what never met their family, and are held by sounds that stand at the edge:
-those of the demo project that are dry keep the limit of reverb above them, and single bursts of noise, which nobody
-can tell from a burst in a room, lie between both.
+They come from the scores of sounds by models that never met their family, and are bounded by borderline sounds:
+those of the demo project that are dry keep the limit of reverb above them, and single bursts of noise, which no one
+can distinguish from a burst in a room, are between both.
 """
 
 import io
@@ -20,10 +20,10 @@ from app.demo.cues import CUES
 from app.demo.sounds import demo_sounds
 from audio_checks import parse_spec
 from audio_checks.judge import reverb
+from audio_checks.judge.learned.nets import Nets
+from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure import decay, tails
-from audio_checks.nets import Nets
-from audio_checks.spec_presets import new_spec
-from audio_checks.trees import Trees
+from audio_checks.spec.presets import new_spec
 from training.sets import KINDS, LAYOUTS, Floats, Set, layouts_of
 
 Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by kind, layout and length of decay
@@ -44,7 +44,7 @@ class AtTheEdge:
     kind: str
     layout: str
     features: Floats
-    cannot_be_told: bool
+    is_undecidable: bool
 
 
 def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
@@ -61,7 +61,7 @@ def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
         for kind in known:
             aim, rows = FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]), rows_of[kind]
             table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim)
-        # Where nobody says the kind it may be any, a long natural decay too: as sure as of the hardest.
+        # An unknown kind may be any, a long natural decay too: it needs the limits of the hardest one.
         unsaid = limits(scores[here], wet[here], is_long[here], FALSE_ALARMS["unknown"])
         surest = max(
             *(np.quantile(scores[rows_of[kind] & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in known),
@@ -127,20 +127,20 @@ def at_the_edge() -> Iterator[AtTheEdge]:
     for rt60_s, seed in BURSTS:
         times_s = np.arange(int(1.25 * rt60_s * BURST_RATE_HZ)) / BURST_RATE_HZ
         burst = np.random.default_rng(seed).normal(0, 0.15, len(times_s)).clip(-1, 1) * 10 ** (-3 * times_s / rt60_s)
-        yield from _measured("natural-decay", burst[:, np.newaxis], BURST_RATE_HZ, cannot_be_told=True)
+        yield from _measured("natural-decay", burst[:, np.newaxis], BURST_RATE_HZ, is_undecidable=True)
 
 
-def _measured(kind: str | None, samples: Floats, rate: int, *, cannot_be_told: bool = False) -> Iterator[AtTheEdge]:
+def _measured(kind: str | None, samples: Floats, rate: int, *, is_undecidable: bool = False) -> Iterator[AtTheEdge]:
     following = decay.Decay(rate, samples.shape[1], len(samples))
     following.add(samples)
     features = tails.features_of(following.result()["decay"])
     if features is not None:
         layout = "mono" if samples.shape[1] == 1 else "stereo"
-        yield AtTheEdge(kind or "unknown", layout, features, cannot_be_told)
+        yield AtTheEdge(kind or "unknown", layout, features, is_undecidable)
 
 
 def scored(some: Iterable[AtTheEdge], numbers: dict[str, Any]) -> Iterator[tuple[AtTheEdge, float, str]]:
-    """Yield each sound with its score and the length of its decay, as what was learned tells them."""
+    """Yield each sound with its score and the length of its decay, as estimated by the models."""
     trees, nets, rt60_trees = Trees(numbers["reverb"]), Nets(numbers["nets"]), Trees(numbers["rt60"])
     for one in some:
         score = reverb.score_by(trees, nets, numbers["nets_share"], one.features)
@@ -152,7 +152,7 @@ def held(table: Table, by: Iterable[tuple[AtTheEdge, float, str]]) -> Table:
     for one, score, length in by:
         for kind in {one.kind, "unknown"}:
             dry_below, reverb_from = table[kind][one.layout][length]
-            if one.cannot_be_told:
+            if one.is_undecidable:
                 dry_below = min(dry_below, math.floor(score * 1e4) / 1e4)
             table[kind][one.layout][length] = dry_below, max(reverb_from, math.floor(score * 1e4 + 1) / 1e4)
     return table

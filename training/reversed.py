@@ -18,14 +18,15 @@ from audio_checks.judge import reversed as judgement
 from audio_checks.measure import decay, turning
 from training import dataset
 from training.dataset import Known
-from training.reverb import KINDS, numbers_of
+from training.reverb import numbers_of
+from training.sets import KINDS
 from training.tables import as_table, write_tables
 
 Floats = NDArray[np.float64]
 FALSE_ALARMS = 0.01  # of what plays forwards
 FOLDS = 5
 TREES = {"max_leaf_nodes": 10, "max_iter": 200, "learning_rate": 0.06, "min_samples_leaf": 20, "max_features": 0.4}
-# What an ear can tell: something is struck, shot or switched. A rustle or an engine is alike from both ends.
+# Sounds with an audible direction: something is struck, shot or switched. A rustle or an engine is alike both ways.
 IMPACTS_AND_UI = {
     *("impact", "blip", "footsteps", "gunshot", "debris", "drum", "bell", "boom", "explosion", "keys", "plucked"),
     *("arcade", "reload", "splash", "cymbal", "gong"),
@@ -84,7 +85,7 @@ def measured(made: Made) -> Set:
 
 
 def learned(some: Set) -> HistGradientBoostingClassifier:
-    """Return trees that tell backwards from forwards."""
+    """Return trees that distinguish backwards from forwards."""
     trees = HistGradientBoostingClassifier(**TREES, l2_regularization=1.0, early_stopping=False, random_state=1)
     return trees.fit(some.features, some.backwards)
 
@@ -115,7 +116,7 @@ def thresholds(some: Set, scores: Floats) -> dict[str, list[float]]:
 
 
 def right_on_speech(learning: Set, speech: Set) -> float:
-    """Return how often trees that never met speech tell which way it plays, with no way out."""
+    """Return how often trees that never met speech find its direction, with no undecided verdict."""
     others = learning.where(np.array([one.source != SPEECH.only for one in learning.known]))
     return float((learned(others).predict(speech.features) == speech.backwards).mean())
 
@@ -144,7 +145,7 @@ MUST = {"AUC, impacts and UI": 0.98}
 
 
 def by_family(some: Set) -> str:
-    """Return for each family of sources how well its directions are told apart."""
+    """Return for each family of sources how well its directions are distinguished."""
     names = np.array(["real recordings" if one.is_real else one.source for one in some.known])
     scores = np.array([judgement.score_of(one) for one in some.features])
     lines = ["| source | sounds | AUC |", "|---|---|---|"]

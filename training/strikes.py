@@ -1,7 +1,7 @@
-"""Dry strikes on things that ring: steps on a deck, tools put down, crates, pans, panes, what bounces until it lies.
+"""Dry strikes on things that ring: steps on a deck, tools put down, crates, pans, panes, bouncing objects.
 
 Such a thing rings by its modes, and its material sets how long each of them takes to die. In a game they are events,
-and their ring is as long as a small room's tail: what is learned from these is to tell the two apart.
+and their ring is as long as a small room's tail: from these the models learn to distinguish the two.
 """
 
 from dataclasses import dataclass

@@ -1,20 +1,19 @@
-"""Writes the tables of how good judgements are into the page on them."""
+"""Writes the tables of how good judgements are into the page on them and the page on how they were made."""
 
 from pathlib import Path
 
-DOCUMENT = Path(__file__).parents[1] / "docs" / "judgements.md"
+DOCUMENTS = Path(__file__).parents[1] / "docs" / "judgements.md", Path(__file__).with_name("README.md")
 
 
 def write_tables(tables: dict[str, str]) -> None:
     """Put each table between its marks."""
-    text = DOCUMENT.read_text(encoding="utf-8")
     for name, table in tables.items():
         mark = f"<!-- {name}: made by `make weights` -->\n"
-        head, found, rest = text.partition(mark)
-        if not found:
-            raise ValueError(f"{DOCUMENT} has no place for the table {name}")
-        text = f"{head}{mark}{table}\n<!-- end -->{rest.partition('<!-- end -->')[2]}"
-    DOCUMENT.write_text(text, encoding="utf-8")
+        document = next((one for one in DOCUMENTS if mark in one.read_text(encoding="utf-8")), None)
+        if document is None:
+            raise ValueError(f"no page has a place for the table {name}")
+        head, _, rest = document.read_text(encoding="utf-8").partition(mark)
+        document.write_text(f"{head}{mark}{table}\n<!-- end -->{rest.partition('<!-- end -->')[2]}", encoding="utf-8")
 
 
 def as_table(tried: dict[str, dict[str, float]], must: dict[str, float]) -> str:

@@ -132,7 +132,7 @@ def _brought_up(draws: Draws, x: Floats, from_hz: int, rate_hz: int, way: str) -
 
 
 def learned(some: Set) -> HistGradientBoostingClassifier:
-    """Return trees that tell what was brought up."""
+    """Return trees that find sounds brought up."""
     trees = HistGradientBoostingClassifier(**TREES, l2_regularization=1.0, early_stopping=False, random_state=1)
     return trees.fit(some.features, some.positive)
 

@@ -1,6 +1,6 @@
 """What a sound is known by: its wave between 60 Hz and 3.8 kHz, at 8 kHz and four bits a sample.
 
-The wave itself tells one recording from another of the same thing, which levels of bands do not: two
+The wave itself distinguishes one recording from another of the same thing, which levels of bands do not: two
 footsteps have the same bands, and waves that have nothing to do with each other. What games do to a
 sound (gain, other rates down to 11,025 Hz, 8 bit, equalisers, codecs, cuts) leaves it recognisable.
 """
@@ -19,16 +19,16 @@ Wave = NDArray[np.float32]
 FINGERPRINT_VERSION = 1
 RATE_HZ = 8_000
 LARGEST = 1e6  # 120 dB over full scale; squares of what is far larger are endless in 32 bits
-LISTENED_S = 60  # of a longer sound its first minute counts
+FINGERPRINTED_S = 60  # of a longer sound its first minute counts
 LOW_HZ, TOP_HZ = 60.0, 3_800.0
-NYQUIST_SHARE = 0.9  # of a lower rate's band; what lies above is its filter's
+NYQUIST_SHARE = 0.9  # of a lower rate's band; the rest above belongs to its filter
 PIECE = 40  # samples that share a step: 5 ms
 PIECE_BYTES = 1 + PIECE // 2
 STEPS = 7.5  # on either side of zero: sixteen levels
 LOUDEST_DBFS = 24.0  # float files may pass full scale
 SILENT_DB = 160  # under the loudest: a piece as faint is kept as silence
-FAINT_SHARE = 1e-6  # of a sound's power: where less lies in the band, there is nothing to know it by
-OPPOSED_SHARE = 0.02  # of the channels' power: where their mean keeps less, the first stands for them
+FAINT_SHARE = 1e-6  # of a sound's power: with less of it in the band a sound cannot be recognised
+OPPOSED_SHARE = 0.02  # of the channels' power: where their mean keeps less, the first is used for all
 
 
 def fingerprint(blocks: Iterable[NDArray[np.float64]], sample_rate_hz: int) -> bytes | None:
@@ -52,7 +52,7 @@ def fingerprint(blocks: Iterable[NDArray[np.float64]], sample_rate_hz: int) -> b
     Channels are mixed to their mean, so a mono fold-down has the same fingerprint; where they cancel out, the
     first channel is taken. The wave is weighted by +3 dB an octave, so that low tones don't drown all else.
     """
-    mono, power = _mono(blocks, LISTENED_S * sample_rate_hz)
+    mono, power = _mono(blocks, FINGERPRINTED_S * sample_rate_hz)
     if not power:
         return None
     wave, share = _banded(mono, sample_rate_hz)
@@ -82,7 +82,7 @@ def wave_of(packed: bytes) -> Wave:
 
 def pieces_of(frames: int, sample_rate_hz: int) -> int:
     """Return how many pieces the fingerprint of a sound has, by its length."""
-    listened = min(frames, LISTENED_S * sample_rate_hz)
+    listened = min(frames, FINGERPRINTED_S * sample_rate_hz)
     return -(-_frames_at_8_khz(listened, sample_rate_hz) // PIECE)
 
 
@@ -135,7 +135,7 @@ def _frames_at_8_khz(frames: int, sample_rate_hz: int) -> int:
 
 
 def _banded(mono: Wave, sample_rate_hz: int) -> tuple[NDArray[np.float64], float]:
-    """Return the weighted wave at 8 kHz, and which share of the power lies in its band."""
+    """Return the weighted wave at 8 kHz, and the share of the power in its band."""
     common = math.gcd(sample_rate_hz, RATE_HZ)
     unit = sample_rate_hz // common  # whole units last a whole number of samples at both rates
     units = smooth_length(-(-(len(mono) + sample_rate_hz // 50) // unit))

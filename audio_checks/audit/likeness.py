@@ -1,4 +1,4 @@
-"""Tells whether one sound holds another, at which level, and which part of it."""
+"""Detects whether one sound contains another, at which level, and which part of it."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ SOUND_SHARE = 1e-6  # of the loudest 5 ms: what is fainter before and after is s
 AS_GOOD = 0.995  # as the best place: then the sound was not moved, as of a tone that fits anywhere
 EDGES_HZ = (60.0, 250.0, 500.0, 1_000.0, 2_000.0, 3_800.0)
 CELL = RATE_HZ // 100  # 10 ms
-CELL_FLOOR = 1e-3  # of the loudest cell's power: fainter cells tell nothing of the shape
-FAINT_BAND = 1e-4  # of the power: a band with less tells nothing
-FAINT_FOR_GAIN = 0.02  # of the power: four bits leave too much noise to tell a band's gain by less
+CELL_FLOOR = 1e-3  # of the loudest cell's power: fainter cells do not show the shape
+FAINT_BAND = 1e-4  # of the power: a band with less is not used
+FAINT_FOR_GAIN = 0.02  # of the power: with less, the noise of four bits hides a band's gain
 SAME, SAME_IF_SHORT = 0.85, 0.9
 SHORT_S = 0.05  # fewer periods agree by chance
 UNSTEADY_DB = 3.0  # another envelope on the same tone
@@ -34,14 +34,14 @@ UNSTEADY_DB = 3.0  # another envelope on the same tone
 
 @dataclass(frozen=True)
 class Likeness:
-    """How one sound lies in another.
+    """The match of one sound within another.
 
     Attributes
     ----------
     score : float
         0..1: how the two waves agree over the bands, each weighted by the fourth root of its share in both.
     offset_s : float
-        Where in the approved sound the build's begins; negative where something stands before it.
+        Where in the approved sound the build's begins; negative if something comes before it.
     gain_db : float
         By how much the build's is louder, over the part that both have.
     tilt_db : float
@@ -91,7 +91,7 @@ class Waves:
 
 
 def likeness(approved: Waves, built: Waves) -> Likeness | None:
-    """Return how the sound of a build lies in an approved one; None where it can't lie there at all.
+    """Return the match of a build's sound within an approved one; None if there cannot be one.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def _powers(spectrum: Spectrum) -> NDArray[np.float64]:
 
 
 def _best_place(approved: Waves, built: Waves) -> tuple[int, float] | None:
-    """Return where in the approved sound the build's begins: in whole samples, and a fraction of one beside it."""
+    """Return where in the approved sound the build's begins: in whole samples, and a fraction of one."""
     mine, theirs = len(approved.wave), len(built.wave)
     length = smooth_length(mine + theirs)
     halves = np.abs(np.fft.irfft(approved.spectrum(length) * np.conj(built.spectrum(length)), 2 * length)) * 2
@@ -158,7 +158,7 @@ def _best_place(approved: Waves, built: Waves) -> tuple[int, float] | None:
 
 
 def _fraction(halves: Lines, place: int) -> float:
-    """Return by which fraction of a sample the best place lies beside a whole one: the crest of a parabola."""
+    """Return the offset of the best place from a whole sample, as a fraction: the crest of a parabola."""
     around = halves[np.arange(2 * place - 2, 2 * place + 3) % len(halves)].astype(np.float64)
     middle = 1 + int(np.argmax(around[1:4]))
     before, here, after = around[middle - 1 : middle + 2]
@@ -173,13 +173,13 @@ def _by_bands(
     places = np.searchsorted(hz, EDGES_HZ)
     sums = np.array([(mine[a:b].sum(), theirs[a:b].sum(), abs(cross[a:b].sum())) for a, b in pairwise(places)])
     shares = sums[:, :2] / np.maximum((mine.sum(), theirs.sum()), 1e-30)
-    told = (shares > FAINT_BAND).all(axis=1)
-    if not told.any():
+    usable = (shares > FAINT_BAND).all(axis=1)
+    if not usable.any():
         return 0.0, 0.0
-    sums, weights = sums[told], (shares[told].prod(axis=1)) ** 0.25
+    sums, weights = sums[usable], (shares[usable].prod(axis=1)) ** 0.25
     agreeing = sums[:, 2] / np.sqrt(sums[:, 0] * sums[:, 1])
     score = float(weights @ agreeing / weights.sum())
-    loud = (shares[told] > FAINT_FOR_GAIN).all(axis=1)
+    loud = (shares[usable] > FAINT_FOR_GAIN).all(axis=1)
     if not loud.any():
         return score, 0.0
     gains_db = 20 * np.log10(np.maximum(sums[loud, 2] / sums[loud, 0], 1e-9))

@@ -17,11 +17,11 @@ from pathlib import Path
 from typing import Any
 
 from audio_checks.audit.fingerprint import FINGERPRINT_VERSION, PIECE_BYTES, as_text, from_text, pieces_of
-from audio_checks.audit.heard import Heard
+from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.errors import SpecError
-from audio_checks.text_files import read_text
+from audio_checks.system.atomic_write import write_atomically
+from audio_checks.system.text_files import read_text
 from audio_checks.version import TOOL_VERSION
-from audio_checks.written import write_whole
 
 SCHEMA_VERSION = 1
 MOST_BYTES = 2 << 30
@@ -30,14 +30,14 @@ LONGEST_TEXT = 1_024
 MOST_FRAMES = 1 << 40
 
 
-def write_manifest(path: str | Path, heard: Iterable[Heard]) -> None:
+def write_manifest(path: str | Path, fingerprinted: Iterable[FingerprintedFile]) -> None:
     """Write a manifest in one step; OSError when it cannot be written."""
-    write_whole(path, manifest_text(heard))
+    write_atomically(path, manifest_text(fingerprinted))
 
 
-def manifest_text(heard: Iterable[Heard]) -> str:
+def manifest_text(fingerprinted: Iterable[FingerprintedFile]) -> str:
     """Return a manifest as its file holds it."""
-    return json.dumps(manifest_of([manifest_entry(one) for one in heard]), indent=1) + "\n"
+    return json.dumps(manifest_of([manifest_entry(one) for one in fingerprinted]), indent=1) + "\n"
 
 
 def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
@@ -56,7 +56,7 @@ def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def manifest_entry(one: Heard) -> dict[str, Any]:
+def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
     """Return what a manifest says of one approved sound, in plain values; None for levels of silence."""
     return {
         "path": one.path,
@@ -73,7 +73,7 @@ def manifest_entry(one: Heard) -> dict[str, Any]:
     }
 
 
-def read_manifest(path: str | Path) -> list[Heard]:
+def read_manifest(path: str | Path) -> list[FingerprintedFile]:
     """Return the approved sounds that a manifest lists, in its order.
 
     Raises
@@ -90,16 +90,16 @@ def read_manifest(path: str | Path) -> list[Heard]:
         raise SpecError('is no manifest: wanted {"schema_version": 1, "files": [...]}', where=where)
     for key, wanted in (("schema_version", SCHEMA_VERSION), ("fingerprint_version", FINGERPRINT_VERSION)):
         if document.get(key) != wanted or isinstance(document.get(key), bool):
-            raise SpecError(f"{key} must be {wanted}; make the manifest anew with this version", where=where)
+            raise SpecError(f"{key} must be {wanted}; write a new manifest with this version", where=where)
     if len(document["files"]) > MOST_FILES:
         raise SpecError(f"lists more than {MOST_FILES:,} files", where=where)
-    heard = [_read(entry, f"{where}: files[{place}]") for place, entry in enumerate(document["files"])]
+    fingerprinted = [_read(entry, f"{where}: files[{place}]") for place, entry in enumerate(document["files"])]
     seen: set[str] = set()
-    for place, one in enumerate(heard):
+    for place, one in enumerate(fingerprinted):
         if one.path in seen:
             raise SpecError(f'"{one.path}" is listed twice', where=f"{where}: files[{place}]")
         seen.add(one.path)
-    return heard
+    return fingerprinted
 
 
 def schema() -> dict[str, Any]:
@@ -140,7 +140,7 @@ def schema() -> dict[str, Any]:
     }
 
 
-def _read(entry: object, where: str) -> Heard:
+def _read(entry: object, where: str) -> FingerprintedFile:
     if not isinstance(entry, dict):
         raise SpecError("wanted an object", where=where)
     if unknown := sorted(set(entry) - set(_KINDS)):
@@ -159,7 +159,7 @@ def _read(entry: object, where: str) -> Heard:
         if len(packed) != pieces_of(entry["frames"], entry["sample_rate_hz"]) * PIECE_BYTES:
             raise SpecError("fingerprint is not as long as the sound", where=where)
     levels = {key: None if entry[key] is None else float(entry[key]) for key in ("sample_peak_dbfs", "rms_dbfs")}
-    return Heard(**{**entry, **levels, "fingerprint": packed})
+    return FingerprintedFile(**{**entry, **levels, "fingerprint": packed})
 
 
 def _is_whole(least: int, most: int) -> Callable[[object], bool]:

@@ -1,11 +1,11 @@
-"""What became of a sound: one word for it, and the figures behind the word."""
+"""Compares a sound of a build with the approved one: a status, and the figures behind it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from audio_checks.audit.heard import Heard
+from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.audit.likeness import Likeness
 
 Status = Literal[
@@ -25,13 +25,13 @@ STATUSES: tuple[Status, ...] = get_args(Status)
 LEAST_GAIN_DB = 0.1  # at the same rate and depth
 LEAST_GAIN_RECODED_DB = 0.5  # where another rate, depth or codec makes the figure less sure
 TILTED_DB = 1.0  # an equaliser, not a mere gain
-MOVED_S = 0.005  # an end that lies elsewhere
+MOVED_S = 0.005  # an end that has moved
 MOVED_CODED_S = 0.06  # codecs add silence up to whole frames
 
 
 @dataclass(frozen=True)
-class Became:
-    """What became of an approved sound in a build.
+class Comparison:
+    """How a sound of a build compares with the approved one.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Became:
     offset_s : float
         Where in the approved sound the build's begins.
     message : str
-        All of it in words.
+        All differences in words.
     """
 
     status: Status
@@ -51,12 +51,12 @@ class Became:
     message: str
 
 
-def became(approved: Heard, built: Heard, like: Likeness) -> Became:
-    """Return what became of a sound whose samples are others.
+def compare(approved: FingerprintedFile, built: FingerprintedFile, like: Likeness) -> Comparison:
+    """Return how a build's sound with other samples compares with the approved one.
 
-    Where several hold, the word is the first of: trimmed (an end lies elsewhere), re-encoded by an equaliser (the
+    Where several hold, the word is the first of: trimmed (an end has moved), re-encoded by an equaliser (the
     gain is not the same in all bands), gain, re-encoded (codec, depth, channels), resampled, re-encoded by whatever
-    else changes samples. The message tells all.
+    else changes samples. The message names all of them.
     """
     coded = built.codec is not None or approved.codec is not None
     recoded = coded or built.bit_depth != approved.bit_depth
@@ -89,8 +89,8 @@ def became(approved: Heard, built: Heard, like: Likeness) -> Became:
         status = "gain"
     elif resampled and not (tilted or recoded or mixed):
         status = "resampled"
-    told = ", ".join(word for word in words if word) or "its samples differ, and its sound hardly"
-    return Became(status, round(like.gain_db, 2), round(like.offset_s, 4), told)
+    message = ", ".join(word for word in words if word) or "its samples differ, and its sound hardly"
+    return Comparison(status, round(like.gain_db, 2), round(like.offset_s, 4), message)
 
 
 def _end(cut_s: float, end: str, least_s: float) -> str:

@@ -21,13 +21,13 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from audio_checks import check_names
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec import check_names
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
-    from audio_checks.sets import Judged
+    from audio_checks.audio.audio_file import AudioFile
+    from audio_checks.report.judged import JudgedFile
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Check:
         return parts_of(self.module.__doc__ or "")
 
     def applies(self, spec: DeliverySpec, cue: CueFacts | None) -> bool:
-        """Tell whether the spec, or the cue, states anything that it could hold a file to."""
+        """Return whether the spec, or the cue, states anything that it could hold a file to."""
         ask = getattr(self.module, "applies", None)
         return ask is None or bool(ask(spec, cue))
 
@@ -77,7 +77,7 @@ class Check:
         """Whether it finds anything over files together."""
         return hasattr(self.module, "check_set")
 
-    def run_set(self, files: Sequence["Judged"]) -> Iterator[tuple[int, Finding]]:
+    def run_set(self, files: Sequence["JudgedFile"]) -> Iterator[tuple[int, Finding]]:
         """Yield what it finds over files together, each with the place of its file."""
         found: Iterator[tuple[int, Finding]] = self.module.check_set(files)
         return found

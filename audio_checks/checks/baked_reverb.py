@@ -13,12 +13,12 @@ tell" is no finding, and a cue whose list asks for a designed tail has none.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.judge import score_in_words
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.judge import judge, score_in_words
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 JUDGEMENT = "reverb"
@@ -32,7 +32,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `baked-reverb:heard` when the judgement is positive."""
-    judged = file.judgement("reverb", spec.kind)
+    judged = judge("reverb", file, spec.kind)
     if judged.verdict != "reverb":
         return
     rt60_s, score = judged.figures["rt60_s"], score_in_words(judged.score)

@@ -13,12 +13,12 @@ positions of WAVEFORMATEXTENSIBLE; ambisonic files have (order + 1)² channels a
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.layouts import LAYOUTS, layouts_of
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.metadata.layouts import LAYOUTS, layouts_of
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 COUNTS = {1: "mono", 2: "stereo"}

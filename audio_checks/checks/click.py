@@ -3,22 +3,22 @@
 Why: a splice between two waves, a lost sample, a plug-in that starts late or a scratched recording
 leave a step of one or a few samples. It is heard as a tick, in a game a thousand times.
 It does not find a click among lone knocks as short and as sharp, as of a coin that spins or a hinge that
-creaks: there none can be told from those that are meant.
-How to fix: go to the named places and draw the samples anew, use a declicker, or move the edit to
+creaks: there a fault cannot be distinguished from intended clicks.
+How to fix: go to the named places and redraw the samples, use a declicker, or move the edit to
 where both waves meet and fade across it. Crackle that is meant may stay: say so, or turn this off.
 Source: Godsill and Rayner, Digital Audio Restoration (1998), chapter 5: what is sudden stands out of
 its surroundings once what moves slowly is taken away, here by a sixth difference; and, where that is
-in doubt, where samples can be foretold neither from those before nor from those after them.
+in doubt, where samples can be predicted neither from those before nor from those after them.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("clicks", "click_places")
 PLACES_NAMED = 3
@@ -38,9 +38,9 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         code="click:isolated",
         message=(
             f"{count} {'click' if count == 1 else 'clicks'} ({named}{more}),"
-            f" the sharpest like one sample at {sharpest.level_dbfs:.1f} dBFS"
+            f" the sharpest at {sharpest.level_dbfs:.1f} dBFS"
         ),
-        fix="repair the samples there, or move the edit to where both waves meet and fade across it",
+        fix="repair it with a declicker, or move the edit to a zero crossing and crossfade",
         measured=float(count),
         limit=0.0,
         unit="clicks",

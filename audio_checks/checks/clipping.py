@@ -18,11 +18,11 @@ Square waves and waves of steps are flat by nature, and left alone.
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
     from audio_checks.measure.flat_tops import FlatTop
 
 FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
@@ -33,19 +33,19 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `clipping:flat-tops` for crests that are cut off, else `clipping:soft-tops` for flattened ones."""
     figures = file.measurements
     if figures.clipped_runs:
-        yield _finding("flat-tops", "run", " of flat tops", figures.clipped_runs, figures.clipped_spans)
+        yield _finding("flat-tops", "clipped run", figures.clipped_runs, figures.clipped_spans)
     elif figures.soft_tops:
-        yield _finding("soft-tops", "crest", " flattened softly", figures.soft_tops, figures.soft_spans)
+        yield _finding("soft-tops", "soft-clipped peak", figures.soft_tops, figures.soft_spans)
 
 
-def _finding(condition: str, unit: str, what: str, count: int, spans: "Sequence[FlatTop]") -> Finding:
+def _finding(condition: str, unit: str, count: int, spans: "Sequence[FlatTop]") -> Finding:
     level = max(span.level_dbfs for span in spans)
     places = ", ".join(f"{span.start_s:.3f} s" for span in spans[:PLACES_NAMED])
     more = ", ..." if count > PLACES_NAMED else ""
     plural = "" if count == 1 else "s"
     return Finding(
         code=f"clipping:{condition}",
-        message=f"{count} {unit}{plural}{what} at {level:.1f} dBFS ({places}{more})",
+        message=f"{count} {unit}{plural} at {level:.1f} dBFS ({places}{more})",
         fix="listen there: if it is not meant, lower the gain before the stage that clips and export again",
         measured=float(count),
         limit=0.0,

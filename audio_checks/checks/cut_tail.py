@@ -15,11 +15,11 @@ low cut is nearly as high as the sound before.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("end_edge",)
 AROUND_S = 0.01
@@ -37,7 +37,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         return
     yield Finding(
         code="cut-tail:mid-wave",
-        message=f"the sound ends in mid-wave, at {edge.level_dbfs:.1f} dBFS",
+        message=f"ends off a zero crossing ({edge.level_dbfs:.1f} dBFS) and may click",
         fix="export up to the end of the tail, or fade out",
         measured=edge.level_dbfs,
         unit="dBFS",

@@ -1,6 +1,6 @@
 """`dc-offset`: the waveform is centred on zero.
 
-Why: an offset wastes headroom, and clicks wherever the sound starts, stops or is cut. It comes
+Why: an offset wastes headroom, and clicks where the sound starts, stops or is cut. It comes
 from a faulty converter, an asymmetric distortion or a badly made synthesis.
 How to fix: put a high-pass filter at 10 to 20 Hz on the sound, or use the editor's DC removal.
 Source: the delivery spec, `[limits] dc_offset_percent`, of full scale, in the worst channel.
@@ -9,11 +9,11 @@ Source: the delivery spec, `[limits] dc_offset_percent`, of full scale, in the w
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("dc_offset_percent",)
 

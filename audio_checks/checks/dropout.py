@@ -8,17 +8,17 @@ Source: practice in the field. A hole is a millisecond or more without movement,
 but a last value that leaks away or a straight line, or one and a half of hiss 25 dB or more under the sound,
 with sound up to both its edges; a repeat is a buffer of 64 to 2048 frames that comes again bit by bit, at
 once or after up to three others, as a ring of buffers gives it that is not filled in time. A hole that
-hisses louder, or that fades of 10 ms lead into and out of, is not told from a pause of the sound itself.
+hisses louder, or that fades of 10 ms lead into and out of, cannot be distinguished from a pause of the sound itself.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("dropouts", "dropout_places", "repeats", "repeat_places")
 PLACES_NAMED = 3

@@ -5,7 +5,7 @@ or of the sound before. In a game it takes its memory twice.
 How to fix: export the sound that was meant. If one sound should serve two cues, say so, and let the
 game play one file for both.
 Source: SHA-256 of the samples, whatever the name, the metadata, the sample rate in the header, and
-for FLAC the packing. Stand-ins are let be. The server asks within a delivery, and returns no take for it.
+for FLAC the packing. Placeholders are ignored. The server asks within a delivery, and returns no take for it.
 """
 
 import os
@@ -13,20 +13,20 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
+from audio_checks.report.findings import Finding
 
 if TYPE_CHECKING:
-    from audio_checks.sets import Judged
+    from audio_checks.report.judged import JudgedFile
 
 FIGURES = ()
 SAID = {"sample_rate_hz": "sample rate", "bit_depth": "bit depth", "channels": "number of channels"}
 
 
-def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield `duplicate:same-sound` for every file but the first of those that hold the same samples."""
     by_sound: dict[str, list[int]] = defaultdict(list)
     for place, one in enumerate(files):
-        if one.report.pcm_sha256 is not None and not _is_stand_in(one):
+        if one.report.pcm_sha256 is not None and not _is_placeholder(one):
             by_sound[one.report.pcm_sha256].append(place)
     for places in by_sound.values():
         first = files[places[0]]
@@ -34,7 +34,7 @@ def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
             yield place, _finding(first, files[place])
 
 
-def _finding(first: "Judged", same: "Judged") -> Finding:
+def _finding(first: "JudgedFile", same: "JudgedFile") -> Finding:
     before, now = first.report.facts or {}, same.report.facts or {}
     other = " and ".join(word for key, word in SAID.items() if before.get(key) != now.get(key))
     folder = os.path.dirname(first.path)
@@ -48,5 +48,5 @@ def _finding(first: "Judged", same: "Judged") -> Finding:
     )
 
 
-def _is_stand_in(one: "Judged") -> bool:
+def _is_placeholder(one: "JudgedFile") -> bool:
     return any(finding.code == "placeholder:marked" for finding in one.report.findings)

@@ -13,11 +13,11 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 USUAL_FPS = 60.0
@@ -65,7 +65,7 @@ def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterat
         if abs(off) > 1 / _exact(fps):
             yield Finding(
                 code="duration:locked",
-                message=f"{_seconds(length)}, locked to {float(asked):g} s within one frame of {fps:g} fps",
+                message=f"{_seconds(length)} long; locked to {float(asked):g} s within one frame of {fps:g} fps",
                 fix=f"{turn} the sound by {_seconds(abs(off))}",
                 severity="error",
                 measured=float(length),
@@ -75,7 +75,7 @@ def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterat
     elif abs(off) > asked * SPREAD:
         yield Finding(
             code="duration:cue",
-            message=f"{_seconds(length)}, the cue asks for about {float(asked):g} s",
+            message=f"{_seconds(length)} long; the brief says about {float(asked):g} s",
             fix=f"{turn} the sound, or say on the cue why it needs this length",
             severity="warning",
             measured=float(length),

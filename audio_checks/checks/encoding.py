@@ -9,11 +9,11 @@ Source: the delivery spec, `[accept] encodings`, or the target's encoding.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 WORDS = {"pcm": "integer (PCM)", "float": "float"}

@@ -1,19 +1,19 @@
 """`false-stereo`: the two channels of a stereo file are two.
 
 Why: a mono sound in a stereo file takes twice the memory, is not placed in the 3D world by most
-engines, and says of itself that it is wide. It comes of a mono track bounced through a stereo bus.
+engines, and says of itself that it is wide. It comes from a mono track bounced through a stereo bus.
 How to fix: export it as mono. If it should be wide, look for the plug-in that summed it.
-Source: the level of left − right under the louder channel; at −60 dB nobody hears a width.
+Source: the level of left − right under the louder channel; at −60 dB no width is audible.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("channel_difference_db",)
 LIMIT_DB = -60.0
@@ -27,9 +27,9 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     equal = difference == float("-inf")
     yield Finding(
         code="false-stereo:equal" if equal else "false-stereo:nearly",
-        message="left and right are equal: the sound is mono"
+        message="dual mono: left and right are identical"
         if equal
-        else f"left and right differ by {difference:.0f} dB, heard as stereo above {LIMIT_DB:.0f} dB",
+        else f"dual mono: left and right differ only at {difference:.0f} dB, limit {LIMIT_DB:.0f} dB",
         fix="export it as mono; or, if it should be wide, look for what sums it in the session",
         measured=difference,
         limit=LIMIT_DB,

@@ -10,11 +10,11 @@ what lies below that level, or 60 dB under the file's peak, whichever is lower.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("sample_peak_dbfs", "head_silence_ms")
 

@@ -8,17 +8,17 @@ Source: mains stay within 1 % of 50 Hz nearly all year (EN 50160); the nearest n
 more multiples, in tune with each other, stand 12 dB over what lies beside them in a quarter of all
 windows or more, or keep one phase between loud strokes from start to end, and together reach -70 dBFS.
 The 9th and 15th, which dimmers on three phases leave, count beside the mains and the 3rd.
-Sounds under a second cannot tell hum from a note.
+In sounds under a second, hum and a note cannot be distinguished.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("hum_dbfs", "hum_hz")
 

@@ -3,7 +3,7 @@
 Why: where the wave jumps or bends from the loop's last frame to its first, a tick is heard at every
 turn. A loop that points outside the file plays noise, or nothing, depending on the engine.
 How to fix: move the loop's end so that wave and slope meet, or fade across the seam in the editor;
-write the points anew after every change of length or sample rate.
+write new points after every change of length or sample rate.
 Source: the `smpl` chunk (Microsoft and IBM, Multimedia Data Standards Update, 1994); without one, a
 cue that is asked for as a loop loops as a whole. The step at the seam is compared with the largest
 one in the 10 ms before and after it, and so is the bend.
@@ -12,11 +12,11 @@ one in the 10 ms before and after it, and so is the bend.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("seam_step_db", "seam_slope_db")
 STEP_DB = 6.0  # over the largest step nearby
@@ -31,7 +31,7 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
         yield Finding(
             code="loop-points:outside",
             message=f"a loop runs from frame {loop.start} to {loop.end}, but the file has {file.facts.frames} frames",
-            fix="write the loop points anew from the session",
+            fix="export the loop points again from the session",
         )
     loops = file.layout.loops
     if loops:

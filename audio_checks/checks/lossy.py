@@ -1,6 +1,6 @@
 """`lossy`: the file did not come out of a lossy codec.
 
-Why: MP3, AAC, Vorbis and the like leave out what nobody hears in the sound as it is. Pitched, equalised, layered or
+Why: MP3, AAC, Vorbis and the like leave out what is inaudible in the sound as it is. Pitched, equalised, layered or
 coded again for the game, it is heard that something is missing; and a library's terms may ask for its own files.
 How to fix: deliver the sound from a source that was never coded, or say in the delivery's note where it comes from: a
 voice over a radio, or a find that exists no other way, is everyday craft.
@@ -12,12 +12,12 @@ finding.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.judge import score_in_words
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.judge import judge, score_in_words
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 JUDGEMENT = "lossy"
@@ -30,7 +30,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `lossy:frames` when the judgement is positive."""
-    judged = file.judgement("lossy", spec.kind)
+    judged = judge("lossy", file, spec.kind)
     if judged.verdict != "lossy":
         return
     figures = judged.figures

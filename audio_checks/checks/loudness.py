@@ -12,11 +12,11 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding, level_shown
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding, level_shown
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("integrated_lufs", "short_loudness_lufs")
 ONE_BLOCK_S = 0.4  # a gating block of BS.1770: below, integrated loudness is not defined

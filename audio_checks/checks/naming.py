@@ -15,14 +15,14 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from audio_checks import patterns
-from audio_checks.findings import Finding
-from audio_checks.sound_list import parse_file_name, slug
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec import patterns
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.sound_list import parse_file_name, slug
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
-    from audio_checks.sets import Judged
+    from audio_checks.audio.audio_file import AudioFile
+    from audio_checks.report.judged import JudgedFile
 
 FIGURES = ()
 LONGEST_SHOWN = 80
@@ -67,7 +67,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         )
 
 
-def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield `naming:twins` for names in one folder that differ only in case or in how Unicode writes them."""
     by_name: dict[str, list[int]] = defaultdict(list)
     for place, one in enumerate(files):
@@ -101,7 +101,7 @@ def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Fin
             fix=f"rename it to {_short(proposed)}{ending}" if renamed else "rename it after the pattern",
         )
     if naming.tokens:
-        from audio_checks import name_tokens  # only where a spec asks for it
+        from audio_checks.spec import name_tokens  # only where a spec asks for it
 
         why = name_tokens.misfit(stem, naming.tokens, naming.separator)
         if why is not None:
@@ -112,7 +112,7 @@ def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Fin
                 fix=f"rename it after the form {form}",
             )
     if naming.grammar == "ucs":
-        from audio_checks import ucs
+        from audio_checks.spec import ucs
 
         why = ucs.misfit(stem, naming.ucs_ids)
         if why is not None:

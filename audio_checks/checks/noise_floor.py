@@ -6,17 +6,17 @@ How to fix: record closer and quieter; reduce the noise with a light hand, or le
 the pauses softly.
 Source: the delivery spec, `[limits] noise_floor_dbfs`: the RMS of the quietest 0.2 s, in the noisiest
 channel, where it is steady and 12 dB or more under the loudest. A sound without such a pause has
-no floor that could be told from the sound.
+no floor that can be separated from the sound.
 """
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding, level_shown
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding, level_shown
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("noise_floor_dbfs",)
 

@@ -12,11 +12,11 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("sample_step",)
 FEWEST_LOST_BITS = 4
@@ -29,7 +29,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         return
     if used is not None and depth - used >= FEWEST_LOST_BITS:
         code, bits = "padded-bits:zeros", float(used)
-        found = f"of {depth} bits the lower {depth - used} are empty: a sound of {used} bits"
+        found = f"zero-padded: the lower {depth - used} of {depth} bits are empty, so it is really {used}-bit"
     else:
         code, bits = "padded-bits:steps", depth - math.log2(step)
         found = f"{depth} bits, but every sample stands on steps of {step:.1f}: a sound of {bits:.1f} bits"

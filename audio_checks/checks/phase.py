@@ -11,11 +11,11 @@ Source: the delivery spec, `[limits] mono_loss_db`: mean power of the channels o
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("mono_loss_db", "mono_loss_spans")
 NOTHING_LEFT_DB = 90.0
@@ -34,10 +34,10 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     start_s, end_s = max(
         file.measurements.mono_loss_spans(limit), key=lambda span: span[1] - span[0], default=(0.0, None)
     )
-    lost = "nothing is left" if loss > NOTHING_LEFT_DB else f"{loss:.1f} dB are lost"
+    lost = "all of its level" if loss > NOTHING_LEFT_DB else f"{loss:.1f} dB"
     yield Finding(
         code="phase:mono-loss",
-        message=f"{lost} in mono, limit {limit:g} dB",
+        message=f"loses {lost} when summed to mono, limit {limit:g} dB",
         fix="look for swapped polarity, a widener or a delay between left and right",
         measured=loss,
         limit=limit,

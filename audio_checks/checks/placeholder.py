@@ -1,9 +1,9 @@
-"""`placeholder`: the file is the real sound, not a stand-in for it.
+"""`placeholder`: the file is the real sound, not a placeholder for it.
 
-Why: stand-ins (a spoken word, a beep) let the team hear what is missing. One that nobody replaced
+Why: placeholders (a spoken word, a beep) let the team hear what is missing. One that was not replaced
 ships with the game.
-How to fix: deliver the sound for the cue that the mark names; the mark goes with the stand-in.
-Source: stand-ins are marked by `SOUNDLIST:PLACEHOLDER` and the cue's number in the comment
+How to fix: deliver the sound for the cue that the mark names; the mark goes with the placeholder.
+Source: placeholders are marked by `SOUNDLIST:PLACEHOLDER` and the cue's number in the comment
 (LIST/INFO ICMT, or COMMENT of a FLAC file) or in the description of a broadcast wave (bext); other
 tools say `placeholder` as the state in iXML (ASWG-G006).
 """
@@ -11,12 +11,12 @@ tools say `placeholder` as the state in iXML (ASWG-G006).
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
 from audio_checks.metadata.mark import cue_marked
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 
@@ -27,7 +27,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     if number is not None:
         yield Finding(
             code="placeholder:marked",
-            message=f"this is a stand-in{f' for cue {number}' if number else ''}, not the sound itself",
-            fix="deliver the real sound in its place",
+            message=f"this is a placeholder{f' for cue {number}' if number else ''}, not the final sound",
+            fix="deliver the final sound",
             severity="error" if spec.target is not None else None,
         )

@@ -10,12 +10,12 @@ is right. "Cannot tell" is no finding. Every take plays backwards at one key on 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.judge import score_in_words
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.judge import judge, score_in_words
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 JUDGEMENT = "reversed"
@@ -28,7 +28,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `reversed:heard` when the judgement is positive."""
-    judged = file.judgement("reversed", spec.kind)
+    judged = judge("reversed", file, spec.kind)
     if judged.verdict == "reversed":
         yield Finding(
             code="reversed:heard",

@@ -9,11 +9,11 @@ Source: the delivery spec, `[limits] silence_below_dbfs`.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding, level_shown
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding, level_shown
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 
@@ -30,7 +30,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         return
     peak = file.measurements.sample_peak_dbfs
     if peak < limit - spec.limits.tolerance_db:
-        level = "digital silence" if peak == float("-inf") else f"never louder than {peak:.1f} dBFS"
+        level = "digital silence" if peak == float("-inf") else f"peak only {peak:.1f} dBFS"
         yield Finding(
             code="silence:file",
             message=f"{level}, silent below {level_shown(limit)} dBFS",

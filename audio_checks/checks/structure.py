@@ -9,11 +9,11 @@ Source: RIFF and RF64 (EBU Tech 3306), WAVE and WAVEFORMATEXTENSIBLE; rules R1 t
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.spec import DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 

@@ -9,11 +9,11 @@ Source: ITU-R BS.1770, Annex 2.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding, level_shown
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding, level_shown
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ("true_peak_dbtp", "true_peak_s")
 

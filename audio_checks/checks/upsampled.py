@@ -11,12 +11,12 @@ rate would end there; docs/judgements.md says how often that is right. "Cannot t
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
-from audio_checks.judge import score_in_words
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.judge import judge, score_in_words
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 FIGURES = ()
 JUDGEMENT = "upsampled"
@@ -29,7 +29,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `upsampled:cliff` when the judgement is positive."""
-    judged = file.judgement("upsampled", spec.kind)
+    judged = judge("upsampled", file, spec.kind)
     if judged.verdict != "upsampled":
         return
     edge_hz, drop_db, from_hz = (judged.figures[name] for name in ("edge_hz", "drop_db", "from_hz"))

@@ -15,21 +15,21 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from audio_checks.findings import Finding
 from audio_checks.measure.likeness import unlikeness_db
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.report.findings import Finding
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
-    from audio_checks.sets import Judged
+    from audio_checks.report.judged import JudgedFile
 
 FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")
 MOST_SPREAD_LU = 2.0
 MOST_LENGTH_OFF = 0.25
 LEAST_UNLIKE_DB = 0.4
-A_HAIR = 1e-9
+EPSILON = 1e-9
 ONE_BLOCK_S = 0.4  # of BS.1770: below, there is no integrated loudness
 
-Set = dict[int, int]  # the place of the file that stands for each variation
+Set = dict[int, int]  # the place of the file that represents each variation
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
@@ -37,7 +37,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     return cue is not None and cue.variations > 1
 
 
-def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
+def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield what stands out of its set once all variations are there.
 
     `variation-set:level` for loudness, `variation-set:length` for length, `variation-set:alike` for the later one
@@ -54,25 +54,25 @@ def check_set(files: "Sequence[Judged]") -> Iterator[tuple[int, Finding]]:
             yield from _of_one_set(files, places, chosen)
 
 
-def off_its_set_lu(files: "Sequence[Judged]") -> list[float | None]:
+def offset_from_set_lu(files: "Sequence[JudgedFile]") -> list[float | None]:
     """Return how much louder each file of one cue is than the other variations that are there, in LU.
 
-    None for a file that no other stands beside, and for silence.
+    None for a file without others to compare with, and for silence.
     """
     places = range(len(files))
     off = _off(_levels(files, places), files, places, _chosen(files, places))
     return [off.get(place) for place in places]
 
 
-def _chosen(files: "Sequence[Judged]", places: Sequence[int]) -> Set:
-    """Return the file that stands for each variation: an alternate only where there is nothing else."""
+def _chosen(files: "Sequence[JudgedFile]", places: Sequence[int]) -> Set:
+    """Return the file that represents each variation: an alternate only if there is nothing else."""
     chosen: Set = {}
     for place in sorted(places, key=lambda place: files[place].is_alternate):
         chosen.setdefault(files[place].variation, place)
     return chosen
 
 
-def _of_one_set(files: "Sequence[Judged]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
+def _of_one_set(files: "Sequence[JudgedFile]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
     levels, lengths = _levels(files, places), {place: _duration_s(files[place]) for place in places}
     levels_off = _off(levels, files, places, chosen)
     most_off = _most_off(levels, levels_off, chosen, files[places[0]].spec.limits.tolerance_db)
@@ -87,28 +87,28 @@ def _of_one_set(files: "Sequence[Judged]", places: Sequence[int], chosen: Set) -
     yield from _alike(files, list(chosen.values()))
 
 
-def _levels(files: "Sequence[Judged]", places: Sequence[int]) -> dict[int, float]:
+def _levels(files: "Sequence[JudgedFile]", places: Sequence[int]) -> dict[int, float]:
     """Return the loudness of each file that has one, all measured the same way."""
     short = any(_duration_s(files[place]) < ONE_BLOCK_S for place in places)
     figure = "short_loudness_lufs" if short else "integrated_lufs"
-    told = {place: files[place].report.measurements.get(figure) for place in places}
-    return {place: level for place, level in told.items() if level is not None and level > float("-inf")}
+    known_levels = {place: files[place].report.measurements.get(figure) for place in places}
+    return {place: level for place, level in known_levels.items() if level is not None and level > float("-inf")}
 
 
-def _duration_s(one: "Judged") -> float:
+def _duration_s(one: "JudgedFile") -> float:
     return float((one.report.facts or {})["duration_s"])
 
 
 def _off(
-    figures: Mapping[int, float], files: "Sequence[Judged]", places: Sequence[int], chosen: Set
+    figures: Mapping[int, float], files: "Sequence[JudgedFile]", places: Sequence[int], chosen: Set
 ) -> dict[int, float]:
     """Return how far each file's figure is from the middle of the other variations'."""
     far: dict[int, float] = {}
     for place in places:
         others = [other for variation, other in chosen.items() if variation != files[place].variation]
-        told = [figures[other] for other in others if other in figures]
-        if place in figures and told:
-            far[place] = figures[place] - statistics.median(told)
+        known_levels = [figures[other] for other in others if other in figures]
+        if place in figures and known_levels:
+            far[place] = figures[place] - statistics.median(known_levels)
     return far
 
 
@@ -119,18 +119,18 @@ def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set
     set spreads too far all the same, those that lie farthest are.
     """
     limit = MOST_SPREAD_LU + tolerance_db
-    told = [levels[place] for place in chosen.values() if place in levels]
-    if len(told) < 2:
+    known_levels = [levels[place] for place in chosen.values() if place in levels]
+    if len(known_levels) < 2:
         return None
     farthest = max(abs(off[place]) for place in chosen.values() if place in off)
-    return limit if farthest > limit or max(told) - min(told) <= limit else farthest - A_HAIR
+    return limit if farthest > limit or max(known_levels) - min(known_levels) <= limit else farthest - EPSILON
 
 
-def _level(off: float, level: float, one: "Judged") -> Finding:
-    turn, where = ("lower", "over") if off > 0 else ("raise", "under")
+def _level(off: float, level: float, one: "JudgedFile") -> Finding:
+    turn, how = ("lower", "louder") if off > 0 else ("raise", "quieter")
     return Finding(
         code="variation-set:level",
-        message=f"_{one.variation:02} stands {abs(off):.1f} dB {where} its set, limit {MOST_SPREAD_LU:g} LU",
+        message=f"_{one.variation:02} is {abs(off):.1f} LU {how} than the rest of its set, limit {MOST_SPREAD_LU:g} LU",
         fix=f"{turn} its level by {abs(off):.1f} dB, to {level - off:.1f} LUFS",
         measured=off,
         limit=MOST_SPREAD_LU,
@@ -138,12 +138,12 @@ def _level(off: float, level: float, one: "Judged") -> Finding:
     )
 
 
-def _length(off: float, length_s: float, one: "Judged") -> Finding:
+def _length(off: float, length_s: float, one: "JudgedFile") -> Finding:
     wanted_s = length_s - off
     turn = "shorten" if off > 0 else "lengthen"
     return Finding(
         code="variation-set:length",
-        message=f"_{one.variation:02} lasts {length_s:.2f} s, its set {wanted_s:.2f} s, limit {MOST_LENGTH_OFF:.0%}",
+        message=f"_{one.variation:02} is {length_s:.2f} s long, its set {wanted_s:.2f} s, limit {MOST_LENGTH_OFF:.0%}",
         fix=f"{turn} the sound by {abs(off):.2f} s, or say on the cue why it differs",
         measured=length_s,
         limit=wanted_s,
@@ -153,7 +153,7 @@ def _length(off: float, length_s: float, one: "Judged") -> Finding:
     )
 
 
-def _alike(files: "Sequence[Judged]", places: Sequence[int]) -> Iterator[tuple[int, Finding]]:
+def _alike(files: "Sequence[JudgedFile]", places: Sequence[int]) -> Iterator[tuple[int, Finding]]:
     ordered = sorted(places, key=lambda place: files[place].variation)
     for index, place in enumerate(ordered):
         near = [
@@ -164,12 +164,12 @@ def _alike(files: "Sequence[Judged]", places: Sequence[int]) -> Iterator[tuple[i
             yield place, _two_alike(nearest, files[before], files[place])
 
 
-def _two_alike(apart_db: float, before: "Judged", same: "Judged") -> Finding:
-    both = f"_{same.variation:02} is like _{before.variation:02}"
+def _two_alike(apart_db: float, before: "JudgedFile", same: "JudgedFile") -> Finding:
+    both = f"_{same.variation:02} is nearly identical to _{before.variation:02}"
     return Finding(
         code="variation-set:alike",
         message=f"{both}, {apart_db:.1f} dB apart, limit {LEAST_UNLIKE_DB:g} dB",
-        fix="replace one of the two by another take",
+        fix="replace one of them with a different take",
         measured=apart_db,
         limit=LEAST_UNLIKE_DB,
         unit="dB",
@@ -178,8 +178,8 @@ def _two_alike(apart_db: float, before: "Judged", same: "Judged") -> Finding:
     )
 
 
-def _apart(one: "Judged", other: "Judged") -> float | None:
-    """Return how unlike two sounds are; None where it cannot be told, or the duplicate check says it."""
+def _apart(one: "JudgedFile", other: "JudgedFile") -> float | None:
+    """Return how unlike two sounds are; None if it cannot be decided, or the duplicate check reports it."""
     first, second = one.report.likeness_print, other.report.likeness_print
     if first is None or second is None or one.report.pcm_sha256 == other.report.pcm_sha256:
         return None

@@ -7,9 +7,10 @@ spec asks. A module has
 - a docstring: one line `name`: the question; then what it goes by and where it fails;
 - `FIGURES`: the measurements it reads, so that they are made while the file streams by;
 - `judge(file, kind)`, which returns a `Judgement`; `kind` is what the category's sounds are (event,
-  natural-decay, ambience, voice, music), None where nobody said.
+  natural-decay, ambience, voice, music), None if unknown.
 
-The module's name is the judgement's. Whatever a judgement has learned lies beside it as numbers in a file.
+The module's name is the judgement's; a package beside the modules is no judgement. What a judgement has
+learned is stored next to it as numbers in a file.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
+    from audio_checks.audio.audio_file import AudioFile
 
 CANNOT_TELL = "cannot tell"
 
@@ -38,9 +39,9 @@ class Judgement:
         The positive word (as in "reverb"), the negative one ("dry"), or "cannot tell".
     score : float or None
         0..1, higher means more certainly the positive verdict; None where there is nothing to judge. See
-        `kept_score`.
+        `truncated_score`.
     figures : dict
-        What was estimated on the way, by name with unit, as in `rt60_s`; None where it cannot be told.
+        What was estimated on the way, by name with unit, as in `rt60_s`; None where it is unknown.
     evidence : dict
         Plain lists and numbers that a picture is drawn from.
     """
@@ -56,7 +57,7 @@ class Judgement:
         return {**said, "evidence": self.evidence} if self.evidence else said
 
 
-def kept_score(score: float) -> float:
+def truncated_score(score: float) -> float:
     """Return a score, 0..1, in three decimals, cut off and not rounded: 1 is only what is 1."""
     return math.floor(score * 1000) / 1000
 
@@ -69,7 +70,7 @@ def score_in_words(score: float | None) -> str:
 @cache
 def names() -> tuple[str, ...]:
     """Return the names of the judgements in this version; none of them is imported for that."""
-    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))
+    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__) if not module.ispkg))
 
 
 def figures_of(name: str) -> tuple[str, ...]:
@@ -78,10 +79,14 @@ def figures_of(name: str) -> tuple[str, ...]:
     return figures
 
 
-def judge(name: str, file: AudioFile, kind: str | None) -> Judgement:
-    """Return a judgement of a file; see the module of that name."""
-    judgement: Judgement = _module(name).judge(file, kind)
-    return judgement
+def judge(name: str, file: AudioFile, kind: str | None = None) -> Judgement:
+    """Return a judgement of a file, made once for each kind of sound; see the module of that name."""
+
+    def compute() -> Judgement:
+        judgement: Judgement = _module(name).judge(file, kind)
+        return judgement
+
+    return file.cached(("judgement", name, kind), compute)
 
 
 @cache

@@ -2,11 +2,11 @@
 
 Goes by what only a codec does: spectral lines that fall silent together on the frames of MP3, AAC, Vorbis, Opus or
 AC-3, and nowhere between. How far the best place for these frames stands out of all others is the evidence; the score
-and the limits were learned from sounds that real encoders coded, beside sounds that were filtered, brought up, pitched
+and the limits were learned from sounds that real encoders coded, and sounds that were filtered, brought up, pitched
 down or made with few bits (`make weights`).
 
 A low-pass alone is no proof, since resamplers and designers make the same: it is shown, and a sound that has one and no
-such lines cannot be told. High bit rates silence little, and pitching or stretching a coded sound hides its frames.
+such lines cannot be detected. High bit rates silence little, and pitching or stretching a coded sound hides its frames.
 """
 
 from __future__ import annotations
@@ -15,17 +15,15 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.judge import CANNOT_TELL, Judgement, truncated_score
 from audio_checks.measure.cliff import SHOWN_POINTS, Cliff, cliff_of, points_of
 from audio_checks.measure.codec_frames import Trace
 from audio_checks.measure.spectrum import MeanSpectrum
-
-if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
 
 FIGURES = ("codec_traces", "mean_spectrum")
 WEIGHTS = Path(__file__).with_suffix(".json")
@@ -36,7 +34,7 @@ STEEP_DB = 25.0
 def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file was coded: `lossy`, `clean` or `cannot tell`, with `codec` and `coded_at_hz` where lossy.
 
-    Silence, what is shorter than 70 ms and what has too few lines over the rounding has no score and cannot be told.
+    Silence, what is shorter than 70 ms and what has too few lines over the rounding has no score and no verdict.
     """
     return judge_traces(file.measurements.codec_traces, file.measurements.mean_spectrum)
 
@@ -50,7 +48,9 @@ def judge_traces(traces: tuple[Trace, ...], spectrum: MeanSpectrum) -> Judgement
     score = score_of(best.contrast)
     verdict = verdict_of(score, low_pass_hz)
     figures = _figures(best if verdict == "lossy" else None, low_pass_hz)
-    return Judgement(verdict, kept_score(score), figures, {"spectrum": points_of(spectrum), "frames": _shown(best)})
+    return Judgement(
+        verdict, truncated_score(score), figures, {"spectrum": points_of(spectrum), "frames": _shown(best)}
+    )
 
 
 def verdict_of(score: float, low_pass_hz: float | None) -> str:

@@ -1,7 +1,7 @@
 """`reverb`: whether reverb has been put on a sound.
 
 Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
-beside its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
+compared with its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
 Boosted trees and small nets weigh these; both were learned from sounds and rooms made by our own code (`make weights`).
 How sure they must be is set for each kind of sound, for mono and stereo, and for short and long decay times.
 
@@ -15,19 +15,18 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.judge import CANNOT_TELL, Judgement, truncated_score
+from audio_checks.judge.compare.dry_stem import compared_with_dry
+from audio_checks.judge.learned.nets import Nets
+from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure.decay import DecayFigures
 from audio_checks.measure.tails import decay_curves, features_of, likeness_of_sides
-from audio_checks.nets import Nets
-from audio_checks.trees import Trees
-
-if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
 
 FIGURES = ("decay",)
 WEIGHTS = Path(__file__).with_suffix(".json")
@@ -38,9 +37,11 @@ LONG_FROM_S = 0.8  # few dry sounds die away as slowly as such a room, so less o
 def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file carries reverb: `reverb`, `dry` or `cannot tell`, with `rt60_s` unless dry.
 
-    Silence, and what is shorter than 40 ms, has no score and cannot be told.
+    Silence, and what is shorter than 40 ms, has no score and no verdict. Where the file has a dry stem, it is
+    compared with that; see `compared_with_dry`.
     """
-    return judge_decay(file.measurements.decay, kind)
+    judgement = judge_decay(file.measurements.decay, kind)
+    return judgement if file.dry is None else compared_with_dry(judgement, file.path, file.dry)
 
 
 def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
@@ -52,7 +53,7 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     dry_below, reverb_from = limits_of(kind, "mono" if decay.sides is None else "stereo", rt60_s)
     verdict = "reverb" if score >= reverb_from else "dry" if score < dry_below else CANNOT_TELL
     figures = {"rt60_s": None if verdict == "dry" else round(rt60_s, 2)}
-    return Judgement(verdict, kept_score(score), figures, evidence_of(decay))
+    return Judgement(verdict, truncated_score(score), figures, evidence_of(decay))
 
 
 def limits_of(kind: str | None, layout: str, rt60_s: float) -> tuple[float, float]:
@@ -81,7 +82,7 @@ def rt60_of(features: NDArray[np.float64]) -> float:
 
 
 def rt60_by(trees: Trees, features: NDArray[np.float64]) -> float:
-    """Return the decay time that trees tell, within what reverb has, in seconds."""
+    """Return the decay time that the trees estimate, within the range of reverb, in seconds."""
     return float(np.clip(2 ** trees.sum(features), SHORTEST_RT60_S, LONGEST_RT60_S))
 
 

@@ -4,7 +4,7 @@ Goes by how each octave rises against how it falls: what is struck, shot or spok
 octaves at once, and its highs die first. Boosted trees weigh these; they were learned from sounds made by our own code,
 half of them turned round (`make weights`).
 
-A sound that is alike from both ends (wind, an engine, a rustle) has no direction that could be told, and a riser or a
+A sound that is alike from both ends (wind, an engine, a rustle) has no direction, and a riser or a
 suck-in that was made to swell looks turned round; `docs/judgements.md` has the table of how often it is right.
 """
 
@@ -14,18 +14,16 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.judge import CANNOT_TELL, Judgement, truncated_score
+from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure.decay import DecayFigures
 from audio_checks.measure.turning import features_of, rises_and_falls
-from audio_checks.trees import Trees
-
-if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
 
 FIGURES = ("decay",)
 WEIGHTS = Path(__file__).with_suffix(".json")
@@ -34,7 +32,7 @@ WEIGHTS = Path(__file__).with_suffix(".json")
 def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file plays backwards: `reversed`, `forwards` or `cannot tell`.
 
-    Silence, and what is shorter than 40 ms, has no score and cannot be told.
+    Silence, and what is shorter than 40 ms, has no score and no verdict.
     """
     return judge_decay(file.measurements.decay, kind)
 
@@ -47,7 +45,7 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     score = score_of(features)
     forwards_below, reversed_above = weights()["thresholds"][kind or "unknown"]
     verdict = "reversed" if score >= reversed_above else "forwards" if score < forwards_below else CANNOT_TELL
-    return Judgement(verdict, kept_score(score), evidence={"bands": rises_and_falls(decay)})
+    return Judgement(verdict, truncated_score(score), evidence={"bands": rises_and_falls(decay)})
 
 
 def score_of(features: NDArray[np.float64]) -> float:

@@ -1,10 +1,10 @@
 """`upsampled`: whether a sound was brought up from a lower sample rate.
 
 Goes by where its spectrum ends and how steeply, by how even and how near the dither the rest above is, and by whether
-the end lies where the resampler of a common rate would put it. Boosted trees weigh these; they were learned from sounds
+the end is where the resampler of a common rate would put it. Boosted trees weigh these; they were learned from sounds
 made at their own rate and others brought up by steep resamplers (`make weights`).
 
-A dark sound whose spectrum ends long before any resampler would cut it cannot be told. A library sound pitched down, or
+A dark sound whose spectrum ends long before any resampler would cut it has no verdict. A library sound pitched down, or
 a vintage source, ends as steeply, somewhere else: the candidate rate is None there, and it is a question, not a fault.
 """
 
@@ -14,18 +14,16 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.judge import CANNOT_TELL, Judgement, kept_score
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.judge import CANNOT_TELL, Judgement, truncated_score
+from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure.cliff import cliff_of, points_of, rate_of
 from audio_checks.measure.spectrum import MeanSpectrum
-from audio_checks.trees import Trees
-
-if TYPE_CHECKING:
-    from audio_checks.audio import AudioFile
 
 FIGURES = ("bandwidth_hz", "mean_spectrum")
 WEIGHTS = Path(__file__).with_suffix(".json")
@@ -34,7 +32,7 @@ WEIGHTS = Path(__file__).with_suffix(".json")
 def judge(file: AudioFile, kind: str | None) -> Judgement:
     """Return whether a file was brought up: `upsampled`, `full` or `cannot tell`, with `from_hz`, the candidate rate.
 
-    Silence, and what is shorter than 512 frames, has no score and cannot be told.
+    Silence, and what is shorter than 512 frames, has no score and no verdict.
     """
     return judge_spectrum(file.measurements.mean_spectrum)
 
@@ -49,7 +47,7 @@ def judge_spectrum(spectrum: MeanSpectrum) -> Judgement:
     verdict = "upsampled" if score >= upsampled_above else "full" if score < full_below else CANNOT_TELL
     from_hz = rate_of(cliff.edge_hz, spectrum.sample_rate_hz) if verdict == "upsampled" else None
     figures = {"from_hz": from_hz, "edge_hz": round(cliff.edge_hz), "drop_db": round(cliff.drop_db, 1)}
-    return Judgement(verdict, kept_score(score), figures, {"spectrum": points_of(spectrum)})
+    return Judgement(verdict, truncated_score(score), figures, {"spectrum": points_of(spectrum)})
 
 
 def score_of(features: NDArray[np.float64]) -> float:

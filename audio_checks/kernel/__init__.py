@@ -1,4 +1,4 @@
-"""The hot loops of measuring, compiled from the C files beside this one.
+"""The hot loops of measuring, compiled from the C files in this folder.
 
 Every function has a plain numpy reference in `tests/audio_checks/kernel`, which holds it to the same
 answers. Blocks are float64 of shape (channels, frames), each channel contiguous, full scale ±1.0.
@@ -45,6 +45,7 @@ try:
         recurrences,
         rounded_steps,
         shaped_steps,
+        silent_lines,
         silent_runs,
         steady_segments,
         stereo_products,
@@ -62,10 +63,10 @@ except ImportError as error:
         " install audio-checks again where there is a C compiler (in a checkout: make setup)"
     ) from error
 
-# An installed package has no sources beside it; in a checkout the kernel may be older or newer than they are.
+# An installed package has no sources next to it; in a checkout the kernel may be older or newer than they are.
 if (_WANTED := digest_of(Path(__file__).parent)) not in (None, made_from()):
     raise ImportError(
-        "the compiled part of audio-checks was not made from the C files beside it; rebuild it: make setup"
+        "the compiled part of audio-checks was not made from the C files next to it; rebuild it: make setup"
         " (or, without make: pip install --no-deps --editable .)"
     )
 
@@ -102,6 +103,7 @@ __all__ = [
     "recurrences",
     "rounded_steps",
     "shaped_steps",
+    "silent_lines",
     "silent_runs",
     "steady_segments",
     "stereo_products",

@@ -147,6 +147,19 @@ def rounded_steps(
 def shaped_steps(
     wanted: _Floats, noise: _Floats, silent: NDArray[np.uint8], weights: _Floats, errors: _Floats, /
 ) -> None: ...
+def silent_lines(
+    spectrum: NDArray[np.float32],
+    filters: NDArray[np.float32],
+    turns: NDArray[np.float32],
+    first: int,
+    frame: int,
+    frames: int,
+    silent: float,
+    rounding: float,
+    audible: float,
+    out: NDArray[np.int64],
+    /,
+) -> int: ...
 def silent_runs(samples: _Floats, margin: int, run: int, out: NDArray[np.uint8], /) -> None: ...
 def steady_segments(
     sharpness: _Floats, powers: _Floats, size: int, without: int, least: float, most: float, flags: NDArray[np.bool_], /

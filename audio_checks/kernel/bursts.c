@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* How far a burst may reach on either side, how many cells are compared, and how many of those tell the level. */
+/* How far a burst may reach on either side, how many cells are compared, and how many of those give the level. */
 typedef struct {
     Py_ssize_t within, reach, level;
 } extent;
@@ -27,7 +27,7 @@ static double goes_on_beyond(const double *powers, Py_ssize_t at, const extent *
 }
 
 /* heights, power of cells, power of their sixth differences, cells that may belong to a burst on either side, cells that
- * are compared there, those of them that tell the level, times as high, least height, least power beside it, times that
+ * are compared there, those of them that give the level, times as high, least height, least power beside it, times that
  * it may fall or rise, times that the power of sixth differences may, places to fill, powers beside them to fill -> how
  * many; none is so near an end that there are too few cells beside it */
 PyObject *bursts(PyObject *module, PyObject *const *args, Py_ssize_t count) {

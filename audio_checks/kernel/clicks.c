@@ -184,7 +184,7 @@ static void measure_rests(const steady *by, const double *samples, const double 
     }
 }
 
-/* The coefficients that foretell samples best, as a window weighs them. */
+/* The coefficients that predict samples best, as a window weighs them. */
 static void fit_to(const double *samples, const double *window, Py_ssize_t frames, Py_ssize_t order, double *room,
                    double *coefficients) {
     double products[MOST_COEFFICIENTS + 1];
@@ -292,7 +292,7 @@ static const double *turned_round(const double *samples, Py_ssize_t count, doubl
     return out;
 }
 
-/* How badly as many cells as a place has are told, by the sound before them or after them, whichever does better. */
+/* The prediction error of a place's cells, from the sound before or after them, whichever predicts better. */
 static double worst_both_ways(const doubt *by, const double *rests, const double *behind, Py_ssize_t cell) {
     const Py_ssize_t first = cell * by->size, frames = by->place * by->size;
     const Py_ssize_t last = (by->place + 2 * by->reach) * by->size - first - frames;
@@ -300,7 +300,7 @@ static double worst_both_ways(const doubt *by, const double *rests, const double
     return before < after ? before : after;
 }
 
-/* Whether a place is told less well both ways than any other around it; a click spills into the cells beside it. */
+/* Whether a place is predicted worse both ways than any other around it; a click spills into the cells beside it. */
 static int is_hardest_to_tell(const doubt *by, const double *start) {
     const Py_ssize_t cells = by->place + 2 * by->reach, frames = cells * by->size;
     double coefficients[MOST_COEFFICIENTS] = {0}, *rests = by->room, *behind = rests + frames;
@@ -332,7 +332,7 @@ CLONES static void thin_out(const double *samples, Py_ssize_t count, Py_ssize_t 
     }
 }
 
-/* The same of a place in a thinned sound; most are told well by what leads up to them, and no more is thinned then. */
+/* The same of a place in a thinned sound; most are predicted well from the sound before them, and no more is thinned then. */
 static int is_dull_click(const doubt *by, const double *place, Py_ssize_t thin, double *room) {
     const Py_ssize_t span = by->span * by->size, length = by->place * by->size;
     const Py_ssize_t reach = by->reach * by->size + by->order;
@@ -344,7 +344,7 @@ static int is_dull_click(const doubt *by, const double *place, Py_ssize_t thin, 
 }
 
 /* samples, how many of them to take as one, where places start, window of the sound on either side, window of all around,
- * coefficients, frames of a cell (so taken, as all that follows), cells of a place, times that it is harder to foretell than the sound beside it, and than any other around it, places to
+ * coefficients, frames of a cell (so taken, as all that follows), cells of a place, times that it is harder to predict than the sound beside it, and than any other around it, places to
  * fill -> how many of them are */
 PyObject *unforeseen_both_ways(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -463,7 +463,7 @@ enum { CLICK_FIGURES = 5 }; /* row, cell of it, height, power of the quieter sid
 
 /* rows of heights, the cell that each row's first one is, times as high, cells that are compared on either side,
  * those that may belong to what stands out, least height, times the mean of its row, power of cells, power of their
- * sixth differences, cells that tell the level on either side, least power there, times that it may fall or rise,
+ * sixth differences, cells that give the level on either side, least power there, times that it may fall or rise,
  * clicks to fill -> how many */
 PyObject *outstanding_amid(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;

@@ -118,7 +118,7 @@ static int32_t from_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssiz
     return used;
 }
 
-/* The largest magnitude's bits tell whether all are finite: infinity and NaN have all bits of the exponent set. */
+/* The largest magnitude's bits show whether all are finite: infinity and NaN have all bits of the exponent set. */
 static int finite_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_t frames, Py_ssize_t step) {
     int32_t largest = 0;
     for (Py_ssize_t frame = 0; frame < frames; frame++) {

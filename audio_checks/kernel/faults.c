@@ -56,7 +56,7 @@ PyObject *cells(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     Py_RETURN_NONE;
 }
 
-/* A crest is what a wave does between rising over `floor` and falling below it; eight figures tell its shape. */
+/* A crest is what a wave does between rising over `floor` and falling below it; eight figures describe its shape. */
 enum { CREST_FIGURES = 8, SHAPE_FIGURES = 8 };
 
 typedef struct {

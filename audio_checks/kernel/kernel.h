@@ -170,22 +170,22 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
     EACH(extremes, "Raise the highest and the deepest sample known to those of a signal.") \
     EACH(fourier, "Transform rows of complex numbers in place.") \
-    EACH(gliding_segments, "Tell of each segment of cells whether its largest steps hardly change.") \
+    EACH(gliding_segments, "Return, for each segment of cells, whether its largest steps hardly change.") \
     EACH(group_sums, "Add up values in groups.") \
     EACH(hash_add, "Take bytes into one stream of SHA-256, or the same bytes into two.") \
     EACH(hash_begin, "Return a new stream of SHA-256.") \
     EACH(hash_end, "Return the SHA-256 of a stream, which can go on.") \
-    EACH(hashes_two, "Tell whether this processor hashes two streams faster than one after the other.") \
+    EACH(hashes_two, "Return whether this processor hashes two streams faster than one after the other.") \
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
     EACH(hush, "Set to zero what came of zeros alone.") \
     EACH(loud_frames, "Find the first and the last frame above a level; both -1 where there is none.") \
     EACH(low_runs, "Find runs of cells whose figures are low; return how many there are.") \
     EACH(lulls, "Find where a sound falls at once to something faint and level, and comes back; return how many there are.") \
-    EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty where nobody said it.") \
+    EACH(made_from, "Return the SHA-256 of the sources that this was made from; empty if it was not given.") \
     EACH(maxima, "Find the highest magnitude of each row of 32 samples.") \
     EACH(bursts, "Find the cells that stand out of all but those close beside them; return how many there are.") \
-    EACH(bends, "Tell how far each sum lies off the middle between those beside it.") \
+    EACH(bends, "Return the distance of each sum from the mean of its neighbours.") \
     EACH(outstanding_amid, "Find where a height stands out amid a sound that goes on; return how many such places there are.") \
     EACH(power_sums, "Add the power of each bin over windows of real signals.") \
     EACH(powers, "Find the power of the bins of windows of real signals.") \
@@ -194,15 +194,16 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(rounded_steps, "Round samples to whole steps, with noise or without; return the energy of what that added.") \
     EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
+    EACH(silent_lines, "Count the lines of a codec that are silent at each place of its frames; return how many are heard.") \
     EACH(silent_runs, "Mark the zeros that stand in long runs.") \
-    EACH(steady_segments, "Tell of each segment of cells whether its sharpness is steady.") \
+    EACH(steady_segments, "Return, for each segment of cells, whether its sharpness is steady.") \
     EACH(stereo_products, "Add to the energies of two channels, of their product and of their difference, hop by hop.") \
     EACH(straight_tops, "Find crests that are straight between two corners; return how many there are.") \
     EACH(sums, "Add to each channel's sum and sum of squares.") \
     EACH(survey, "Decode a block, and measure maxima of rows, sums and cells of it meanwhile.") \
     EACH(true_peak, "Find the highest point of the curve; return it, and its place in 16ths of a frame.") \
-    EACH(unforeseen, "Foretell samples of steady stretches from those before; find where an error may stand out.") \
-    EACH(unforeseen_both_ways, "Find the places that can be told neither from what leads up to them nor from what follows.") \
+    EACH(unforeseen, "Predict samples of steady stretches from those before; find where an error may stand out.") \
+    EACH(unforeseen_both_ways, "Find the places that can be predicted neither from the sound before them nor from the sound after.") \
     EACH(window_loudness, "Find the power of windows of so many hops each, and return the highest.")
 
 #define DECLARED(name, text) PyObject *name(PyObject *module, PyObject *const *args, Py_ssize_t count);

@@ -1,7 +1,7 @@
 /* Loops over samples in lanes, written once for registers of any width.
  *
- * Whoever includes it has said how many numbers a register takes (WIDTH), what a loop is called by that width (NAMED),
- * and what is done to a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, ABOVE, KEPT. How many lanes a sum has is
+ * The including file defines how many numbers a register takes (WIDTH), what a loop is called by that width (NAMED),
+ * and the operations on a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, ABOVE, KEPT. How many lanes a sum has is
  * written here and no matter of the width, so every width gives the same bits.
  */
 enum { NAMED(EIGHT) = 8 / WIDTH, NAMED(FOUR) = 4 / WIDTH }; /* registers of as many lanes */

@@ -1,7 +1,7 @@
 /* Sound of 16 bit measured in whole numbers, of which a register holds four times as many as of doubles.
  *
  * Every result is the one that lanes.h finds, to the last bit: a sum of whole numbers is the same in any order, and so is
- * that of the doubles which stand for them while it stays below 2^53 steps. Cells are no longer than LONGEST_CELL, so that the
+ * that of the doubles which represent them while it stays below 2^53 steps. Cells are no longer than LONGEST_CELL, so that the
  * squares of their sixth differences, of 22 bits each, stay below 2^51; all else stays lower.
  */
 #include "kernel.h"

@@ -159,7 +159,7 @@ static int is_rippled(const side *of, Py_ssize_t at, top *found) {
     return ripples >= RIPPLES * found->bent;
 }
 
-/* What the crest at `at` is; where it is more than a crest, `found` tells its top. */
+/* What the crest at `at` is; where it is more than a crest, `found` describes its top. */
 static int kind_of(const side *of, Py_ssize_t at, top *found) {
     int kind = CREST;
     if (straight_at(of, at, 1, SHARP[2], found)) {

@@ -1,6 +1,6 @@
 /* The highest point of the curve between samples, drawn only where it may be higher than what is known.
  *
- * An interval runs from one sample to the next. Each sieve is dearer than the one before: the row of intervals by the
+ * An interval runs from one sample to the next. Each sieve costs more than the one before: the row of intervals by the
  * filter's largest gain; the interval by how far a curve that bends so can rise above the samples beside it; 24 taps,
  * with what these may miss in the treble; and last the fine phases of 512 taps.
  */

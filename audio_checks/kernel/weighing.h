@@ -1,5 +1,5 @@
-/* The K-weighting of several streams at once, written once for registers of any width; see lanes.h for what whoever
- * includes it has said. Streams never meet, so every width gives the same bits.
+/* The K-weighting of several streams at once, written once for registers of any width; see lanes.h for what the
+ * including file defines. Streams never meet, so every width gives the same bits.
  */
 /* What the K-weighting knows of the samples before, of as many streams as a register has lanes. */
 typedef struct {

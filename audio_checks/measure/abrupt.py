@@ -15,9 +15,9 @@ REACHES = 0.25  # of the largest sample nearby: an edge reaches it
 AT_ONCE_S = 1 / 48_000  # from rest, or
 RAMP_S = 0.0001  # as soon as this: a fade of half a millisecond, an everyday one, has reached less
 LOUD = 0.25  # of the level nearby, which the sound has from its edge on
-PASSED_S = 0.0002  # from its edge a ramp is over; from what comes then it is foretold
-FORETELLS = 8  # samples that foretell the wave beyond them
-FORETOLD = 0.1  # of the largest sample nearby: what errs no more can be foretold,
+PASSED_S = 0.0002  # from its edge a ramp is over; from what comes then it is predicted
+PREDICTS = 8  # samples that predict the wave beyond them
+PREDICTED = 0.1  # of the largest sample nearby: what errs no more can be predicted,
 OTHERWISE, TIMES = 0.15, 4.0  # and is otherwise by so much, or so many times the usual error, in a ramp
 DIES, GROWS = 0.8, 1.6  # times level and slope of the first 5 ms come 10 to 40 ms after a start that is no attack
 SMOOTH = 0.03  # of the height of a filter's answer: how far it bends within the time of a ramp, at most
@@ -31,7 +31,7 @@ def edge(samples: NDArray[np.float64], rate_hz: int, step: float, least: float, 
     Parameters
     ----------
     samples : ndarray, shape (frames,)
-        One channel, from its outermost sample into the sound, so turned round for an end. What lies deeper than 0.1 s
+        One channel, from its outermost sample into the sound, so turned round for an end. What is deeper than 0.1 s
         is not asked for.
     rate_hz : int
         Frames per second.
@@ -96,7 +96,7 @@ def _answer(samples: NDArray[np.float64], rate_hz: int, step: float) -> tuple[in
 
 
 def _steady(sound: NDArray[np.float64], rate_hz: int) -> bool:
-    """Tell whether level and slope stay as they are at first for 40 ms: an attack dies away, or the sound grows."""
+    """Return whether level and slope stay as they are at first for 40 ms: an attack dies away, or the sound grows."""
     passed, near = round(PASSED_S * rate_hz), round(NEAR_S * rate_hz)
     for wave in (sound, np.diff(sound)):
         later = _rms(wave[near : 4 * near]) / max(_rms(wave[passed : near // 2]), GRAIN)
@@ -106,34 +106,34 @@ def _steady(sound: NDArray[np.float64], rate_hz: int) -> bool:
 
 
 def _natural(sound: NDArray[np.float64], gap: int, near: int) -> bool:
-    """Tell whether the wave, foretold from what comes `gap` samples later, is there as foretold, and begins at zero."""
-    later = sound[gap : gap + near + FORETELLS]
-    count = len(later) - gap - FORETELLS
-    if count <= 2 * FORETELLS:
+    """Return whether the wave, predicted from what comes `gap` samples later, is as predicted, and begins at zero."""
+    later = sound[gap : gap + near + PREDICTS]
+    count = len(later) - gap - PREDICTS
+    if count <= 2 * PREDICTS:
         return False
     wanted, known = later[:count], _lagged(later, gap + 1, count)
     products = known @ known.T
-    products[np.diag_indices(FORETELLS)] += 1e-9 * np.trace(products) + 1e-15
+    products[np.diag_indices(PREDICTS)] += 1e-9 * np.trace(products) + 1e-15
     weights = np.linalg.solve(products, known @ wanted)
     largest = float(np.abs(sound[:near]).max())
     error = _rms(wanted - weights @ known)
-    if error > FORETOLD * largest:
+    if error > PREDICTED * largest:
         return False
-    told = max(3, gap)
-    before = np.concatenate(((0.0,), sound[: 2 * told + FORETELLS + 1]))
-    foretold = weights @ _lagged(before, gap + 1, told)
+    margin = max(3, gap)
+    before = np.concatenate(((0.0,), sound[: 2 * margin + PREDICTS + 1]))
+    predicted = weights @ _lagged(before, gap + 1, margin)
     least = max(OTHERWISE * largest, TIMES * error)
-    if foretold[0] * foretold[1] > 0 and float(np.abs(foretold[:2]).min()) >= least:
+    if predicted[0] * predicted[1] > 0 and float(np.abs(predicted[:2]).min()) >= least:
         return False
     ramp = slice(1, 1 + max(1, gap // 2))
-    worst = 1 + int(np.abs(foretold[ramp] - before[ramp]).argmax())
-    share = before[worst] / foretold[worst] if foretold[worst] else 1.0
-    return not (abs(foretold[worst] - before[worst]) >= least and -0.1 <= share <= 0.9)
+    worst = 1 + int(np.abs(predicted[ramp] - before[ramp]).argmax())
+    share = before[worst] / predicted[worst] if predicted[worst] else 1.0
+    return not (abs(predicted[worst] - before[worst]) >= least and -0.1 <= share <= 0.9)
 
 
 def _lagged(samples: NDArray[np.float64], first: int, count: int) -> NDArray[np.float64]:
-    """Return `count` samples from `first` on, and as many from each of the next that foretell, shape (8, count)."""
-    return np.array([samples[at : at + count] for at in range(first, first + FORETELLS)])
+    """Return `count` samples from `first` on, and as many from each of the next that predict, shape (8, count)."""
+    return np.array([samples[at : at + count] for at in range(first, first + PREDICTS)])
 
 
 def _rms(samples: NDArray[np.float64]) -> float:

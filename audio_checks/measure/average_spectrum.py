@@ -26,7 +26,7 @@ class BandLevels:
     centres_hz : ndarray, shape (bands,)
         Rising, from 20 Hz to half the sample rate.
     levels_dbfs : ndarray, shape (bands,)
-        RMS of what lies in the band, over all channels and the whole length; −inf where nothing does.
+        RMS within the band, over all channels and the whole length; −inf where nothing does.
         A full-scale sine has −3.01 dBFS, in the band of its frequency.
     """
 
@@ -38,7 +38,7 @@ class AverageSpectrum:
     """Accumulates the energy of a sound by bands, block by block.
 
     Windows are the half of a sine and overlap by half, with silence before the first frame and
-    after the last: squared they add up to one, so that all bands and what lies below them hold
+    after the last: squared they add up to one, so that all bands and the range below them hold
     exactly the energy of the sound (Parseval's theorem). A bin that two bands share is divided.
 
     Parameters

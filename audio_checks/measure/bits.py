@@ -11,7 +11,7 @@ def effective_bits(used: int, container_bits: int) -> int:
     used : int
         All samples as signed integers of the container's width, or-ed together.
     container_bits : int
-        8, 16, 24 or 32; 24-bit samples stand in the upper bytes of 32.
+        8, 16, 24 or 32; 24-bit samples are in the upper bytes of 32.
 
     Returns
     -------

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import kernel
-from audio_checks.measure import spare
+from audio_checks.measure import buffer_pool
 
 CELLS_PER_S = 2_000
 LEAST_CELL = 4  # frames of a cell of which the sums and squares can be had alone
@@ -45,7 +45,7 @@ def cell_frames(sample_rate_hz: int) -> int:
 
 
 class CellStream:
-    """The newest cells of a stream, after as many before them as somebody looks back at; zeros before the first.
+    """The newest cells of a stream, after as many earlier ones as are looked back at; zeros before the first.
 
     Parameters
     ----------
@@ -62,10 +62,10 @@ class CellStream:
         self._frames = frames
         self._kept, self._first = kept, max(kept, kept_sums)  # the latter is where new ones begin
         shape = len(Cells._fields) * channels, self._first + most
-        self._room = spare.taken("cells", math.prod(shape) * np.dtype(np.float64).itemsize)
+        self._room = buffer_pool.acquire("cells", math.prod(shape) * np.dtype(np.float64).itemsize)
         self._figures = self._room.view(np.float64).reshape(shape)
         self._sums = self._figures[:channels]
-        self._sums[:, : self._first - kept] = 0.0  # of the other figures nobody asks so far back
+        self._sums[:, : self._first - kept] = 0.0  # the other figures are not needed so far back
         self._figures[:, self._first - kept : self._first] = 0.0
 
     def room(self, count: int) -> NDArray[np.float64]:
@@ -88,7 +88,7 @@ class CellStream:
 
     def end(self) -> None:
         """Leave the room to the next stream; nothing is asked of this one any more."""
-        spare.give_back("cells", self._room)
+        buffer_pool.release("cells", self._room)
         self._figures = self._sums = self._figures[:, :0]
 
     def newest(self, count: int) -> Cells:

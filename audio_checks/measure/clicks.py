@@ -1,4 +1,4 @@
-"""Clicks: moments far sharper than all that lies around them, in a sound that goes on."""
+"""Clicks: moments far sharper than everything around them, in a sound that goes on."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way;
 BENDS_OUT = 5.0  # or so many times as bent below 1 kHz: a dull click in a bright sound shows there alone
-DOUBTFUL = 1.2  # times as sharp, or a step so many times as large, is worth a closer look, or
-BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be foretold neither from the sound before it nor from that
+CANDIDATE = 1.2  # times as sharp, or a step so many times as large, is worth a closer look, or
+BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be predicted neither from the sound before it nor from that
 HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound itself,
 HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
-DULL_DOUBTFUL = 1.5  # times as sharp, as steep or as bent is looked at without what lies over 6 kHz, too: there a dull
+DULL_DOUBTFUL = 1.5  # times as sharp, as steep or as bent is looked at without the range over 6 kHz, too: there a dull
 DULL_HARDER_THAN_BESIDE = 7.0  # click shows that the hiss of the sound hides
 DULL_HARDER_THAN_AROUND = 2.0
 DULL_FRAMES = 6  # of a cell that are left there
@@ -33,7 +33,7 @@ BURST_STANDS_OUT = 4.0  # times as sharp as all beyond, within the reach: worth 
 BURST_GOES_ON = 2.8  # the power of sixth differences may fall or rise by 4.5 dB there: strokes and crackle leave a tail
 BURST_HARDER_THAN_BESIDE = 7.0
 BURST_HARDER_THAN_AROUND = 4.7
-BESIDE = 24  # cells of the sound before them, and of that after them, from which they are foretold: 12 ms
+BESIDE = 24  # cells of the sound before them, and of that after them, from which they are predicted: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
@@ -44,13 +44,13 @@ STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide sm
 SEGMENT = 2 * ROW_FRAMES  # cells of steady sound that are looked at together
 GLIDES = 0.12  # of the largest steps of cells, how much they change from one to the next: a tone that glides; noise 0.2
 GLIDED = 16  # cells of such a tone, and as many on either side, in which it glides little
-GLIDE_DOUBTFUL = 1.3  # times as hard to foretell as those beside it is worth a closer look there,
-GLIDE_HARDER = 2.0  # and so much harder than the sound on either side is enough: a tone is foretold well
+GLIDE_DOUBTFUL = 1.3  # times as hard to predict as those beside it is worth a closer look there,
+GLIDE_HARDER = 2.0  # and so much harder than the sound on either side is enough: a tone is predicted well
 CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: the click itself must not
-ORDER = 20  # samples that foretell the next one
+ORDER = 20  # samples that predict the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
 MAX_KEPT = 1_000
-MAX_DOUBTED = 8_000  # of a stretch
+MAX_CANDIDATES = 8_000  # of a stretch
 
 
 class Click(NamedTuple):
@@ -62,7 +62,7 @@ class Click(NamedTuple):
 
 
 class _Rule(NamedTuple):
-    """How a click is foretold that may be in a cell: what is looked at there, and how badly it must be foretold.
+    """How a click is predicted that may be in a cell: what is looked at there, and how badly it must be predicted.
 
     The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
     any other place around; whether without the highs; and from how many times as high as others on it is looked at.
@@ -93,8 +93,8 @@ IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last
 )
 
 
-class _Doubt(NamedTuple):
-    """A cell where a click may be; it is one where any of some rules says so.
+class _Candidate(NamedTuple):
+    """A cell where a click may be: it is a click if any of its rules holds.
 
     `stands` is how many times as high it is as others, `power` that of the sound around.
     """
@@ -107,7 +107,7 @@ class _Doubt(NamedTuple):
 
 
 class Clicks:
-    """Finds clicks in cells; in steady sounds and where one may hide, in what cannot be foretold of the sound.
+    """Finds clicks in cells; in steady sounds and at candidates, in the error of linear prediction.
 
     Parameters
     ----------
@@ -128,10 +128,10 @@ class Clicks:
         self._least = max(GRAIN * step, 1e-6)
         self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
-        self._doubtful: list[_Doubt] = []
+        self._candidates: list[_Candidate] = []
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
-        self._out = np.empty((MAX_DOUBTED, 5))  # where the kernel writes
-        self._places, self._powers = np.empty(MAX_DOUBTED, np.int64), np.empty(MAX_DOUBTED)  # the same
+        self._out = np.empty((MAX_CANDIDATES, 5))  # where the kernel writes
+        self._places, self._powers = np.empty(MAX_CANDIDATES, np.int64), np.empty(MAX_CANDIDATES)  # the same
         self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -146,13 +146,13 @@ class Clicks:
         start = max(0, begun - REACH) - REACH
         if total - start > 2 * REACH:
             for channel in range(len(samples)):
-                self._look(cells, before, channel, start)
+                self._scan(cells, before, channel, start)
         count = (total - self._segment - REACH) // SEGMENT
         if count > 0:
             at = first + (self._segment - begun) * self._cell
-            self._look_at_steady(cells, before, count, samples, at)
+            self._check_steady(cells, before, count, samples, at)
             self._segment += count * SEGMENT
-        self._look_at_doubtful(cells, before, total, samples, first - begun * self._cell)
+        self._check_candidates(cells, before, total, samples, first - begun * self._cell)
         self._seen = total
 
     def result(self, peak: float) -> dict[str, Any]:
@@ -184,10 +184,10 @@ class Clicks:
         reach: int = REACH,
         above_mean: float = 0.0,
     ) -> list[list[float]]:
-        """Return what is `times` as high as what lies around it, in each row of heights, but for `reach` at both ends.
+        """Return cells `times` as high as those around them, in each row of heights, but for `reach` at both ends.
 
         Rows start at the places `starts` of `cells`. What is no higher than `least` counts for nothing.
-        Of each are told the row, the cell of it, its height, the power of the sound around, and how many times as high
+        Each is given as its row, its cell, its height, the power of the sound around, and how many times as high
         it is.
         """
         found = kernel.outstanding_amid(
@@ -205,14 +205,14 @@ class Clicks:
             GOES_ON,
             self._out,
         )
-        told: list[list[float]] = self._out[:found].tolist()
-        return told
+        outstanding: list[list[float]] = self._out[:found].tolist()
+        return outstanding
 
     def _keep(self, cell: int, channel: int, height: float, power: float) -> None:
         if len(self._found) < MAX_KEPT:
             self._found.add((cell, channel, height, power))
 
-    def _look(self, cells: Cells, before: int, channel: int, start: int) -> None:
+    def _scan(self, cells: Cells, before: int, channel: int, start: int) -> None:
         """Keep what stands out of the cells from one on, and mark what may.
 
         `before` is the cell that the first of `cells` is.
@@ -222,23 +222,23 @@ class Clicks:
         bends = np.empty(len(sharpness) - first)
         kernel.bends(cells.sums[channel, first - 2 :], bends)  # a cell late: the last one bends with what follows it
         for heights, begin, scale, times, doubtful in (
-            (sharpness[first:], first, IMPULSE, STANDS_OUT, DOUBTFUL),
-            (steps[first:], first, 1.0, STEPS_OUT, DOUBTFUL),
+            (sharpness[first:], first, IMPULSE, STANDS_OUT, CANDIDATE),
+            (steps[first:], first, 1.0, STEPS_OUT, CANDIDATE),
             (bends, first - 1, 1.0, BENDS_OUT, BENDS_DOUBTFUL),
         ):
             rows, starts = heights[np.newaxis], np.array([begin])
-            told = self._outstanding(cells, channel, rows, starts, doubtful, self._lowest * scale)
-            for _, at, height, power, stands in told:
+            outstanding = self._outstanding(cells, channel, rows, starts, doubtful, self._lowest * scale)
+            for _, at, height, power, stands in outstanding:
                 place = begin + int(at)
                 if stands < times:
-                    self._doubtful.append(_Doubt(channel, ALONE, before + place, stands, power))
+                    self._candidates.append(_Candidate(channel, ALONE, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
                     self._keep(before + place, channel, _sharpest(sharpness, place), power)
-        self._look_for_bursts(cells, before, channel, first)
+        self._find_bursts(cells, before, channel, first)
 
-    def _look_for_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
+    def _find_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
         """Mark what stands out of all but a few cells beside it, where the sound beyond those goes on."""
         found = kernel.bursts(
             cells.sharpness[channel, first:],
@@ -256,19 +256,19 @@ class Clicks:
             self._powers,
         )
         for place, power in zip(self._places[:found].tolist(), self._powers[:found].tolist(), strict=True):
-            self._doubtful.append(_Doubt(channel, IN_BURSTS, before + first + place, 1.0, power))
+            self._candidates.append(_Candidate(channel, IN_BURSTS, before + first + place, 1.0, power))
 
-    def _look_at_doubtful(
+    def _check_candidates(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
     ) -> None:
-        """Keep what can be foretold neither way of where a click may be, once all that it is compared with is known.
+        """Keep what can be predicted neither way of where a click may be, once all that it is compared with is known.
 
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
         dull = max(1, round(self._cell / DULL_FRAMES))  # frames that are taken as one
         known = total - BURST - 1 - -(-self._around(dull) // self._cell)
-        ready = _foremost([one for one in self._doubtful if one.cell < known])
-        self._doubtful = [one for one in self._doubtful if one.cell >= known]
+        ready = _strongest([one for one in self._candidates if one.cell < known])
+        self._candidates = [one for one in self._candidates if one.cell >= known]
         for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
             doubts, sharpness = list(alike), cells.sharpness[channel]
             for rule in rules:
@@ -305,8 +305,8 @@ class Clicks:
         """Return how many frames before a place are looked at, and as many after it, where so many are taken as one."""
         return (REACH * round(self._cell / thin) + ORDER) * thin
 
-    def _look_at_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
-        """Look at what cannot be foretold of the next segments, where they are steady or of a tone that glides.
+    def _check_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
+        """Look at what cannot be predicted of the next segments, where they are steady or of a tone that glides.
 
         The first starts at frame `at`; `before` is the cell that the first of `cells` is.
         """
@@ -325,11 +325,11 @@ class Clicks:
         origin = at - self._segment * self._cell
         for channel in range(len(samples)):
             starts = self._segment + np.flatnonzero(steady[channel] & loud[channel]) * SEGMENT
-            self._foretell(cells, before, channel, starts, samples[channel], origin)
+            self._predict(cells, before, channel, starts, samples[channel], origin)
             starts = self._segment + np.flatnonzero(gliding[channel] & loud[channel]) * SEGMENT
-            self._foretell_gliding(cells, before, channel, starts, samples[channel], origin)
+            self._predict_gliding(cells, before, channel, starts, samples[channel], origin)
 
-    def _foretell(
+    def _predict(
         self,
         cells: Cells,
         before: int,
@@ -338,18 +338,18 @@ class Clicks:
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
-        """Keep what stands out of what cannot be foretold of a channel's segments from each of `starts` on.
+        """Keep what stands out of what cannot be predicted of a channel's segments from each of `starts` on.
 
         Cell 0 starts at frame `origin`.
         """
         heights, starts = self._unforeseen(samples, starts, origin, SEGMENT, REACH, STANDS_OUT, self._lowest)
-        told = self._outstanding(
+        outstanding = self._outstanding(
             cells, channel, heights, starts - before, STANDS_OUT, self._lowest, above_mean=ABOVE_MEAN
         )
-        for row, at, height, power, _ in told:
+        for row, at, height, power, _ in outstanding:
             self._keep(int(starts[int(row)]) + int(at), channel, height, power)
 
-    def _foretell_gliding(
+    def _predict_gliding(
         self,
         cells: Cells,
         before: int,
@@ -358,12 +358,14 @@ class Clicks:
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
-        """Mark what may stand out of what cannot be foretold of a channel's segments, little by little."""
+        """Mark what may stand out of what cannot be predicted of a channel's segments, little by little."""
         parts = (starts[:, np.newaxis] + np.arange(0, SEGMENT, GLIDED)).ravel()
         heights, parts = self._unforeseen(samples, parts, origin, GLIDED, GLIDED, GLIDE_DOUBTFUL, self._least)
-        told = self._outstanding(cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED)
-        for row, at, _, power, stands in told:
-            self._doubtful.append(_Doubt(channel, IN_GLIDES, int(parts[int(row)]) + int(at), stands, power))
+        outstanding = self._outstanding(
+            cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED
+        )
+        for row, at, _, power, stands in outstanding:
+            self._candidates.append(_Candidate(channel, IN_GLIDES, int(parts[int(row)]) + int(at), stands, power))
 
     def _unforeseen(
         self,
@@ -375,9 +377,9 @@ class Clicks:
         times: float,
         least: float,
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Return what cannot be foretold of `count` cells and `reach` on either side, and the first cell of each row.
+        """Return what cannot be predicted of `count` cells and `reach` on either side, and the first cell of each row.
 
-        The cells start at `starts`; only rows are told in which something may stand out.
+        The cells start at `starts`; only rows are returned in which something may stand out.
         """
         starts = starts - reach
         frames = origin + starts * self._cell
@@ -389,9 +391,9 @@ class Clicks:
         return heights[:found], starts[kept[:found]]
 
 
-def _foremost(doubts: list[_Doubt]) -> list[_Doubt]:
+def _strongest(doubts: list[_Candidate]) -> list[_Candidate]:
     """Return, of doubts that one click may have raised, the one that stands out most."""
-    foremost: list[_Doubt] = []
+    foremost: list[_Candidate] = []
     for one in sorted(doubts):
         last = foremost[-1] if foremost else None
         if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rules[0].cells:

@@ -1,4 +1,4 @@
-"""Where a spectrum ends, and how steeply: what tells a sound that was brought up from a lower sample rate."""
+"""Where a spectrum ends, and how steeply: features of a sound that was upsampled."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Cliff:
     edge_hz : float
         Where it is.
     drop_db : float
-        From what lies just below it to what lies just above.
+        From the level just below it to the level just above.
     """
 
     edge_hz: float

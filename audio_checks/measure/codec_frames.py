@@ -1,6 +1,6 @@
 """Traces that lossy codecs leave: spectral lines that fall silent together, on the codec's own frames and nowhere else.
 
-An encoder codes as zero each line that it thinks nobody hears. Once decoded, those lines are silent again where the
+An encoder codes as zero each line that it considers inaudible. Once decoded, those lines are silent again where the
 sound is cut into the same frames and the same lines, and filled where it is cut anywhere else. So each place at which
 the codec's frames may begin is tried, and one that stands out from all others is a trace; a filter leaves none.
 """
@@ -14,11 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks.kernel import silent_lines
 from audio_checks.measure.codec_lines import Lines, all_lines
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 EXCERPT_FRAMES = 1 << 14  # a third of a second: 14 to 63 frames of a codec
+LINES_AT_ONCE = 16  # of the kernel
 USUAL_RATES_HZ = (48_000, 44_100)
 SILENT = 0.03  # of a line's own RMS around: chance alone leaves one in forty below
 ROUNDING = 0.75  # of the depth's step: what rounding to it leaves in a line stays below, nearly always
@@ -128,26 +130,29 @@ def traces_of(samples: Floats, sample_rate_hz: int, step: float = 0.0) -> tuple[
     for rate_hz in rates_of(sample_rate_hz):
         excerpt = _at_rate(samples, sample_rate_hz, rate_hz)[:EXCERPT_FRAMES]
         spectrum = _spectrum(excerpt)
-        for lines, filters in _spectra():
+        for lines, filters in _filters():
             if lines.rate_hz in (None, rate_hz) and len(excerpt) >= lines.filters.shape[1] + 2 * lines.frame:
-                levels = np.fft.irfft(spectrum * filters, EXCERPT_FRAMES, axis=1).astype(np.float32, copy=False)
-                valid = levels[:, lines.filters.shape[1] - 1 : len(excerpt)]
-                traces.append(_trace(lines, rate_hz, valid, max(step, COARSEST_DITHER)))
+                traces.append(_trace(lines, rate_hz, spectrum, filters, len(excerpt), max(step, COARSEST_DITHER)))
     return tuple(trace for trace in traces if trace is not None)
 
 
-def _trace(lines: Lines, rate_hz: int, levels: Singles, step: float) -> Trace | None:
-    count = levels.shape[1] // lines.frame
-    sizes = np.abs(levels[:, : count * lines.frame]).reshape(-1, lines.frame)  # a row: one line in one frame
-    rms = np.sqrt(np.einsum("rp,rp->r", sizes, sizes) / lines.frame)
-    silent_below = np.maximum(SILENT * rms, ROUNDING * step)
-    counted = rms > AUDIBLE * silent_below
-    compared = int(counted.sum())
+def _trace(lines: Lines, rate_hz: int, spectrum: Singles, filters: Singles, frames: int, step: float) -> Trace | None:
+    first = lines.filters.shape[1] - 1  # before it a line does not lie inside the sound
+    silent = np.empty(lines.frame, dtype=np.int64)
+    compared = silent_lines(
+        spectrum,
+        filters,
+        _turns(),
+        first,
+        lines.frame,
+        (frames - first) // lines.frame,
+        SILENT,
+        ROUNDING * step,
+        AUDIBLE,
+        silent,
+    )
     if compared < FEWEST_LINES:
         return None
-    silent_below = np.where(counted, silent_below, 0.0).astype(np.float32)
-    is_silent = (sizes < silent_below[:, np.newaxis]).view(np.uint8)
-    silent = np.add.reduce(is_silent, axis=0, dtype=np.uint16).astype(np.int64)  # at most lines · frames, below 2**16
     best = int(np.argmax(silent))
     apart = np.abs((np.arange(lines.frame) - best + lines.frame // 2) % lines.frame - lines.frame // 2)
     elsewhere = int(silent[apart > BESIDE_FRAMES].max())
@@ -170,11 +175,26 @@ def _at_rate(samples: Floats, from_hz: int, to_hz: int) -> Floats:
 
 
 @cache
-def _spectra() -> tuple[tuple[Lines, NDArray[np.complex64]], ...]:
-    """Return all lines, and what to multiply a sound's spectrum by to correlate it with each."""
-    return tuple((lines, _spectrum(lines.filters[:, ::-1])) for lines in all_lines())
+def _filters() -> tuple[tuple[Lines, Singles], ...]:
+    """Return all lines, and the spectra that correlate a sound with each, as the kernel takes them."""
+    return tuple((lines, _in_groups(_spectrum(lines.filters[:, ::-1]) / EXCERPT_FRAMES)) for lines in all_lines())
 
 
-def _spectrum(samples: Floats) -> NDArray[np.complex64]:
-    """Return a spectrum in single precision, of which codecs need less and which costs half the time."""
-    return np.fft.rfft(samples.astype(np.float32), EXCERPT_FRAMES).astype(np.complex64, copy=False)
+def _in_groups(spectra: Singles) -> Singles:
+    """Return spectra, shape (lines, bins, 2), in groups of 16, silent ones at the end: (groups, bins, 4, 8)."""
+    groups = -(-len(spectra) // LINES_AT_ONCE)
+    padded = np.pad(spectra, ((0, groups * LINES_AT_ONCE - len(spectra)), (0, 0), (0, 0)))
+    parts = padded.reshape(groups, 2, LINES_AT_ONCE // 2, -1, 2)  # which half, lane, bin, real or imaginary
+    return np.ascontiguousarray(parts.transpose(0, 3, 1, 4, 2)).reshape(groups, -1, 4, LINES_AT_ONCE // 2)
+
+
+@cache
+def _turns() -> Singles:
+    turns = np.exp(-2j * np.pi * np.arange(EXCERPT_FRAMES) / EXCERPT_FRAMES)
+    return turns.astype(np.complex64).view(np.float32)
+
+
+def _spectrum(samples: Floats) -> Singles:
+    """Return a spectrum, real and imaginary parts last, in single precision: codecs need less, and it costs half."""
+    spectrum = np.fft.rfft(samples.astype(np.float32), EXCERPT_FRAMES).astype(np.complex64, copy=False)
+    return spectrum.view(np.float32).reshape(*spectrum.shape, 2)

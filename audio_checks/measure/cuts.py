@@ -13,7 +13,7 @@ from audio_checks.measure import abrupt
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.survey import Survey
 
-SILENT = 5e-5  # -86 dBFS: what lies before and after the sound is no louder
+SILENT = 5e-5  # -86 dBFS: the parts before and after the sound are no louder
 GRAIN = 2.0  # steps of the bit depth that still are silence
 KEPT_S = 0.1  # of the sound at either end, for how filters ring there and how the sound goes on; NEAR_S of an end
 FOLLOWED_S = 10.0  # by more than this, so that no more is kept block by block
@@ -130,7 +130,7 @@ class Cuts:
 
 
 def _jumps(samples: NDArray[np.float64], least: float) -> bool:
-    """Tell whether a wave, followed back beyond its edge by a line or by a parabola, is far from zero."""
+    """Return whether a wave, followed back beyond its edge by a line or by a parabola, is far from zero."""
     first, second, third = (*samples[:3].tolist(), 0.0, 0.0)[:3]
     return bool(abs(first) >= least and max(abs(2 * first - second), abs(3 * first - 3 * second + third)) >= least)
 

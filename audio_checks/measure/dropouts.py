@@ -98,13 +98,18 @@ class Dropouts:
         where = REACH - first, self._searched - first, min(until - first, len(steps) - REACH - 1), self._runs
         found: list[tuple[int, int]] = []
         count = kernel.low_runs(steps, self._still, 0.0, SHORTEST, LONGEST, *where)
-        for start, end in self._runs[:count].tolist():
-            if _goes_on_beside(steps, steps, squares, start, end):
+        runs = self._runs[:count]
+        for (start, end), may_go_on, is_held in zip(
+            runs.tolist(), _may_go_on_beside(steps, runs), _hold_a_value(steps, runs), strict=True
+        ):
+            if may_go_on and _goes_on_beside(steps, steps, squares, start, end):
                 found.append((start, end))
-            else:
+            elif is_held:
                 found.extend(self._held(steps, squares, start, end))
         count = kernel.low_runs(sharpness, self._smooth, LOUDER * self._smooth, SHORTEST, LONGEST, *where)
-        for start, end in self._runs[:count].tolist():
+        runs = self._runs[:count]
+        runs = runs[_may_go_on_beside(sharpness, runs)]
+        for start, end in runs.tolist():
             if _goes_on_beside(sharpness, steps, squares, start, end) and self._leaks(cells, channel, start, end):
                 found.append((start, end))
         count = kernel.lulls(squares, UNDER_NEAREST, LEVEL, LONGEST, *where)
@@ -130,7 +135,7 @@ class Dropouts:
         return [(first, last)] if _goes_on_beside(steps, steps, squares, first, last, self._step) else []
 
     def _leaks(self, cells: Cells, channel: int, start: int, end: int) -> bool:
-        """Tell whether all that moves in a smooth stretch is one value that leaks away, or a straight line."""
+        """Return whether all that moves in a smooth stretch is one value that leaks away, or a straight line."""
         sums, steps, squares = (figures[channel, start:end] for figures in (cells.sums, cells.steps, cells.squares))
         grain = 2 * self._step
         at = np.flatnonzero(steps[:-1] > self._still + grain)
@@ -157,6 +162,32 @@ def _sides(start: int, end: int) -> tuple[slice, slice]:
     return slice(start - 2, start - REACH - 1, -1), slice(end + 1, end + REACH)
 
 
+def _may_go_on_beside(figures: NDArray[np.float64], runs: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Return False for each run, shape (runs, 2), for which `_goes_on_beside` is certainly False.
+
+    The median of a side exceeds what the hole has only if its largest cell does. Noise near the bit depth has
+    thousands of still runs: this looks at all of them together.
+    """
+    if not len(runs):
+        return np.empty(0, dtype=bool)
+    starts, ends = runs.T
+    most = LOUDER * np.maximum(np.maximum.reduceat(figures, runs.ravel())[::2], 1e-6)
+    nearest = np.arange(2, REACH + 1)
+    before = figures[np.maximum(starts[:, np.newaxis] - nearest, 0)].max(axis=1)
+    after = figures[np.minimum(ends[:, np.newaxis] + nearest - 1, len(figures) - 1)].max(axis=1)
+    at_the_edge = (starts < REACH) | (ends + REACH > len(figures))
+    may: NDArray[np.bool_] = at_the_edge | ~((before <= most) | (after <= most))
+    return may
+
+
+def _hold_a_value(steps: NDArray[np.float64], runs: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Return whether each run, shape (runs, 2), has SHORTEST cells in a row without any step."""
+    still = np.lib.stride_tricks.sliding_window_view(steps == 0.0, SHORTEST).all(axis=1)
+    counts = np.concatenate(([0], np.cumsum(still)))
+    found: NDArray[np.bool_] = counts[np.maximum(runs[:, 1] - SHORTEST + 1, runs[:, 0])] > counts[runs[:, 0]]
+    return found
+
+
 def _goes_on_beside(
     figures: NDArray[np.float64],
     steps: NDArray[np.float64],
@@ -165,7 +196,7 @@ def _goes_on_beside(
     end: int,
     grain: float = 0.0,
 ) -> bool:
-    """Tell whether there is sound on either side of a hole throughout, up to its edges.
+    """Return whether there is sound on either side of a hole throughout, up to its edges.
 
     `figures` of cells, steps or sixth differences, are what the hole has little of: `grain` at least. On one side the
     next hole of a row may be near.
@@ -190,7 +221,7 @@ def _goes_on_beside(
 
 
 def _reaches(side: NDArray[np.float64], share: float) -> bool:
-    """Tell whether one of the two nearest cells has such a share of the median."""
+    """Return whether one of the two nearest cells has such a share of the median."""
     return bool(side[:2].max() >= share * np.sort(side)[len(side) // 2])
 
 
@@ -206,7 +237,7 @@ def _as_one(found: list[_Hole]) -> list[_Hole]:
 
 
 def _rhythmic(holes: list[_Hole]) -> bool:
-    """Tell whether three or more holes are alike and come on a beat: a gate that is meant."""
+    """Return whether three or more holes are alike and come on a beat: a gate that is meant."""
     gaps = np.diff(sorted({hole.start for hole in holes}))
     gaps = gaps[gaps > BEAT]
     lengths = [hole.end - hole.start for hole in holes]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import kernel
-from audio_checks.measure import spare
+from audio_checks.measure import buffer_pool
 from audio_checks.measure.decibels import ratio
 from audio_checks.measure.survey import Survey
 
@@ -50,7 +50,7 @@ class Edges:
         self._head_frames = np.empty(0, np.int64)
         self._tail_levels = np.empty(0)  # falling
         self._tail_frames = np.empty(0, np.int64)
-        self._told: dict[float, tuple[float, float]] = {}  # by threshold: two checks ask for the same
+        self._cached: dict[float, tuple[float, float]] = {}  # by threshold: two checks ask for the same
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
@@ -59,7 +59,7 @@ class Edges:
         rows = kernel.by_channel(block)
         loudest = float(self._head_levels[-1]) if len(self._head_levels) else 0.0
         self._peak = max(self._peak, self._survey.highest(block))
-        room = spare.taken("records", 2 * len(block) * 8)  # bytes of a float64, and of an int64
+        room = buffer_pool.acquire("records", 2 * len(block) * 8)  # bytes of a float64, and of an int64
         if loudest < CEILING:
             levels, places = self._records(rows, loudest, room, backward=False)
             self._head_levels = np.concatenate((self._head_levels, levels))
@@ -69,9 +69,9 @@ class Edges:
             kept = self._tail_levels > levels[-1]
             self._tail_levels = np.concatenate((self._tail_levels[kept], levels[::-1]))
             self._tail_frames = np.concatenate((self._tail_frames[kept], places[::-1]))
-        spare.give_back("records", room)
+        buffer_pool.release("records", room)
         self._seen += len(block)
-        self._told = {}
+        self._cached = {}
 
     def result(self) -> dict[str, Any]:
         """Return the figures, by name."""
@@ -87,12 +87,12 @@ class Edges:
         if self._peak == 0:
             whole = 1000 * self._seen / self._rate
             return whole, whole
-        if below_dbfs not in self._told:
+        if below_dbfs not in self._cached:
             threshold = min(ratio(below_dbfs), self._peak * BELOW_PEAK, CEILING)
             first = int(self._head_frames[self._head_levels.searchsorted(threshold)])
             last = int(self._tail_frames[(-self._tail_levels).searchsorted(-threshold, side="right") - 1])
-            self._told[below_dbfs] = 1000 * first / self._rate, 1000 * (self._seen - 1 - last) / self._rate
-        return self._told[below_dbfs]
+            self._cached[below_dbfs] = 1000 * first / self._rate, 1000 * (self._seen - 1 - last) / self._rate
+        return self._cached[below_dbfs]
 
     def _records(
         self, rows: NDArray[np.float64], loudest: float, room: NDArray[np.uint8], *, backward: bool

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.measure import spare
+from audio_checks.measure import buffer_pool
 from audio_checks.measure.cells import HISTORY, LEAST_CELL, CellStream, cell_frames
 from audio_checks.measure.clicks import Clicks
 from audio_checks.measure.dropouts import Dropouts
@@ -80,19 +80,19 @@ class Faults:
         wanted_frames = max(min(STRETCH_FRAMES, most // 2, frames), self._silence)
         self._stretch = _whole(wanted_frames, math.lcm(self._cell, ROW_FRAMES))
         shape = channels, self._history + self._stretch + self._cell
-        self._room = spare.taken("samples", math.prod(shape) * np.dtype(np.float64).itemsize)
+        self._room = buffer_pool.acquire("samples", math.prod(shape) * np.dtype(np.float64).itemsize)
         self._samples = self._room.view(np.float64).reshape(shape)
         self._samples[:, : self._history] = 0.0  # what comes is written before it is read
         self._maxima = np.empty((channels, -(-self._samples.shape[1] // ROW_FRAMES)))
         self._maxima[:, : self._history // ROW_FRAMES] = 0.0
         self._survey = survey or Survey()
-        self._decoded: NDArray[np.float64] | None = None  # a block that lies where it belongs
+        self._decoded: NDArray[np.float64] | None = None  # a block in its final place
         self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
         kept_sums = self._hum.back if self._hum else 0
         self._cells = CellStream(channels, self._cell, CELLS_KEPT, kept_sums, self._stretch // self._cell)
         self._known: tuple[NDArray[np.float64], int] | None = None  # what was measured while it was decoded, its cells
         self._end = self._history  # of what is known of the samples
-        self._frame = -self._history  # where in the signal the first of them lies
+        self._frame = -self._history  # the position in the signal of the first of them
         self._peak = 0.0
         self._clicks = Clicks(self._cell, cells_per_s, step) if "clicks" in wanted else None
         self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in wanted else None
@@ -115,7 +115,7 @@ class Faults:
     ) -> tuple[NDArray[np.float64], int, int]:
         """Decode the next samples, in pieces of `piece_frames`, to where `add` wants them; see `Survey.decode`.
 
-        Whoever gives the very array to `add` saves a copy, and a look at every sample. It holds others later.
+        Passing this array to `add` saves a copy and a pass over the samples. It holds others later.
         """
         first = self._end
         self._samples[:, first + frames : first + frames + self._cell] = 0.0
@@ -175,7 +175,7 @@ class Faults:
         for name, detector in others.items():
             if detector:
                 figures |= self._ask(name, detector.result) or {}
-        spare.give_back("samples", self._room)
+        buffer_pool.release("samples", self._room)
         self._samples = self._samples[:, :0]  # others write there now
         self._cells.end()
         return figures

@@ -17,10 +17,10 @@ FULL_SCALE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-b
 GRAIN = 2.5  # steps of the bit depth: samples that close are on one level
 SHARE = 1e-4  # of the level: the same for float
 CORNER = 16.0  # of these: what the wave falls within two samples of a run's ends; a round crest does not
-CEILING = 1e-3  # share of the highest crest by which others on the ceiling may lie lower
+CEILING = 1e-3  # share of the highest crest by which others on the ceiling may be lower
 FEWEST = 3  # of them in a file, under full scale: two crests may be as high by chance
 SOFT_CEILING = 0.03  # the same for soft tops
-SOFT_FLAT = 0.98  # a soft top is what lies above this share of its crest
+SOFT_FLAT = 0.98  # a soft top is the part above this share of its crest
 SOFT_WIDE, SOFT_RATIO = 0.8, 1.7  # above this share a round crest is 3.2 times as wide, and a soft top at most this
 SOFT_S = 1e-4  # a soft top lasts that long, and five samples
 SOFT_FEWEST, SOFT_SHARE = 8, 0.6  # of the highest crests: what happens to fewer of them is not a ceiling
@@ -75,7 +75,7 @@ class FlatTops:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
         `maxima` are those of all samples, `peaks` the highest of each channel, and `first` starts one of their rows;
-        `frame` is where in the whole signal the first of all samples lies.
+        `frame` is the position in the whole signal of the first of all samples.
         """
         for channel, (row, peak) in enumerate(zip(samples, peaks.tolist(), strict=True)):
             extremes = self._extremes[channel]
@@ -141,7 +141,7 @@ class FlatTops:
         self._crests = np.concatenate((self._crests, crests))
 
     def _spans(self, crests: NDArray[np.float64], length: int) -> tuple[FlatTop, ...]:
-        """Return the first of these crests, `length` being the column that tells how long each is flat."""
+        """Return the first of these crests, `length` being the column with the length of each flat part."""
         first = crests[np.lexsort((crests[:, CHANNEL], crests[:, START]))[:MAX_SPANS]]
         return tuple(
             FlatTop(

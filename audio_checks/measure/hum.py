@@ -16,12 +16,12 @@ MAINS_HZ = (50.0, 60.0)
 MULTIPLES = 8  # that are looked for
 OFF = 0.01  # share by which mains may be off, those of a generator too; the nearest notes are 2 % off
 IN_TUNE = 0.0012  # share by which the lines of one hum may be out of tune with each other,
-OF_A_BIN = 0.06  # and what a window cannot tell more exactly
+OF_A_BIN = 0.06  # and the resolution of a window
 WINDOWS_S = (1.0, 0.2)  # long ones find what is faint, short ones what is heard between strokes
-SHORTEST_S = 1.0  # a sound that is shorter cannot tell hum from a note
+SHORTEST_S = 1.0  # in a shorter sound, hum and a note cannot be distinguished
 STEADY = 0.25  # the quietest quarter of the windows counts: what comes and goes with the sound is lower there
-PROMINENT = 16.0  # in power, 12 dB over what lies beside the line
-NEAR_HZ, FAR_HZ = 5.0, 14.0  # what lies beside it,
+PROMINENT = 16.0  # in power, 12 dB over the level next to the line
+NEAR_HZ, FAR_HZ = 5.0, 14.0  # the range next to it,
 NEAR_BINS, FAR_BINS = 2.5, 6.0  # and no nearer than so many bins
 LINES = 3  # of these multiples must be there, one of the first LOW among them,
 LOW = 3
@@ -75,7 +75,7 @@ class Hum:
     def result(self) -> dict[str, Any]:
         """Return `hum_dbfs`, the RMS of the lines in the channel with most of them, and `hum_hz`, 50 or 60.
 
-        -inf and None where there is none; both None for a sound too short to tell.
+        -inf and None where there is none; both None for a sound that is too short.
         """
         if not self._windows:
             return {"hum_dbfs": None, "hum_hz": None}
@@ -161,14 +161,14 @@ class _Windows:
         return power if tuned and tuned[0][0] <= LOW and power >= LEAST else 0.0
 
     def _in_tune(self, lines: list[_Line], base_hz: float, times: float) -> list[_Line]:
-        """Return the lines that are multiples of a frequency, as exactly as such a window can tell."""
+        """Return the lines that are multiples of a frequency, as exactly as such a window resolves."""
         blur = OF_A_BIN * self._bin_hz
         return [
             line for line in lines if abs(line[1] - line[0] * base_hz) <= times * max(IN_TUNE * line[0] * base_hz, blur)
         ]
 
     def _line(self, spectrum: list[float], wanted_hz: float) -> tuple[float, float] | None:
-        """Return where a line near a frequency lies, and its power; None where nothing stands out."""
+        """Return the position of a line near a frequency, and its power; None if nothing stands out."""
         wanted = wanted_hz / self._bin_hz
         reach = max(1.0, OFF * wanted)
         first, last = math.floor(wanted - reach), math.ceil(wanted + reach)
@@ -190,11 +190,11 @@ class _Windows:
 
 
 def _weight(lines: list[_Line]) -> tuple[int, float]:
-    """Return how much speaks for a hum: how many lines, then their power."""
+    """Return the evidence for a hum: the number of lines, then their power."""
     return len(lines), sum(line[2] for line in lines)
 
 
 def _offset(left: float, here: float, right: float) -> float:
-    """Return where between three bins of a Hann window's spectrum the line lies, -0.5..0.5, from their powers."""
+    """Return the line's position between three bins of a Hann window's spectrum, -0.5..0.5, from their powers."""
     ratio = math.sqrt(max(left, right) / here) if here else 0.5
     return math.copysign((2 * ratio - 1) / (ratio + 1), right - left)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 LONGEST_S = 4.0  # of a sound; hum does not end there
 WINDOW_S = 0.1  # long enough to part the multiples, short enough to fit between strokes
 TURNS = 256  # steps of phase from one window to the next that are tried, three for each of the most windows
-PROMINENT = 16.0  # power of what adds up in phase, in times of what the noise beside the line adds up to
+PROMINENT = 16.0  # power of what adds up in phase, in times of what the noise next to the line adds up to
 HALF = 2.0  # amplitude in the same times that each half of the sound must show by itself: hum does not come or go
 CLEAR = 0.1  # share of the windows in which the noise lies under the line,
 CONSTANT = 0.9  # and the share of these in which the line is there, as strong and in phase,
@@ -90,7 +90,7 @@ def lines_in_phase(samples: NDArray[np.float64], rate_hz: float, mains_hz: float
 def _amplitudes(
     windows: NDArray[np.float64], rate_hz: float, mains_hz: float, orders: NDArray[np.int64]
 ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
-    """Return each multiple's amplitude in each window, and the power of the noise beside it."""
+    """Return each multiple's amplitude in each window, and the power of the noise next to it."""
     found = (windows.copy() @ _waves(windows.shape[1], rate_hz, mains_hz, len(orders))).view(np.complex128)
     beside = np.square(np.abs(found[:, len(orders) :]))
     padded = np.pad(beside, ((0, 0), (1, 1)), mode="reflect")
@@ -100,7 +100,7 @@ def _amplitudes(
 
 @lru_cache(maxsize=4)
 def _waves(length: int, rate_hz: float, mains_hz: float, multiples: int) -> NDArray[np.float64]:
-    """Return what tells a window's amplitude at each multiple, and halfway between them: cosine and sine by turns."""
+    """Return weights for a window's amplitude at each multiple, and halfway between them: cosine and sine by turns."""
     hann = np.hanning(length + 1)[:-1] * (2 / (length / 2))
     times_s = np.arange(length) / rate_hz
     orders = np.concatenate((np.arange(1, multiples + 1), np.arange(multiples + 1) + 0.5))
@@ -108,7 +108,7 @@ def _waves(length: int, rate_hz: float, mains_hz: float, multiples: int) -> NDAr
 
 
 def _go_on(turned: NDArray[np.complex128], noise: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Tell of each line whether it goes through the whole sound, as strong in every window that could show it."""
+    """Return, for each line, whether it goes through the whole sound, as strong in every window that could show it."""
     weights = 1 / noise
     line = (turned * weights).sum(axis=0) / weights.sum(axis=0)
     size = np.abs(line)

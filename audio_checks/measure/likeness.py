@@ -15,7 +15,7 @@ FAR_SLICES, SPACING = 32, 1.15  # the last begins after 56 s
 EDGES_HZ = 62.5 * 2.0 ** np.arange(9)  # of eight octave bands
 STEP_DB, RANGE_DB = 0.25, 50.0
 FLOOR = round(RANGE_DB / STEP_DB)  # steps under the loudest cell that mean nothing at all
-LEAST_CELLS = 12  # that either sound fills; fewer tell nothing
+LEAST_CELLS = 12  # that either sound fills; fewer are not compared
 LOUD = round(40.0 / STEP_DB)  # steps under the loudest cell that count as filled
 
 
@@ -99,7 +99,7 @@ def unlikeness_db(one: str, other: str) -> float | None:
     -------
     float or None
         The mean over the cells that either sound fills: below 0.2 for a copy at another level, depth or
-        rate, about 1 for two drawings of the same noise. None where too little is filled to tell.
+        rate, about 1 for two drawings of the same noise. None where too few cells are filled.
     """
     a, b = _cells(one), _cells(other)
     count = min(len(a), len(b))

@@ -2,7 +2,7 @@
 
 Sources: ITU-R BS.1770-5, Annex 1; EBU Tech 3341 (momentary and short-term); EBU Tech 3342 (range).
 The K-weighting is designed for each rate from the analogue prototypes that the tabulated filters
-stand for (De Man, "Evaluation of implementations of the EBU R128 loudness measurement", 2018); its
+approximate (De Man, "Evaluation of implementations of the EBU R128 loudness measurement", 2018); its
 gain is that of the table at every rate.
 """
 
@@ -46,7 +46,7 @@ def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float6
     if mask is None or mask.bit_count() < channels:
         mask = {4: 0x33, 5: 0x37, 6: 0x3F}.get(channels, 0)
     positions = [1 << bit for bit in range(32) if mask >> bit & 1][:channels]
-    sides = 0x600 if mask & 0x600 else 0x30  # beside side speakers those at the back are behind the listener
+    sides = 0x600 if mask & 0x600 else 0x30  # with side speakers present, those at the back are behind the listener
     weights = np.ones(channels)
     for channel, position in enumerate(positions):
         if position == 0x8:
@@ -59,7 +59,7 @@ def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float6
 
 def k_weighting(sample_rate_hz: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the biquads of the K-weighting at a sample rate: numerators and denominators, shape (2, 3)."""
-    highest = 0.45 * sample_rate_hz  # below 3.7 kHz the shelf lies beyond the band
+    highest = 0.45 * sample_rate_hz  # below 3.7 kHz the shelf is above the band
     k = math.tan(math.pi * min(1681.974450955533, highest) / sample_rate_hz)
     q, gain = 0.7071752369554196, 10 ** (3.999843853973347 / 20)
     middle = gain**0.4996667741545416

@@ -16,7 +16,7 @@ SHORTEST = 3  # cells; of longer ones the outermost may hold some of the sound
 
 
 def is_hole(squares: NDArray[np.float64], sharpness: NDArray[np.float64], start: int, end: int, reach: int) -> bool:
-    """Tell whether a lull is a hole in a sound, rather than a pause of it or a trough between two of its beats.
+    """Return whether a lull is a hole in a sound, rather than a pause of it or a trough between two of its beats.
 
     Parameters
     ----------

@@ -89,7 +89,7 @@ def _floor(steps: NDArray[np.float64]) -> float | None:
 
 
 def _dies_away(means: NDArray[np.float64], quietest: int) -> bool:
-    """Tell whether the level falls evenly up to the quietest pause, over the two pauses before it."""
+    """Return whether the level falls evenly up to the quietest pause, over the two pauses before it."""
     if quietest < 2 * PAUSE:
         return False
     before, middle, last = (means[[quietest - 2 * PAUSE, quietest - PAUSE, quietest]]).tolist()

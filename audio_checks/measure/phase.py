@@ -15,7 +15,7 @@ from audio_checks.measure.survey import StereoHops, Survey
 HOP_S = 0.1
 MOST_HOPS = 65_536  # 1.8 h; the hops of what lasts longer are longer
 MOST_LOSS_DB = 120.0  # shown where nothing is left
-LOUD_ENOUGH = 1e-4  # of the mean power: a hop 40 dB below it loses nothing that is heard
+LOUD_ENOUGH = 1e-4  # of the mean power: a hop 40 dB below it loses nothing audible
 
 Spans = list[tuple[float, float]]
 

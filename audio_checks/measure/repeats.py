@@ -49,7 +49,7 @@ class Repeats:
         """Take the samples from `first` on, shape (channels, n); those before came already.
 
         A stretch is looked for in one `channel`, best the loudest: a buffer holds all, so it comes again in each.
-        `frame` is where in the whole signal the first of all samples lies.
+        `frame` is the position in the whole signal of the first of all samples.
         """
         count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, RING, self._out)
         for start, end, lag in self._out[:count].tolist():
@@ -60,7 +60,7 @@ class Repeats:
                 self._found.append(Repeat((frame + start) / self._rate, (frame + end) / self._rate, lag / self._rate))
 
     def _begins(self, samples: NDArray[np.float64], at: int, frame: int) -> bool:
-        """Tell whether the sound begins at a place, with the file or out of silence."""
+        """Return whether the sound begins at a place, with the file or out of silence."""
         before = samples[:, max(at - self._lags[0], 0) : at]
         return frame + at < self._lags[0] or float(np.abs(before).max(initial=0.0)) < self._spread
 

@@ -1,4 +1,4 @@
-"""What lies between a dry sound and the same sound as delivered: the response that turns one into the other."""
+"""The response that turns a dry sound into the same sound as delivered."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ EARLIEST_S, LATEST_S = 0.25, 4.0  # of the response, before and after its highes
 ROW_S = 0.005
 AROUND_HZ = 150.0  # over which the dry sound's power is averaged
 NOTCH = 1e-4  # of the power around: deeper notches of the dry sound are filled
-FAINTEST = 1e-7  # of the strongest power: what the dry sound hardly has, it cannot tell
+FAINTEST = 1e-7  # of the strongest power: where the dry sound has less, the response is unknown
 
 
 @dataclass(frozen=True)

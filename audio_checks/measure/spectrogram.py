@@ -14,7 +14,7 @@ MOST_COLUMNS = 1000
 TOP_HZ = 20_000.0
 BOTTOM_HZ = 60.0
 WINDOW_S = 0.043  # 23 Hz between bins: a semitone at 400 Hz
-COLUMNS_A_WINDOW = 4  # finer ones tell little new: a window blurs what is closer
+COLUMNS_A_WINDOW = 4  # finer ones add little: a window blurs what is closer
 WINDOWS_AT_ONCE = 64  # bounds the memory of one step
 
 
@@ -41,7 +41,7 @@ class Spectrogram:
         self._powers = hann_powers(length)
         self._rows = _Rows(sample_rate_hz, length)
         self._levels: list[NDArray[np.float64]] = []
-        # Half a window of silence goes before the sound, so that windows stand in the middle of their share of it.
+        # Half a window of silence goes before the sound, so that each window is centred on its share of it.
         self._held = np.zeros((channels, length // 2))
         self._next = self._hop // 2
 

@@ -74,7 +74,7 @@ class Spectrum:
     def result(self) -> dict[str, Any]:
         """Return `bandwidth_hz`, the highest frequency that stands out; 0 for silence; and `mean_spectrum`.
 
-        It stands out of the dither that the bit depth has at most, and of what lies 80 dB under the
+        It stands out of the dither that the bit depth has at most, and of the level 80 dB under the
         strongest frequency.
         """
         covered = self._next - self._hop + self._length

@@ -51,10 +51,10 @@ class Steps:
         self._seen = end
 
     def result(self) -> dict[str, Any]:
-        """Return the step as a multiple of the file's own smallest; 1 where there is none, None where none can be told.
+        """Return the step as a multiple of the file's own smallest; 1 where there is none, None where it is unknown.
 
-        Silence, a handful of different values and float samples tell nothing. It is a step when more
-        than half of what can be told of the file stands on it.
+        Silence, a handful of different values and float samples give no step. It is a step when more
+        than half of the evaluated samples are multiples of it.
         """
         rows = [row for pieces in self._segments if pieces for row in np.concatenate(pieces).T]
         steps: list[float] = []
@@ -89,7 +89,7 @@ def step_of(values: NDArray[np.float64]) -> float | None:
     gaps = ordered[1:] - ordered[:-1]
     if np.count_nonzero(gaps) < LEAST_VALUES - 1:
         return None
-    gaps = gaps[gaps > 2 * MOST_OFF]  # what lies closer is one step and its dither
+    gaps = gaps[gaps > 2 * MOST_OFF]  # closer ones are one step and its dither
     if len(gaps) < LEAST_VALUES - 1 or (nearest := float(gaps.min())) < LEAST_STEP - MOST_OFF:
         return 1.0
     widest = float(gaps.max())

@@ -51,7 +51,7 @@ class StraightTops:
         """Take the samples of a channel from `first` on, where one of the highest crests is straight.
 
         Their `places` are among these samples, and `extreme` is the highest of all so far; `maxima` are those of all
-        samples, and `frame` is where in the whole signal the first of them lies.
+        samples, and `frame` is the position in the whole signal of the first of them.
         """
         rounded = max(ROUNDED * self._step, FLOAT * extreme)
         shape = np.array([sign, HIGH * extreme, rounded, max(self._step, FLOAT / ROUNDED * extreme)])

@@ -37,7 +37,7 @@ class StereoHops:
         self.frames = 0
 
     def place(self) -> tuple[NDArray[np.float64], int, int]:
-        """Return the hops from the one that the next frame lies in, frames of a hop, and how many of that one came."""
+        """Return the hops from that of the next frame, frames of a hop, and how many of that one came."""
         first = self.frames // self._hop
         return self.energies[first:], self._hop, self.frames - first * self._hop
 
@@ -146,7 +146,7 @@ class Survey:
         self._stereo = stereo
 
     def has_compared(self, block: NDArray[np.float64]) -> bool:
-        """Tell whether a block's samples, shape (frames, channels), are in the hops that are followed."""
+        """Return whether a block's samples, shape (frames, channels), are in the hops that are followed."""
         return block is self._compared
 
     def decode(

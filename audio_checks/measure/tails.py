@@ -1,4 +1,4 @@
-"""What tells a reverberant sound from a dry one: its falls, its tail beside its head, its gaps."""
+"""Features that distinguish a reverberant sound from a dry one: its falls, its tail against its head, its gaps."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class Course:
     levels, smooth : ndarray, shape (rows, octaves + 1)
         In dB, as they are and as means over three rows; the last column is the whole range.
     floors : ndarray, shape (octaves + 1,)
-        What lies lower counts for nothing.
+        Lower levels count for nothing.
     active : ndarray, shape (rows, octaves + 1)
-        What counts.
+        The cells that count.
     head, tail : ndarray, shape (rows,)
         The head is near what was loudest of late, the tail well under it.
     last, end : int

@@ -20,7 +20,7 @@ OUTER_WEIGHT = 1e-4  # of errors above it
 FINE_OVERSAMPLING = 16
 FINE_TAPS = 512  # right to 0.995 of the Nyquist frequency; with half as many a square of 8 bits read 0.06 dB high
 FINE_BETA = 4.5  # of their Kaiser window
-# Most by which the curve exceeds the samples beside it, in second and fourth differences nearby; and by which it
+# Most by which the curve exceeds the samples next to it, in second and fourth differences nearby; and by which it
 # exceeds 24 taps, in fourth differences. Held over noise of all colours, tones, clipping and random signs.
 BEND, KINK, MISSED = 1 / 8, 1 / 10, 1 / 16
 

@@ -1,4 +1,4 @@
-"""How differently a sound rises and falls: what tells one that is played backwards."""
+"""How differently a sound rises and falls: features of a sound that is played backwards."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from audio_checks.measure.decay import OCTAVES_HZ, TINY, DecayFigures
 
 Floats = NDArray[np.float64]
-REACH_DB = 45.0  # under the loudest row of a band; what lies deeper counts as lying there
+REACH_DB = 45.0  # under the loudest row of a band; anything lower counts as this level
 PART_OF_IT_DB = 50.0  # a band this far under the loudest one says nothing
 LAGS = (1, 4, 12)  # rows: 5, 20 and 60 ms
 FEWEST_ROWS = 8
@@ -21,7 +21,7 @@ _EACH = 3 * len(LAGS) + 4
 
 
 def features_of(decay: DecayFigures) -> Floats | None:
-    """Return what tells forwards from backwards.
+    """Return the features that distinguish forwards from backwards.
 
     Each is the opposite, or nearly, of the same sound turned round; a sound alike from both ends gives zeros.
 
@@ -33,7 +33,7 @@ def features_of(decay: DecayFigures) -> Floats | None:
     Returns
     -------
     ndarray, shape (features,), or None
-        nan for what cannot be told; None for silence, and for less than 40 ms of sound.
+        nan for what is unknown; None for silence, and for less than 40 ms of sound.
     """
     levels = _levels(decay)
     if levels is None:
@@ -98,7 +98,7 @@ def _steps(level: Floats, lag: int) -> Floats:
 
 
 def _lean_of(level: Floats) -> list[float]:
-    """Return how one band rises against how it falls, and where in time it lies."""
+    """Return how one band rises against how it falls, and its position in time."""
     found: list[float] = []
     for lag in LAGS:
         steps = _steps(level, lag)

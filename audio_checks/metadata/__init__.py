@@ -1,6 +1,6 @@
-"""What a file says of itself beside its sound: bext, iXML, LIST/INFO, LIST/adtl, cue, smpl and inst.
+"""The metadata of a file: bext, iXML, LIST/INFO, LIST/adtl, cue, smpl and inst.
 
-All of it comes from strangers: each reader is bounded, and what is damaged is said in a sentence and
+All of it is untrusted: each reader is bounded, and damaged data is reported in a sentence and
 left out, for no chunk of this kind makes a sound unreadable.
 """
 
@@ -104,8 +104,8 @@ def _both(sampler: Instrument | None, instrument: Instrument | None) -> Instrume
     """Return the two chunks' word together; `inst` says more, and wins."""
     if sampler is None or instrument is None:
         return sampler or instrument
-    told = {one.name: getattr(instrument, one.name) for one in fields(Instrument)}
-    return Instrument(**{name: getattr(sampler, name) if value is None else value for name, value in told.items()})
+    values = {one.name: getattr(instrument, one.name) for one in fields(Instrument)}
+    return Instrument(**{name: getattr(sampler, name) if value is None else value for name, value in values.items()})
 
 
 class _Reading:

@@ -40,8 +40,8 @@ _MEASURED_AS = (
 _MOST_HUNDREDTHS = 9_999
 
 
-def levels_anew(payload: bytes, figures: Mapping[str, float | None]) -> bytes | None:
-    """Return the loudness fields of a copy whose samples are others: measured ones, where the chunk told any.
+def updated_levels(payload: bytes, figures: Mapping[str, float | None]) -> bytes | None:
+    """Return the loudness fields of a copy whose samples are others: measured values, where the chunk has any.
 
     Parameters
     ----------
@@ -53,18 +53,18 @@ def levels_anew(payload: bytes, figures: Mapping[str, float | None]) -> bytes | 
     Returns
     -------
     bytes or None
-        Five fields of 16 bits, in hundredths of LUFS, LU and dBTP, for `LEVELS_AT`. A field that told
-        nothing still does, and so does one that cannot hold its figure (99.99 at most). None where the
-        chunk has no such fields, or none of them told anything.
+        Five fields of 16 bits, in hundredths of LUFS, LU and dBTP, for `LEVELS_AT`. A field that says
+        nothing stays empty, and so does one that cannot hold its figure (99.99 at most). None where the
+        chunk has no such fields, or none of them is set.
     """
     if len(payload) < FIXED_BYTES or struct.unpack_from("<H", payload, _VERSION_AT)[0] < _LEVELS_SINCE:
         return None
-    told = _LEVEL_FIELDS.unpack_from(payload, LEVELS_AT)
-    if all(level == _UNSET_LEVEL for level in told):
+    stored = _LEVEL_FIELDS.unpack_from(payload, LEVELS_AT)
+    if all(level == _UNSET_LEVEL for level in stored):
         return None
     measured = (_hundredths(figures[name]) for name in _MEASURED_AS)
     return _LEVEL_FIELDS.pack(
-        *(_UNSET_LEVEL if old == _UNSET_LEVEL else new for old, new in zip(told, measured, strict=True))
+        *(_UNSET_LEVEL if old == _UNSET_LEVEL else new for old, new in zip(stored, measured, strict=True))
     )
 
 
@@ -113,7 +113,7 @@ def read_bext(payload: bytes) -> dict[str, str]:
         fields["UMID"] = (umid if any(umid[32:]) else umid[:32]).hex()
     if version >= _LEVELS_SINCE:
         levels = struct.unpack_from("<5h", payload, at + 74)
-        told = zip(_LEVELS, levels, strict=True)
-        fields |= {name: f"{level / 100:.2f}" for name, level in told if level != _UNSET_LEVEL}
+        stored = zip(_LEVELS, levels, strict=True)
+        fields |= {name: f"{level / 100:.2f}" for name, level in stored if level != _UNSET_LEVEL}
     fields["CodingHistory"] = text_of(payload[FIXED_BYTES:])
     return {name: text for name, text in fields.items() if text}

@@ -30,7 +30,7 @@ def read_info(payload: bytes) -> dict[str, str]:
 def read_labels(payload: bytes) -> dict[int, str]:
     """Return the labels of a LIST/adtl chunk by the cue point they are for; empty for another kind of list.
 
-    A note stands in where a cue point has no label.
+    A note is used where a cue point has no label.
 
     Raises
     ------

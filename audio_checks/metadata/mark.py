@@ -1,4 +1,4 @@
-"""The mark of a stand-in: how it is written, and where it is found."""
+"""The mark of a placeholder: how it is written, and where it is found."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _MARKED = re.compile(MARK + r"(?: ([^\x00-\x1f\x7f]{1,64}))?")
 
 
 def cue_marked(fields: Mapping[str, str]) -> str | None:
-    """Return the number of the cue that a stand-in is for.
+    """Return the number of the cue that a placeholder is for.
 
     Parameters
     ----------
@@ -33,17 +33,17 @@ def cue_marked(fields: Mapping[str, str]) -> str | None:
 
 
 def comment_chunk(number: str) -> tuple[str, bytes]:
-    """Return the LIST/INFO chunk that marks a stand-in for a cue."""
+    """Return the LIST/INFO chunk that marks a placeholder for a cue."""
     text = _text(number) + b"\0"
     entry = b"ICMT" + struct.pack("<I", len(text)) + text + b"\0" * (len(text) % 2)
     return "LIST", b"INFO" + entry
 
 
 def broadcast_chunk(number: str) -> tuple[str, bytes]:
-    """Return the bext chunk that marks a stand-in for a cue."""
+    """Return the bext chunk that marks a placeholder for a cue."""
     return "bext", _text(number)[:256].ljust(BEXT_BYTES, b"\0")
 
 
 def _text(number: str) -> bytes:
-    told = "".join(one for one in number if one.isprintable())[:64].strip()
-    return f"{MARK} {told}".strip().encode()
+    cue = "".join(one for one in number if one.isprintable())[:64].strip()
+    return f"{MARK} {cue}".strip().encode()

@@ -14,10 +14,10 @@ def text_of(raw: bytes) -> str:
     Returns
     -------
     str
-        Empty where there is none. What no character stands for is marked by U+FFFD.
+        Empty where there is none. Bytes that are no character become U+FFFD.
     """
-    told = raw.partition(b"\0")[0]
+    text = raw.partition(b"\0")[0]
     try:
-        return told.decode("utf-8").strip()
+        return text.decode("utf-8").strip()
     except UnicodeDecodeError:
-        return told.decode("cp1252", "replace").strip()
+        return text.decode("cp1252", "replace").strip()

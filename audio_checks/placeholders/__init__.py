@@ -1,1 +1,1 @@
-"""Stand-ins for cues that have no take yet: to spec, under the right names, and marked so that none ships unnoticed."""
+"""Placeholders for cues that have no take yet: to spec, under the right names, marked so that none ships by mistake."""

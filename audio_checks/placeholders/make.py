@@ -1,4 +1,4 @@
-"""Writes stand-ins for the cues of a sound list that no take is there for."""
+"""Writes placeholders for the cues of a sound list without a take."""
 
 import hashlib
 import math
@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.errors import RenderRefused
-from audio_checks.layouts import LAYOUTS
 from audio_checks.measure.loudness import Loudness
+from audio_checks.metadata.layouts import LAYOUTS
 from audio_checks.metadata.mark import broadcast_chunk, comment_chunk
 from audio_checks.placeholders.pattern import pattern
-from audio_checks.placeholders.speech import spoken
+from audio_checks.placeholders.speech import synthesize_speech
 from audio_checks.render.dither import DITHERED_TO_BITS, quantised
 from audio_checks.render.turns import gain_of
-from audio_checks.sound_list import SoundList, stems_of
-from audio_checks.spec import CueFacts, DeliverySpec
+from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.sound_list import SoundList, stems_of
 
 DURATION_S = 1.0  # where the list asks for none
 PEAK_DBFS = -12.0
@@ -33,7 +33,7 @@ PREFERRED_HZ, PREFERRED_BITS = 48_000, 24
 
 @dataclass(frozen=True)
 class Placeholder:
-    """A stand-in that was made.
+    """A placeholder that was made.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ def make_placeholders(
     taken: Collection[str] = (),
     voice: bool = True,
 ) -> Iterator[Placeholder | RenderRefused]:
-    """Write a stand-in for every variation of every cue that has none in `taken`; cut cues need none.
+    """Write a placeholder for every variation of every cue that has none in `taken`; cut cues need none.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def make_placeholders(
     ------
     Placeholder or RenderRefused
         In the list's order. Refused (`placeholder:no-name`, `placeholder:over-sound`,
-        `placeholder:container`) is one stand-in, not the rest.
+        `placeholder:container`) is one placeholder, not the rest.
 
     Raises
     ------
@@ -121,18 +121,18 @@ def make_placeholders(
 def make_placeholder(
     cue: CueFacts, variation: int, view: DeliverySpec, path: Path, *, voice: bool = True
 ) -> Placeholder:
-    """Write one stand-in: as long as its cue, within the limits of the view, and marked.
+    """Write one placeholder: as long as its cue, within the limits of the view, and marked.
 
     Parameters
     ----------
     cue : CueFacts
-        What it stands in for.
+        The cue that it replaces.
     variation : int
         From 1.
     view : DeliverySpec
         For the cue's category, and for a target where game files are wanted.
     path : Path
-        Where to. A stand-in that is there is made anew, and left where nothing changed.
+        Where to. An existing placeholder is rewritten only where something changed.
     voice : bool
         Speak where an engine is installed.
 
@@ -143,7 +143,7 @@ def make_placeholder(
     Raises
     ------
     RenderRefused
-        `placeholder:over-sound`: something else than a stand-in has that name.
+        `placeholder:over-sound`: another file than a placeholder has that name.
         `placeholder:container`: the spec accepts no WAV.
     """
     _ensure_free(path)
@@ -165,13 +165,13 @@ def make_placeholder(
 
 
 def _ensure_free(path: Path) -> None:
-    from audio_checks.runner import is_placeholder
+    from audio_checks.run.runner import is_placeholder
 
     if path.exists() and not is_placeholder(path):
         raise RenderRefused(
-            f"{path} is no stand-in, and is not overwritten",
+            f"{path} is no placeholder, and is not overwritten",
             "placeholder:over-sound",
-            "name another --out, or tell where the takes are: a cue with a take needs no stand-in",
+            "name another --out, or name the folder of the takes: a cue with a take needs no placeholder",
         )
 
 
@@ -192,7 +192,7 @@ class _Form:
         accept, target = view.accept, view.target
         if accept.containers is not None and "wav" not in accept.containers:
             raise RenderRefused(
-                f"the spec accepts {', '.join(accept.containers)}, and stand-ins are WAV files",
+                f"the spec accepts {', '.join(accept.containers)}, and placeholders are WAV files",
                 "placeholder:container",
                 'name a --target, or add "wav" to [accept] containers',
             )
@@ -246,7 +246,7 @@ def _word(cue: CueFacts, variation: int, sample_rate_hz: int, frames: int) -> ND
     """Return the cue's name, spoken, then its pattern for what is left of its length; None where that cannot be."""
     name = cue.name or cue.file_name.rpartition(".")[0] or cue.file_name
     name = name.replace("_", " ")
-    said = spoken(f"{name} {variation}" if cue.variations > 1 else name, sample_rate_hz, frames)
+    said = synthesize_speech(f"{name} {variation}" if cue.variations > 1 else name, sample_rate_hz, frames)
     if said is None:
         return None
     whole = np.zeros(frames)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from audio_checks import wav
 from audio_checks.errors import Unreadable
-from audio_checks.isolation import installed_program
 from audio_checks.measure.edges import Edges
+from audio_checks.system.isolation import installed_program
 
 ENGINES = ("espeak-ng", "espeak")
 TIMEOUT_S = 10.0
@@ -24,7 +24,7 @@ def engine() -> str | None:
     return next((found for name in ENGINES if (found := installed_program(name))), None)
 
 
-def spoken(text: str, sample_rate_hz: int, most_frames: int | None) -> NDArray[np.float64] | None:
+def synthesize_speech(text: str, sample_rate_hz: int, most_frames: int | None) -> NDArray[np.float64] | None:
     """Return a text as it is spoken, without silence around it.
 
     Parameters
@@ -72,7 +72,7 @@ def _said(program: str, text: str, words_a_minute: int, sample_rate_hz: int) -> 
 
 
 def _at_rate(sound: NDArray[np.float64], sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
-    """Return speech at another rate, a higher one too: a stand-in is no master, and says that it is none."""
+    """Return speech at another rate, a higher one too: a placeholder is no master, and says that it is none."""
     frames = max(1, round(len(sound) * to_hz / sample_rate_hz))
     moved = np.fft.irfft(np.fft.rfft(sound)[: frames // 2 + 1], frames) * (frames / len(sound))
     return np.asarray(moved / max(1.0, float(np.abs(moved).max())), dtype=np.float64)

@@ -16,7 +16,7 @@ from audio_checks.render.recipe import Recipe
 
 
 class Attempt:
-    """What one writing of the file came to."""
+    """The result of one attempt to write the file."""
 
     def __init__(
         self,

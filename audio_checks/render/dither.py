@@ -88,7 +88,7 @@ def quantised(
     Yields
     ------
     ndarray of int64
-        Not clipped: what lies beyond full scale is for the caller to refuse or to lower.
+        Not clipped: the caller refuses or lowers what exceeds full scale.
     """
     scale = float(1 << (bit_depth - 1))
     noise = Requantisation() if noise is None else noise
@@ -156,7 +156,7 @@ def _with_silence(
 
 
 def _silence(held: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Tell of each sample between the two margins whether it stands in a whole run of silence."""
+    """Return, for each sample between the two margins, whether it is in a whole run of silence."""
     margin = SILENCE_FRAMES - 1
     marks = np.empty((len(held), held.shape[1] - 2 * margin), dtype=np.uint8)
     silent_runs(held, margin, SILENCE_FRAMES, marks)

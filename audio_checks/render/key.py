@@ -1,10 +1,10 @@
-"""What tells one game file of a master from another."""
+"""The key that identifies a game file of a master."""
 
 import hashlib
 import json
 
 from audio_checks.render.render import RENDERER_VERSION
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 
 NO_PART_OF_A_FILE = ("name", "budget_bytes", "codec_ratio", "streamed", "stream_buffer_bytes", "folder")
 
@@ -22,12 +22,12 @@ def render_key(
     """Return the key of a render: the same key means the same bytes, and another key another file.
 
     A file is never replaced by one of another key. The arguments are those of `render_master`; loop
-    points of the master's own are part of the master, so its hash stands for them.
+    points in the master are part of it, so its hash covers them.
 
     Returns
     -------
     str
-        64 hexadecimal digits. What a target says of memory and its name make no other file.
+        64 hexadecimal digits. A target's name and memory settings do not change the key.
     """
     how = {key: value for key, value in vars(target).items() if key not in NO_PART_OF_A_FILE}
     limits = [sample_peak_limit_dbfs, true_peak_limit_dbtp, tolerance_db]

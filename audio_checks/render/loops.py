@@ -1,6 +1,6 @@
 """Loops inside a file: each turns without a seam at the new rate, and keeps its place in the file.
 
-The loop's frames are made as if it turned for ever, in as many whole frames as are nearest to its
+The loop's frames are made as if it repeated without end, in as many whole frames as are nearest to its
 period; what leads to it and what comes after are made from the file as it plays once.
 """
 
@@ -49,7 +49,7 @@ class FittedLoop:
 
 
 def fitted_loop(start: int, end: int, frames_out: int, sample_rate_hz: int, to_hz: int) -> FittedLoop:
-    """Return where a loop lies in a file of so many new frames: half a frame off its period at most."""
+    """Return the position of a loop in a file of so many new frames: half a frame off its period at most."""
     period = end + 1 - start
     frames = min(frames_after(period, sample_rate_hz, to_hz, loop=True), frames_out)
     first = min(position_after(start, sample_rate_hz, to_hz), frames_out - frames)
@@ -119,7 +119,7 @@ def with_turns(
 
 
 def _turned(block: Block, at: int, turns: Iterable[tuple[int, int, "_Frames"]]) -> Block:
-    """Return a block that begins at some frame, with the frames of loops in it made anew."""
+    """Return a block that begins at some frame, with the frames of loops in it recalculated."""
     made = block
     for first, last, frames in turns:
         start, stop = max(first, at), min(last, at + len(block))

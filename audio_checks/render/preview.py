@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.audio.sound_files import open_sound
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.spectrogram import Spectrogram
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
 from audio_checks.render.recipe import Recipe
 from audio_checks.render.render import render
 from audio_checks.render.rendered import Rendered
-from audio_checks.sound_files import open_sound
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 
 MAX_RATE_HZ = 48_000
 BIT_DEPTH = 16
@@ -43,7 +43,7 @@ def preview(
     loop: bool = False,
     durable: bool = True,
 ) -> Rendered:
-    """Write a stand-in of a master that every browser plays: 16-bit WAV of at most 48 kHz, mono or stereo.
+    """Write a preview of a master that every browser plays: 16-bit WAV of at most 48 kHz, mono or stereo.
 
     A render needs none as long as it is such a file itself.
 
@@ -78,7 +78,7 @@ def preview(
             gains=None if layout.channels <= 2 else np.full((layout.channels, 1), 1 / layout.channels),
             dither="tpdf",
             loop=loop,
-            tells_loss=False,
+            measures_loss=False,
         )
         rendered = render(sound, recipe, out, durable=durable)
     if backwards:
@@ -86,8 +86,8 @@ def preview(
     return rendered
 
 
-def plays_as_preview(rendered: Rendered, target: Target, master_rate_hz: int) -> bool:
-    """Tell whether a game file is, byte for byte, what `preview` makes of its master, so that none need be made.
+def is_preview(rendered: Rendered, target: Target, master_rate_hz: int) -> bool:
+    """Return whether a game file is, byte for byte, what `preview` makes of its master, so that none need be made.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def wave_shapes(
 def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
     """Return how the energy of a sound is spread over frequency, streaming it once; see `AverageSpectrum`.
 
-    Windows last as long at every rate, as those do whose figures `Loss.spectra` tells.
+    Windows last as long at every rate, as those of `Loss.spectra` do.
 
     Raises
     ------

@@ -33,4 +33,4 @@ class Recipe:
     trim_below_dbfs: float | None = None
     fade_in_ms: float = 0.0
     fade_out_ms: float = 0.0
-    tells_loss: bool = True
+    measures_loss: bool = True

@@ -13,13 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.audio.sound_files import OpenSound, open_sound
 from audio_checks.errors import RenderRefused
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.loudness import channel_weights
 from audio_checks.metadata.bext import coding_history_line
-from audio_checks.metadata.carrying import Move
-from audio_checks.render.along import chunks_along, tell_loudness_anew
+from audio_checks.metadata.moving import Move
 from audio_checks.render.attempt import Attempt
+from audio_checks.render.carried_chunks import carried_chunks, update_loudness
 from audio_checks.render.channels import mixed, mixing_gains
 from audio_checks.render.dither import DITHERED_TO_BITS, Dither, ensure_shapeable, quantised
 from audio_checks.render.fades import faded
@@ -30,8 +31,7 @@ from audio_checks.render.resample import ensure_downwards, frames_after, loop_fi
 from audio_checks.render.shelf import compensating_gain
 from audio_checks.render.survey import Survey, seam_of
 from audio_checks.render.turns import gain_of
-from audio_checks.sound_files import OpenSound, open_sound
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 
 RENDERER_VERSION = "4"  # changes when the same master and target give other bytes
 ATTEMPTS = 12  # the second settles it but for a step of rounding; at 8 bit that step may take a few more
@@ -54,8 +54,8 @@ def render_master(
 ) -> Rendered:
     """Make the game file of a target from a master; the master is only read.
 
-    The file carries the sound and what tells of it: loops, cue points and their labels, notes, tempo.
-    Everything else goes along only where the target asks for all chunks; the mark of a stand-in always
+    The file carries the sound and what describes it: loops, cue points and their labels, notes, tempo.
+    Everything else goes along only where the target asks for all chunks; the mark of a placeholder always
     does. It is written whole or not at all. The same master and target give the same bytes.
 
     Parameters
@@ -167,7 +167,7 @@ class _Work:
             layout,
             to_mono=recipe.gains is not None and recipe.gains.shape == (2, 1),
             trims=trims,
-            tells_loss=recipe.tells_loss,
+            measures_loss=recipe.measures_loss,
         )
         self._cut = self._survey.silence_frames(recipe.trim_below_dbfs)
         self._kept = layout.frames - sum(self._cut)
@@ -195,7 +195,7 @@ class _Work:
             self._channels,
             self._frames,
             channel_weights(self._channels, self._mask),
-            bands_of_hz=self._layout.sample_rate_hz if recipe.tells_loss else None,
+            bands_of_hz=self._layout.sample_rate_hz if recipe.measures_loss else None,
         )
         floats = self._floats(lowered_db)
         blocks: Iterator[NDArray[np.integer]] | Iterator[NDArray[np.floating]]
@@ -212,7 +212,7 @@ class _Work:
             )
             blocks = attempt.watched_steps(whole)
         move = self._move(bit_depth, dither, lowered_db)
-        before, after = chunks_along(
+        before, after = carried_chunks(
             self._sound,
             move,
             all_chunks=recipe.chunks == "all",
@@ -232,7 +232,7 @@ class _Work:
             durable=durable,
         )
         if move.changed and recipe.chunks == "all":
-            tell_loudness_anew(self._sound, path, attempt.figures())
+            update_loudness(self._sound, path, attempt.figures())
         return attempt
 
     def describe(self, scratch: Path, out_path: Path, attempt: Attempt, lowered_db: float) -> Rendered:

@@ -5,10 +5,10 @@ from dataclasses import dataclass, is_dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from audio_checks.findings import Finding
 from audio_checks.render.dither import Dither
+from audio_checks.report.findings import Finding
 
-APART = frozenset({"path", "loss", "warnings"})  # of a game file's facts: left out, or told in its own way
+APART = frozenset({"path", "loss", "warnings"})  # of a game file's facts: left out, or reported separately
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Spectra:
     hz : tuple of float
         Middle of each band, rising from 20 Hz to half the master's rate.
     master_dbfs, render_dbfs : tuple of float
-        RMS of what lies in the band; −inf where nothing does, above half its own rate for the game file.
+        RMS within the band; −inf where nothing does, above half its own rate for the game file.
     """
 
     hz: tuple[float, ...]

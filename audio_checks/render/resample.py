@@ -43,7 +43,7 @@ def frames_after(frames: int, sample_rate_hz: int, to_hz: int, *, loop: bool = F
 
 
 def position_after(position: int, sample_rate_hz: int, to_hz: int) -> int:
-    """Return where a frame of the master lies at the new rate; half a frame rounds up."""
+    """Return the position of a master's frame at the new rate; half a frame rounds up."""
     return (2 * position * to_hz + sample_rate_hz) // (2 * sample_rate_hz)
 
 
@@ -76,12 +76,12 @@ def resample(
     sample_rate_hz, to_hz : int
         Frames per second before and after.
     loop : bool
-        Filter around the seam, as if the samples repeated for ever.
+        Filter around the seam, as if the samples repeated without end.
 
     Returns
     -------
     ndarray, shape (frames_after(...), channels)
-        Frame m stands at the instant m / to_hz of the master. Where the master is digital silence as
+        Frame m is at the instant m / to_hz of the master. Where the master is digital silence as
         far as the filter reaches, zeros are exact.
 
     Raises
@@ -150,9 +150,9 @@ def loop_blocks(
     late: int = 0,
     shelf: float = 1.0,
 ) -> Iterator[NDArray[np.float64]]:
-    """Yield one turn of a loop at a lower rate: filtered as if it turned for ever, fitted to `frames_out` frames.
+    """Yield one turn of a loop at a lower rate: filtered as if it repeated without end, fitted to `frames_out` frames.
 
-    `late` is by how much of a frame of the master, in parts of 1 / `to_hz`, the first new frame stands after
+    `late` is by how much of a frame of the master, in parts of 1 / `to_hz`, the first new frame comes after
     (or, negative, before) the loop's first frame: a loop inside a file keeps its place against what leads to it.
     """
     plan = _plan(sample_rate_hz, to_hz, frames * channels, shelf)
@@ -283,7 +283,7 @@ def _grid(sample_rate_hz: int, to_hz: int) -> tuple[int, int]:
 
 
 def _is_small(number: int) -> bool:
-    """Tell whether 2, 3, 5 and 7 are the only prime factors."""
+    """Return whether 2, 3, 5 and 7 are the only prime factors."""
     for prime in (2, 3, 5, 7):
         while number % prime == 0:
             number //= prime
@@ -297,7 +297,7 @@ def _smooth(least: int) -> int:
 
 
 class _Stretch:
-    """Where the new frames lie in the master: `step_out` for `step_in` of its own, all later by `late` / `step_out`."""
+    """Positions of new frames in the master: `step_out` for `step_in` of its own, all later by `late` / `step_out`."""
 
     def __init__(self, plan: _Plan, step_in: int, step_out: int, late: int = 0) -> None:
         self._step_in, self._step_out, self._late = step_in, step_out, late
@@ -311,7 +311,7 @@ class _Stretch:
 
 
 class _Reader:
-    """Gives windows of a stream that move forwards; beyond both ends lies silence."""
+    """Gives windows of a stream that move forwards; beyond both ends is silence."""
 
     def __init__(self, source: Iterator[NDArray[np.float64]], channels: int, start: int) -> None:
         self._source = source

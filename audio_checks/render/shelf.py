@@ -12,7 +12,7 @@ from audio_checks.render.turns import cos_sin_pi, gain_of, turns_of
 
 WINDOW_FRAMES = 4_096
 MOST_GAIN = gain_of(6.0)
-LEAST_GAIN = gain_of(0.05)  # what nobody hears is left,
+LEAST_GAIN = gain_of(0.05)  # inaudible parts are left,
 LEAST_SHARE = 1e-6  # as are highs 60 dB under the whole sound: a tone's first frame makes more
 
 

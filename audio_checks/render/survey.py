@@ -7,7 +7,6 @@ from numpy import float64
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.findings import Finding
 from audio_checks.measure.average_spectrum import AverageSpectrum
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.levels import Levels
@@ -16,6 +15,7 @@ from audio_checks.measure.phase import Phase
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.true_peak import TruePeak
 from audio_checks.render.rendered import SeamFigures, Spectra
+from audio_checks.report.findings import Finding
 
 
 class Accumulator(Protocol):
@@ -31,14 +31,16 @@ class Accumulator(Protocol):
 class Survey:
     """What is asked of a master before it is rendered, measured in one pass."""
 
-    def __init__(self, file: BinaryIO, layout: wav.WavLayout, *, to_mono: bool, trims: bool, tells_loss: bool) -> None:
+    def __init__(
+        self, file: BinaryIO, layout: wav.WavLayout, *, to_mono: bool, trims: bool, measures_loss: bool
+    ) -> None:
         size = layout.sample_rate_hz, layout.channels, layout.frames
         self._edges = Edges(*size) if trims else None
         self._phase = Phase(*size) if to_mono else None
-        self._spectrum = AverageSpectrum(*size, bands_of_hz=size[0]) if tells_loss else None
+        self._spectrum = AverageSpectrum(*size, bands_of_hz=size[0]) if measures_loss else None
         weights = channel_weights(layout.channels, layout.channel_mask)
         meters: tuple[Accumulator, ...] = ()
-        if tells_loss:
+        if measures_loss:
             meters = Levels(*size), TruePeak(*size), Loudness(*size, weights=weights)
         others = [one for one in (self._edges, self._phase, self._spectrum) if one is not None]
         if meters or others:
@@ -86,7 +88,7 @@ class Survey:
         return -math.inf if self._spectrum is None else self._spectrum.above_db(hz)
 
     def spectra(self, render: AverageSpectrum | None) -> Spectra | None:
-        """Return the bands of master and render; None where the loss is not told."""
+        """Return the bands of master and render; None where the loss is not measured."""
         if self._spectrum is None or render is None:
             return None
         master = self._spectrum.result()

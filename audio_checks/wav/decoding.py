@@ -39,7 +39,7 @@ def raw_blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAM
 
 
 class Decoder(Protocol):
-    """Something that decodes to a place of its own; `measure.faults.Faults` is one."""
+    """A decoder with its own buffer; `measure.faults.Faults` is one."""
 
     def decode(
         self, pieces: Iterable[bytes | memoryview], frames: int, container_bits: int, *, floats: bool
@@ -50,7 +50,7 @@ class Decoder(Protocol):
 def decode_to(
     decoder: Decoder, pieces: Iterable[bytes | memoryview], frames: int, layout: WavLayout
 ) -> tuple[NDArray[np.float64], int]:
-    """Let somebody decode whole frames that come in pieces; return what `decode` does, with its errors."""
+    """Decode whole frames that come in pieces with `decode`; return its result, with its errors."""
     block, used, broken = decoder.decode(pieces, frames, layout.container_bits, floats=layout.encoding == "float")
     _ensure_finite(broken)
     return block, used

@@ -8,8 +8,8 @@ from io import FileIO
 from typing import BinaryIO
 
 from audio_checks.errors import Unreadable
+from audio_checks.system.windows import reachable
 from audio_checks.wav.layout import Chunk, WavLayout
-from audio_checks.windows import reachable
 
 
 def open_regular(path: str | os.PathLike[str]) -> FileIO:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-STREAM_SIZE = 0xFFFFFFFF  # what a program writes that cannot go back to fill in the size
-GUID_TAIL = bytes.fromhex("00001000800000aa00389b71")  # of every GUID that stands for a codec tag
+STREAM_SIZE = 0xFFFFFFFF  # written by programs that cannot go back to fill in the size
+GUID_TAIL = bytes.fromhex("00001000800000aa00389b71")  # of every GUID that encodes a codec tag
 AMBISONIC_TAIL = bytes.fromhex("2107d3118644c8c1ca000000")  # the same of B-format, for PCM and float
 PCM, FLOAT, EXTENSIBLE = 1, 3, 0xFFFE
 

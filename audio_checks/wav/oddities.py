@@ -1,7 +1,7 @@
-"""What a header says beside what the reader goes by: where the two differ it does no harm, and is warned about.
+"""Header fields that the reader does not use: harmless inconsistencies are warned about.
 
-Sources: EBU Tech 3306 (the 64-bit count of `ds64` stands for that of `fact` where this says 0xFFFFFFFF, and
-nowhere else; its 64-bit sizes stand for 32-bit ones that say so), WAVEFORMATEX (`cbSize`, whole bytes a
+Sources: EBU Tech 3306 (the 64-bit count of `ds64` replaces that of `fact` where this says 0xFFFFFFFF, and
+nowhere else; its 64-bit sizes replace 32-bit ones that say so), WAVEFORMATEX (`cbSize`, whole bytes a
 sample), WAVEFORMATEXTENSIBLE (18 speakers; the bits above are reserved, but for the highest, "all speakers").
 """
 
@@ -49,7 +49,7 @@ def of_counts(
     sizes64 : Sizes64 or None
         None in a file that is not RF64.
     """
-    told: int | None = None  # by the fact chunk
+    declared: int | None = None  # by the fact chunk
     warnings: list[StructureWarning] = []
     facts = [chunk for chunk in chunks if chunk.id == "fact"]
     if len(facts) > 1:
@@ -59,24 +59,26 @@ def of_counts(
         if len(content) < 4:
             warnings.append(_warning("fact", f'the "fact" chunk has {facts[0].size} bytes; 4 or more are wanted'))
         else:
-            told = int(struct.unpack("<I", content)[0])
+            declared = int(struct.unpack("<I", content)[0])
     if unused := [chunk for chunk in chunks if chunk.id == "ds64"][1 if sizes64 else 0 :]:
         where = "a second" if sizes64 else "a"
         warnings.append(_warning("ds64-size", f"the file has {where} ds64 chunk ({unused[0].size} bytes), not used"))
-    defers = sizes64 is not None and told == STREAM_SIZE
-    if told is not None and not defers and told != frames:
-        warnings.append(_warning("fact", f'the "fact" chunk counts {told} frames, but the data chunk holds {frames}'))
-    if sizes64 is not None and sizes64.frames != frames and (sizes64.frames or told is not None):
+    defers = sizes64 is not None and declared == STREAM_SIZE
+    if declared is not None and not defers and declared != frames:
+        warnings.append(
+            _warning("fact", f'the "fact" chunk counts {declared} frames, but the data chunk holds {frames}')
+        )
+    if sizes64 is not None and sizes64.frames != frames and (sizes64.frames or declared is not None):
         words = f"the ds64 chunk counts {sizes64.frames} frames, but the data chunk holds {frames}"
         warnings.append(_warning("ds64-count", words))
     return warnings, defers
 
 
-def of_sizes(riff_size: int, told_data_size: int, sizes64: Sizes64) -> Iterator[StructureWarning]:
+def of_sizes(riff_size: int, declared_data_size: int, sizes64: Sizes64) -> Iterator[StructureWarning]:
     """Yield warnings about 64-bit sizes that differ from 32-bit ones which count, and about bytes that say nothing."""
     for name, size, size64 in (
         ("RIFF header", riff_size, sizes64.riff_size),
-        ("data chunk", told_data_size, sizes64.data_size),
+        ("data chunk", declared_data_size, sizes64.data_size),
     ):
         if size not in (STREAM_SIZE, size64):
             yield _warning("ds64-size", f"the {name} says {size} bytes, but the ds64 chunk says {size64}")
@@ -91,15 +93,15 @@ def of_format(chunk: Chunk, content: bytes) -> Iterator[StructureWarning]:
     Parameters
     ----------
     chunk : Chunk
-        Where it lies.
+        Its position.
     content : bytes
         The first 40 bytes of it, or all.
     """
     tag, _, _, _, _, bits = struct.unpack("<HHIIHH", content[:PLAIN_FMT_BYTES])
     held = max(chunk.size - PLAIN_FMT_BYTES - 2, 0)
-    told = struct.unpack("<H", content[16:18])[0] if chunk.size >= PLAIN_FMT_BYTES + 2 else 0
-    if told != held or chunk.size == PLAIN_FMT_BYTES + 1:
-        words = f'the "fmt " chunk announces an extension of {told} bytes, but it has {chunk.size} bytes in all'
+    declared = struct.unpack("<H", content[16:18])[0] if chunk.size >= PLAIN_FMT_BYTES + 2 else 0
+    if declared != held or chunk.size == PLAIN_FMT_BYTES + 1:
+        words = f'the "fmt " chunk announces an extension of {declared} bytes, but it has {chunk.size} bytes in all'
         yield _warning("fmt-extension", words)
     if tag != EXTENSIBLE and bits % 8:
         yield _warning(

@@ -1,5 +1,6 @@
 """What a file may hold in place of PCM in a WAV file, by its first bytes or by its codec's tag."""
 
+EXPORT_WAV = "export it from your audio editor as WAV (PCM); renaming a file does not convert it"
 CODECS = {
     0x0002: "Microsoft ADPCM",
     0x0006: "A-law",
@@ -22,7 +23,7 @@ CODECS = {
 
 # Bytes at the start of what is not a WAV file: (offset, bytes, code, name)
 OTHER_CONTAINERS = (
-    (0, b"version https://git-lfs", "git-lfs-pointer", "a Git LFS pointer, a text that stands for the real file"),
+    (0, b"version https://git-lfs", "git-lfs-pointer", "a Git LFS pointer, a text in place of the real file"),
     (0, b"RIFX", "rifx", "RIFX (big-endian RIFF)"),
     (0, b"BW64", "bw64", "BW64"),
     (0, b"riff\x2e\x91\xcf\x11", "w64", "Sony Wave64 (W64)"),

@@ -12,30 +12,23 @@ from typing import BinaryIO, Literal
 
 from audio_checks.errors import Unreadable
 from audio_checks.wav import oddities
-from audio_checks.wav.files import read_up_to, shrunk
+from audio_checks.wav.files import read_up_to
+from audio_checks.wav.format_chunk import read_format
 from audio_checks.wav.layout import (
-    AMBISONIC_TAIL,
-    EXTENSIBLE,
-    FLOAT,
-    GUID_TAIL,
     PCM,
     STREAM_SIZE,
     Chunk,
-    SampleLoop,
     StructureWarning,
     WavLayout,
 )
-from audio_checks.wav.oddities import Sizes64
-from audio_checks.wav.other_containers import CODECS, OTHER_CONTAINERS
+from audio_checks.wav.loops import MOST_BYTES, Loops, read_loops
+from audio_checks.wav.oddities import EXPORT_AGAIN, Sizes64
+from audio_checks.wav.other_containers import EXPORT_WAV, OTHER_CONTAINERS
 
 MAX_CHUNKS = 10_000
-MAX_CHANNELS = 1_024  # also libsndfile's
-MAX_LOOPS = 1_024
 ZEROS = bytes(1 << 16)
 HEAD_BYTES = 44  # the shortest header there is, read at once
 
-EXPORT_WAV = "export it from your audio editor as WAV (PCM); renaming a file does not convert it"
-EXPORT_AGAIN = "export it again from your audio editor as WAV"
 UPLOAD_AGAIN = "export or copy it again; the file was cut short on its way"
 
 
@@ -83,7 +76,7 @@ class _Reading:
         container = self.container(start)
         (riff_size,) = struct.unpack("<I", start[4:8])
         sizes64: Sizes64 | None = None
-        told_riff_size = riff_size
+        declared_riff_size = riff_size
         if container == "rf64":
             sizes64 = self.ds64(start)
             if riff_size == STREAM_SIZE:
@@ -92,7 +85,9 @@ class _Reading:
             raise _stream()
         chunks = self.chunks(8 + riff_size, sizes64.data_size if sizes64 else None)
         header, data = self.pair(chunks)
-        tag, extensible, channels, rate, container_bits, bits, mask, ambisonic = self.format(header)
+        stored, odd = read_format(header, self.read(header.offset, min(header.size, 40)))
+        self.warnings += odd
+        tag, extensible, channels, rate, container_bits, bits, mask, ambisonic = stored
         frame_bytes = channels * container_bits // 8
         frames, rest = divmod(data.size, frame_bytes)
         if rest:
@@ -117,10 +112,11 @@ class _Reading:
             )
         self.warnings += counted
         if sizes64:
-            told_data_size = int.from_bytes(self.read(data.offset - 4, 4), "little")
-            self.warnings += oddities.of_sizes(told_riff_size, told_data_size, sizes64)
+            declared_data_size = int.from_bytes(self.read(data.offset - 4, 4), "little")
+            self.warnings += oddities.of_sizes(declared_riff_size, declared_data_size, sizes64)
         self.warnings += oddities.of_padding(self.read, chunks, self.size)
-        loops, outside = self.loops(chunks, frames)
+        loops = self.loops(chunks, frames)
+        self.warnings += loops.warnings
         return WavLayout(
             container=container,
             encoding="pcm" if tag == PCM else "float",
@@ -136,8 +132,8 @@ class _Reading:
             data_size=data.size,
             chunks=tuple(chunks),
             warnings=tuple(self.warnings),
-            loops=loops,
-            loops_outside=outside,
+            loops=loops.inside,
+            loops_outside=loops.outside,
             file_size=self.size,
             ambisonic=ambisonic,
         )
@@ -152,7 +148,7 @@ class _Reading:
         self.warnings.append(StructureWarning(f"structure:{code}", message, fix))
 
     def container(self, start: bytes) -> Literal["wav", "rf64"]:
-        """Tell RIFF and RF64 from everything else, which is refused by its name (R11)."""
+        """Accept RIFF and RF64; refuse everything else by its name (R11)."""
         if not self.size:
             raise Unreadable("the file is empty: it has 0 bytes", "R11", "container:empty", UPLOAD_AGAIN)
         if start[:4] not in (b"RIFF", b"RF64"):
@@ -202,21 +198,21 @@ class _Reading:
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
-        told = int.from_bytes(start[16:20], "little")
+        declared = int.from_bytes(start[16:20], "little")
         content = self.read(20, 28)
-        if told < 28 or len(content) < 28:
+        if declared < 28 or len(content) < 28:
             raise Unreadable(
-                f"the ds64 chunk has {told} bytes; 28 or more are wanted", "R11", "structure:ds64", EXPORT_AGAIN
+                f"the ds64 chunk has {declared} bytes; 28 or more are wanted", "R11", "structure:ds64", EXPORT_AGAIN
             )
         riff_size, data_size, frames, entries = struct.unpack("<QQQI", content)
-        if 28 + 12 * entries > told:
+        if 28 + 12 * entries > declared:
             raise Unreadable(
-                f"the ds64 chunk announces {entries} table entries, more than its {told} bytes can hold",
+                f"the ds64 chunk announces {entries} table entries, more than its {declared} bytes can hold",
                 "R11",
                 "structure:ds64",
                 EXPORT_AGAIN,
             )
-        return Sizes64(riff_size, data_size, frames, entries, told)
+        return Sizes64(riff_size, data_size, frames, entries, declared)
 
     def chunks(self, riff_end: int, data64: int | None) -> list[Chunk]:
         """Walk the chunks, and see that RIFF size and file agree (R1, R2, R12)."""
@@ -283,7 +279,7 @@ class _Reading:
         self.warn("padding", f"{self.size - riff_end} bytes of zero padding follow the end of the WAV file")
 
     def walk(self, end: int, data64: int | None) -> tuple[list[Chunk], bool]:
-        """List the chunks up to `end`, and tell whether the last one's pad byte is outside."""
+        """List the chunks up to `end`, and whether the last one's pad byte is outside."""
         chunks: list[Chunk] = []
         position = 12
         while position < end:
@@ -296,7 +292,7 @@ class _Reading:
             if len(head) < 8 or not _lawful(head[:4]):
                 self.stray(position, end)
                 break
-            size = self.told_size(head, data64)
+            size = self.declared_size(head, data64)
             if position + 8 + size > end:
                 raise self.overrun(head[:4], size, position + 8, end)
             if len(chunks) == MAX_CHUNKS:
@@ -314,15 +310,15 @@ class _Reading:
         return chunks, loose_pad
 
     def sound(self, head: bytes, position: int, end: int, data64: int | None) -> bool:
-        """Whether these bytes can be the head of a chunk that lies inside the file."""
+        """Whether these bytes can be the head of a chunk inside the file."""
         return (
             len(head) == 8
             and _lawful(head[:4])
             and not (head[:4] != b"data" and head[4:] == b"\xff\xff\xff\xff")
-            and position + 8 + self.told_size(head, data64) <= end
+            and position + 8 + self.declared_size(head, data64) <= end
         )
 
-    def told_size(self, head: bytes, data64: int | None) -> int:
+    def declared_size(self, head: bytes, data64: int | None) -> int:
         (size,) = struct.unpack("<I", head[4:8])
         if size == STREAM_SIZE and head[:4] == b"data":
             if data64 is None:
@@ -369,7 +365,7 @@ class _Reading:
         """Return the one `fmt ` and the one `data` chunk, in this order (R3)."""
         formats = [chunk for chunk in chunks if chunk.id == "fmt "]
         datas = [chunk for chunk in chunks if chunk.id == "data"]
-        for found, name, role in ((formats, "fmt ", "tells the sample format"), (datas, "data", "holds the sound")):
+        for found, name, role in ((formats, "fmt ", "describes the sample format"), (datas, "data", "holds the sound")):
             if len(found) != 1:
                 count = "no" if not found else str(len(found))
                 raise Unreadable(
@@ -388,95 +384,11 @@ class _Reading:
             )
         return formats[0], datas[0]
 
-    def format(self, chunk: Chunk) -> tuple[int, bool, int, int, int, int, int | None, bool]:
-        """Read the `fmt ` chunk (R4, R5)."""
-        if chunk.size < 16:
-            raise _inconsistent(f'the "fmt " chunk has {chunk.size} bytes; 16 or more are wanted', "fmt-size")
-        content = self.read(chunk.offset, min(chunk.size, 40))
-        if len(content) < min(chunk.size, 40):
-            raise shrunk()
-        tag, channels, rate, byte_rate, block_align, container_bits = struct.unpack("<HHIIHH", content[:16])
-        bits, mask, extensible, ambisonic = container_bits, None, tag == EXTENSIBLE, False
-        if extensible:
-            if len(content) < 40 or struct.unpack("<H", content[16:18])[0] < 22:
-                raise _inconsistent(
-                    f'the "fmt " chunk of an extensible header has {chunk.size} bytes; 40 are wanted', "fmt-size"
-                )
-            bits, mask = struct.unpack("<HI", content[18:24])
-            tag, ambisonic = self.tag_of(content[24:40])
-            if mask.bit_count() > channels:
-                self.warn(
-                    "channel-mask",
-                    f"the channel mask names {mask.bit_count()} speakers, but there are {channels} channels",
-                )
-        if tag not in (PCM, FLOAT):
-            name = CODECS.get(tag, f"of an unknown kind (tag {tag:#06x})")
-            raise Unreadable(
-                f"the sound in this WAV file is {name}; PCM or IEEE float is wanted", "R5", "encoding:codec", EXPORT_WAV
-            )
-        if not 1 <= channels <= MAX_CHANNELS:
-            raise _inconsistent(f"the header says {channels} channels; 1 to {MAX_CHANNELS} are wanted", "channels")
-        if not 1_000 <= rate <= 768_000:
-            raise _inconsistent(
-                f"the header says a sample rate of {rate} Hz; 1,000 to 768,000 Hz is wanted", "sample-rate"
-            )
-        if extensible and (container_bits % 8 or not 1 <= bits <= container_bits):
-            raise _inconsistent(f"the header says {bits} valid bits in a sample of {container_bits} bits", "bit-depth")
-        container_bits = (container_bits + 7) // 8 * 8
-        if container_bits not in ((8, 16, 24, 32) if tag == PCM else (32, 64)) or (
-            tag == FLOAT and bits != container_bits
-        ):
-            kind, wanted = ("PCM", "8, 16, 24 or 32") if tag == PCM else ("float", "32 or 64")
-            raise _inconsistent(f"the header says {kind} of {bits} bits; {wanted} bits are wanted", "bit-depth")
-        if block_align != channels * container_bits // 8:
-            raise _inconsistent(
-                f"the header says {block_align} bytes a frame, but {channels} × {container_bits} bits make"
-                f" {channels * container_bits // 8}",
-                "block-align",
-            )
-        if byte_rate != (rate * block_align) & 0xFFFFFFFF:
-            raise _inconsistent(
-                f"the header says {byte_rate} bytes a second, but {rate} frames of {block_align} bytes make"
-                f" {rate * block_align}",
-                "byte-rate",
-            )
-        self.warnings += oddities.of_format(chunk, content)
-        return tag, extensible, channels, rate, container_bits, bits, mask, ambisonic
-
-    def tag_of(self, guid: bytes) -> tuple[int, bool]:
-        """Return the codec tag that a GUID stands for, and whether it says ambisonics."""
-        if guid[4:] in (GUID_TAIL, AMBISONIC_TAIL):
-            return int(struct.unpack("<I", guid[:4])[0]), guid[4:] == AMBISONIC_TAIL
-        raise Unreadable(
-            f"the sound in this WAV file is of an unknown kind (GUID {guid.hex()}); PCM or IEEE float is wanted",
-            "R5",
-            "encoding:codec",
-            EXPORT_WAV,
-        )
-
-    def loops(self, chunks: list[Chunk], frames: int) -> tuple[tuple[SampleLoop, ...], tuple[SampleLoop, ...]]:
-        """Read the loops of the `smpl` chunk, inside the file and outside; a damaged one is a warning, no refusal."""
-        samplers = [chunk for chunk in chunks if chunk.id == "smpl"]
-        if not samplers:
-            return (), ()
-        content = self.read(samplers[0].offset, min(samplers[0].size, 36 + 24 * MAX_LOOPS))
-        if len(content) < 36:
-            self.warn("smpl", f'the "smpl" chunk has {samplers[0].size} bytes; 36 or more are wanted')
-            return (), ()
-        (count,) = struct.unpack("<I", content[28:32])
-        inside: list[SampleLoop] = []
-        outside: list[SampleLoop] = []
-        for number in range(min(count, (len(content) - 36) // 24)):
-            kind, start, end = struct.unpack("<III", content[36 + 24 * number + 4 :][:12])
-            if start > end:
-                self.warn("smpl", f"loop {number + 1} runs backwards, from frame {start} to {end}")
-                continue
-            kinds: tuple[Literal["forward", "alternating", "backward"], ...] = ("forward", "alternating", "backward")
-            loop = SampleLoop(start, end, kinds[kind] if kind < 3 else "other")
-            (inside if end < frames else outside).append(loop)
-        if count > (len(content) - 36) // 24:
-            self.warn("smpl", f'the "smpl" chunk announces {count} loops, more than it holds')
-        return tuple(inside), tuple(outside)
+    def loops(self, chunks: list[Chunk], frames: int) -> Loops:
+        sampler = next((chunk for chunk in chunks if chunk.id == "smpl"), None)
+        if sampler is None:
+            return Loops((), (), ())
+        return read_loops(self.read(sampler.offset, min(sampler.size, MOST_BYTES)), sampler.size, frames)
 
 
 def _stream() -> Unreadable:
@@ -486,7 +398,3 @@ def _stream() -> Unreadable:
         "structure:stream-header",
         EXPORT_AGAIN,
     )
-
-
-def _inconsistent(message: str, code: str) -> Unreadable:
-    return Unreadable(message, "R4", f"structure:{code}", EXPORT_AGAIN)

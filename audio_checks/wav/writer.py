@@ -37,7 +37,7 @@ def write_wav(
     Parameters
     ----------
     target : path or binary file
-        A path is written beside its final name, synced and renamed, so it is whole or absent.
+        A path is written next to its final name, synced and renamed, so it is whole or absent.
     sample_rate_hz, bit_depth, encoding, channels : int, int, str, int
         The format; PCM of 2 to 32 bits, float of 32 or 64.
     blocks : iterable of ndarray, shape (n, channels)
@@ -88,9 +88,9 @@ def copy_wav(file: BinaryIO, layout: WavLayout, target: str | os.PathLike[str], 
     file, layout : binary file, WavLayout
         What is copied.
     target : path
-        Written beside its final name, synced and renamed, so it is whole or absent.
+        Written next to its final name, synced and renamed, so it is whole or absent.
     chunks : mapping of str to bytes
-        New payloads by id: of the first chunk of that id, or of a new one. A new one stands before the
+        New payloads by id: of the first chunk of that id, or of a new one. A new one is placed before the
         sound, as bext must. Everything else keeps its place. RF64 where it would pass 4 GiB.
     """
     left = dict(chunks)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from audio_checks import check_names
 from audio_checks.checks import all_checks
+from audio_checks.spec import check_names
 
 
 @pytest.fixture(autouse=True)

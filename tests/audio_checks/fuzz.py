@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 
 import audio_checks
-from audio_checks import flac
+from audio_checks.audio import flac
 from audio_checks.metadata import read_metadata
 from audio_checks.metadata.gather import Gathering
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from audio_checks.wav import blocks, read_layout
 from tests.support.flacs import flac_mutant
 from tests.support.mutants import mutant

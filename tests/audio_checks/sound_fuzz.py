@@ -1,4 +1,4 @@
-"""Sends sounds of every shape through every figure, check, judgement, mend, render, drawing and audit.
+"""Sends sounds of every shape through every figure, check, judgement, fix, render, drawing and audit.
 
 `make fuzz` does so 200,000 times; the suite with as many as fit into it, with new seeds each week. It can go on
 where it was stopped: `python -m tests.audio_checks.sound_fuzz --first 120000 --count 80000`.
@@ -19,7 +19,7 @@ from typing import Any
 
 import audio_checks
 from app.renders.drawing import prepare
-from audio_checks.findings import dumps
+from audio_checks.report.findings import dumps
 from tests.support.any_sound import any_sound
 
 EVERYTHING = audio_checks.parse_spec("""
@@ -103,7 +103,7 @@ def survive(seed: int, *, longest_s: float = 20.0) -> None:
         content = any_sound(seed, longest_s=longest_s).content
         path.write_bytes(content)
         _judge(path, twice=seed % TWICE_EVERY == 0)
-        _mend(path, folder)
+        _fix(path, folder)
         games = _render_and_draw(path, folder)
         _audit([path, *games])
         if path.read_bytes() != content:
@@ -139,18 +139,18 @@ def _ensure_numbers(where: str, value: Any) -> None:
         raise Failed(f"{where} is {value}")
 
 
-def _mend(path: Path, folder: Path) -> None:
-    out = folder / "mended"
+def _fix(path: Path, folder: Path) -> None:
+    out = folder / "fixed"
     out.mkdir()
     try:
-        mended = audio_checks.mend_master(path, EVERYTHING, out)
-    except audio_checks.MendRefused:
+        fixed = audio_checks.fix_master(path, EVERYTHING, out)
+    except audio_checks.FixRefused:
         return
-    dumps(mended.to_dict())
-    if mended.path is not None:
-        audio_checks.repair_spots(path, mended)
-        if mended.after is None or mended.after.verdict in ("unjudged", "unreadable"):
-            raise Failed(f"the mended copy is {mended.after and mended.after.verdict}")
+    dumps(fixed.to_dict())
+    if fixed.path is not None:
+        audio_checks.repair_spots(path, fixed)
+        if fixed.after is None or fixed.after.verdict in ("unjudged", "unreadable"):
+            raise Failed(f"the fixed copy is {fixed.after and fixed.after.verdict}")
 
 
 def _render_and_draw(path: Path, folder: Path) -> list[Path]:
@@ -174,8 +174,8 @@ def _render_and_draw(path: Path, folder: Path) -> list[Path]:
 
 
 def _audit(paths: list[Path]) -> None:
-    approved = audio_checks.listen_to([(str(paths[0]), "a.wav")])
-    built = audio_checks.listen_to([(str(path), f"{number}.wav") for number, path in enumerate(paths)])
+    approved = audio_checks.fingerprint_files([(str(paths[0]), "a.wav")])
+    built = audio_checks.fingerprint_files([(str(path), f"{number}.wav") for number, path in enumerate(paths)])
     if any(one.trouble for one in (*approved, *built)):
         raise Failed(f"not heard: {[one.trouble for one in (*approved, *built)]}")
     audit = audio_checks.audit_build(approved, built)

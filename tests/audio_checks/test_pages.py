@@ -2,16 +2,16 @@
 
 from pathlib import Path
 
-from audio_checks import check_names
 from audio_checks.checks import all_checks
-from audio_checks.pages import pages, write_pages
+from audio_checks.cli.pages import pages, write_pages
+from audio_checks.spec import check_names
 
 DOCS = Path(__file__).parents[2] / "docs" / "checks"
 
 
 def test_the_pages_are_up_to_date():
     there = {path.name: path.read_text(encoding="utf-8") for path in DOCS.glob("*.md")}
-    assert there == pages(), "run: python -m audio_checks.pages docs/checks"
+    assert there == pages(), "run: python -m audio_checks.cli.pages docs/checks"
 
 
 def test_every_check_has_its_page_and_its_test():

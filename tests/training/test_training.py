@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from sklearn.ensemble import HistGradientBoostingClassifier
 
-from audio_checks.nets import Nets
-from audio_checks.trees import Trees
+from audio_checks.judge.learned.nets import Nets
+from audio_checks.judge.learned.trees import Trees
 from tests.support.waves import noise, write_wav
 from training import layers, strikes
 from training.dataset import RATE, Known, decay_time_s, made, real_sounds
@@ -133,7 +133,7 @@ def test_a_kind_of_two_families_calls_reverb_no_sooner_than_one_unsaid():
 
 def test_sounds_at_the_edge_hold_the_limits_of_their_kind_and_of_none():
     table = {kind: {"mono": {"long": (0.6, 0.8), "short": (0.6, 0.8)}} for kind in ("event", "music", "unknown")}
-    dry, burst = (AtTheEdge("event", "mono", np.zeros(0), cannot_be_told=told) for told in (False, True))
+    dry, burst = (AtTheEdge("event", "mono", np.zeros(0), is_undecidable=flag) for flag in (False, True))
     found = held(table, [(dry, 0.91234, "short"), (dry, 0.3, "short"), (burst, 0.5, "long"), (burst, 0.7, "long")])
     for kind in ("event", "unknown"):
         assert found[kind]["mono"] == {"long": (0.5, 0.8), "short": (0.6, 0.9124)}

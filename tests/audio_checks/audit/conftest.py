@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from audio_checks.cli import main
-from tests.audio_checks.faults.sounds import FAMILIES
+from benchmarks.faults.sounds import FAMILIES
 
 RATE = 48_000
 

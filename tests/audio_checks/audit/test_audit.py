@@ -9,7 +9,7 @@ import pytest
 import soundfile
 
 from audio_checks.audit import manifest, report
-from tests.audio_checks.audit.changes import mp3, opus, to_rate, vorbis
+from benchmarks.audits.changes import mp3, opus, to_rate, vorbis
 from tests.support.flacs import flac_bytes
 from tests.support.waves import chunk, noise, placeholder_mark, silence, sine, swelling, write_wav
 
@@ -176,7 +176,7 @@ def test_what_cannot_be_told_is_unknown_and_said_in_words(folders, audit):
     assert {entry["status"] for path, entry in entries.items()} == {"unknown"}
     assert "nothing but silence" in entries["silent.wav"]["message"]
     assert "60 Hz" in entries["whistle.wav"]["message"]
-    assert "too short to tell" in entries["tick.wav"]["message"]
+    assert "too short to compare" in entries["tick.wav"]["message"]
     assert "Git LFS" in entries["lfs.ogg"]["message"]
     assert "Ogg" in entries["torn.ogg"]["message"]
 
@@ -212,7 +212,7 @@ def test_the_approved_folder_must_be_the_manifests(folders, sound, audit, run):
     write_wav(approved / "a.wav", sound("voice"))
     code, _, said = run("audit", "--manifest", "approved.json", "--approved", "approved", "build")
     assert code == 2
-    assert "a.wav is not what approved.json lists" in said
+    assert "a.wav is not the file that approved.json lists" in said
     (approved / "a.wav").unlink()
     assert run("audit", "--manifest", "approved.json", "--approved", "approved", "build")[0] == 2
 

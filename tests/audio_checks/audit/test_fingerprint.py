@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from audio_checks.audit.fingerprint import (
-    LISTENED_S,
+    FINGERPRINTED_S,
     PIECE_BYTES,
     as_text,
     fingerprint,
@@ -58,11 +58,11 @@ def test_nothing_to_know_it_by(sound):
 
 def test_no_more_than_a_minute_is_read():
     def blocks():
-        for _ in range(LISTENED_S):
+        for _ in range(FINGERPRINTED_S):
             yield noise(rate=8_000)
         raise AssertionError("read on")
 
-    assert len(fingerprint(blocks(), 8_000)) == LISTENED_S * 200 * PIECE_BYTES
+    assert len(fingerprint(blocks(), 8_000)) == FINGERPRINTED_S * 200 * PIECE_BYTES
 
 
 @pytest.mark.parametrize("text", ["", "?", "AAAA", as_text(b"\0" * (PIECE_BYTES + 1))])

@@ -6,8 +6,8 @@ import pytest
 from audio_checks.audit.fingerprint import fingerprint
 from audio_checks.audit.likeness import Waves, likeness
 from audio_checks.audit.search import Search, cells_of
-from tests.audio_checks.audit.changes import CHANGES, TRIMS
-from tests.audio_checks.faults.sounds import FAMILIES
+from benchmarks.audits.changes import CHANGES, TRIMS
+from benchmarks.faults.sounds import FAMILIES
 
 RATE = 48_000
 

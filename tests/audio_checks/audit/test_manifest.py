@@ -5,12 +5,14 @@ import json
 
 import pytest
 
-from audio_checks import Heard, SpecError, read_manifest, write_manifest
+from audio_checks import FingerprintedFile, SpecError, read_manifest, write_manifest
 from audio_checks.audit.fingerprint import fingerprint
 from audio_checks.cli import main
 from tests.support.waves import noise
 
-SOUND = Heard("a/b.wav", "0" * 64, 48_000, 16, 1, 4_800, None, -3.0, -20.0, fingerprint([noise(seconds=0.1)], 48_000))
+SOUND = FingerprintedFile(
+    "a/b.wav", "0" * 64, 48_000, 16, 1, 4_800, None, -3.0, -20.0, fingerprint([noise(seconds=0.1)], 48_000)
+)
 
 
 @pytest.fixture

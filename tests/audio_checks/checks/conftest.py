@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks import all_checks
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import write_wav
 
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from audio_checks import check_file, figures, parse_spec
-from audio_checks.spec import CueFacts
+from audio_checks import check_file, parse_spec
+from audio_checks.audio import figures
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import silence, sine, write_wav
 

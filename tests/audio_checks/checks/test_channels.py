@@ -2,9 +2,9 @@
 
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks import channels as channels_check
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import PCM_GUID, chunk, extensible, riff, silence
 
 

@@ -54,11 +54,11 @@ def test_a_step_under_a_bright_sound(codes_of):
     step[12_000:, 0] = 0.06 * np.exp(-np.arange(12_000) / 960)
     assert codes_of("click", bright) == []
     assert codes_of("click", bright + step) == ["click:isolated"]
-    assert codes_of("click", bright + step / 1.5) == ["click:isolated"]  # in doubt there, and foretold by nothing
+    assert codes_of("click", bright + step / 1.5) == ["click:isolated"]  # in doubt there, and predicted by nothing
 
 
 def test_a_small_click_in_a_tone_that_sweeps(codes_of):
-    # Nothing here is steady, and the click is too little sharper than the air: what cannot be foretold shows it.
+    # Nothing here is steady, and the click is too little sharper than the air: what cannot be predicted shows it.
     times = np.arange(24_000) / 48_000
     air = noise(seconds=0.5, dbfs=-62)
     call = 0.5 * np.sin(2 * np.pi * (3_000 * times + 2_000 * times**2))[:, np.newaxis] + air
@@ -67,7 +67,7 @@ def test_a_small_click_in_a_tone_that_sweeps(codes_of):
 
 
 def test_a_dull_click_in_a_call(codes_of):
-    # The air is sharper than the click and the call steeper; but how a call goes on can be foretold, and the click not.
+    # The air is sharper than the click and the call steeper; but the call can be predicted, and the click not.
     times = np.arange(24_000) / 48_000
     rising = np.sin(2 * np.pi * (3_000 * times + 3_000 * times**2)) * (1 + 0.5 * np.sin(2 * np.pi * 9 * times))
     call = 0.3 * rising[:, np.newaxis] + noise(seconds=0.5, dbfs=-50)
@@ -129,7 +129,7 @@ def test_a_block_from_elsewhere(codes_of):
 
 
 def test_a_dull_pulse_under_hiss(codes_of):
-    # The hiss lies in the highs and hides what cannot be foretold of the pulse; without the highs it is alone.
+    # The hiss lies in the highs and hides what cannot be predicted of the pulse; without the highs it is alone.
     hiss = np.diff(noise(seconds=0.5, dbfs=-40), n=2, axis=0, prepend=np.zeros((2, 1)))
     hissing = sine(hz=150, dbfs=-10.5, seconds=0.5) + hiss
     pulse = np.zeros_like(hissing)

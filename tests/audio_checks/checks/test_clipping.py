@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.check_names import DEFAULT_SEVERITY
+from audio_checks.spec.check_names import DEFAULT_SEVERITY
 from tests.support.waves import silence, sine
 
 

@@ -4,9 +4,9 @@ import struct
 
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks import container
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import chunk, fmt, pcm_bytes, sine
 
 

@@ -5,7 +5,7 @@ import pytest
 from scipy.signal import butter, sosfilt
 
 from audio_checks.render.resample import resample
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.waves import join, noise, silence, sine, smpl
 
 MID_WAVE = ["cut-tail:mid-wave"]

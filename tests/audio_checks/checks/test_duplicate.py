@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from audio_checks import check_files
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.chunks import bext
 from tests.support.waves import noise, placeholder_mark, silence, sine, write_wav
 

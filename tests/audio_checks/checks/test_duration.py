@@ -2,7 +2,7 @@
 
 import pytest
 
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.waves import silence
 
 ACCEPTED = "accept.duration_s = { min = 0.01, max = 2.0 }"

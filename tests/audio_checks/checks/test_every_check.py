@@ -2,10 +2,10 @@
 
 import pytest
 
-from audio_checks.audio import AudioFile
-from audio_checks.check_names import DEFAULT_SEVERITY
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks import all_checks
-from audio_checks.spec import CueFacts, new_spec, parse_spec
+from audio_checks.spec.check_names import DEFAULT_SEVERITY
+from audio_checks.spec.delivery_spec import CueFacts, new_spec, parse_spec
 from tests.support.waves import noise, silence, sine, write_wav
 
 SPEC = parse_spec(new_spec().replace("# loudness_lufs", "loudness_lufs"))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.waves import chunk, noise, silence, sine, smpl
 
 LOOP = CueFacts("SW-001", loop=True)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from tests.support.chunks import bext, info, ixml
 from tests.support.waves import chunk, noise, silence, sine
 

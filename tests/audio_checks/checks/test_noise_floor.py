@@ -9,7 +9,7 @@ LIMIT = "limits.noise_floor_dbfs = -60.0"
 OVER = ["noise-floor:over"]
 
 
-def spoken(floor_dbfs, channels=1):
+def synthesize_speech(floor_dbfs, channels=1):
     """A word, a pause of half a second and another word, over noise."""
     word = sine(hz=300, dbfs=-12, seconds=0.5, channels=channels)
     whole = join(word, silence(seconds=0.5, channels=channels), word)
@@ -19,18 +19,18 @@ def spoken(floor_dbfs, channels=1):
 @pytest.mark.parametrize(("dbfs", "codes"), [(-58.5, OVER), (-61.5, [])])
 @pytest.mark.parametrize("channels", [1, 2])
 def test_the_limit_of_the_spec(codes_of, dbfs, codes, channels):
-    assert codes_of("noise-floor", spoken(dbfs, channels), LIMIT) == codes
+    assert codes_of("noise-floor", synthesize_speech(dbfs, channels), LIMIT) == codes
 
 
 def test_it_is_measured(found_by):
-    (finding,) = found_by("noise-floor", spoken(-45.0), LIMIT)
+    (finding,) = found_by("noise-floor", synthesize_speech(-45.0), LIMIT)
     assert finding.measured == pytest.approx(-45.0, abs=0.5)  # the quietest of the pause's 0.2 s
     assert "15." in finding.fix or "14." in finding.fix
 
 
 def test_the_noisiest_channel_counts(codes_of):
-    samples = spoken(-70.0, channels=2)
-    samples[:, 1:] = spoken(-50.0)
+    samples = synthesize_speech(-70.0, channels=2)
+    samples[:, 1:] = synthesize_speech(-50.0)
     assert codes_of("noise-floor", samples, LIMIT) == OVER
 
 
@@ -47,7 +47,7 @@ def test_without_a_noisy_pause_nothing_is_found(codes_of, samples):
 
 
 def test_only_where_the_spec_limits_it(codes_of):
-    assert codes_of("noise-floor", spoken(-30.0)) == []
+    assert codes_of("noise-floor", synthesize_speech(-30.0)) == []
 
 
 @pytest.mark.parametrize("seconds", [0.4, 0.42, 0.46, 0.5, 0.59, 0.6, 0.61])

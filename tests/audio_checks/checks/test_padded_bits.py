@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.measure.steps import Steps
-from audio_checks.runner import check_file
-from audio_checks.spec import parse_spec
+from audio_checks.run.runner import check_file
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import noise, silence, write_wav
 
 ANY_SPEC = parse_spec("format = 1")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from tests.support.waves import join, noise, silence, sine
 
 LIMIT = "limits.mono_loss_db = 6"
@@ -32,7 +32,7 @@ def test_just_over_and_just_under(found_by, degrees, codes):
 
 def test_opposite_channels_leave_nothing(found_by):
     (finding,) = found_by("phase", turned(180), LIMIT)
-    assert finding.message == "nothing is left in mono, limit 6 dB"
+    assert finding.message == "loses all of its level when summed to mono, limit 6 dB"
 
 
 def test_the_longest_stretch_is_named(found_by):

@@ -1,9 +1,9 @@
-"""`placeholder`: stand-ins are known by their mark."""
+"""`placeholder`: placeholders are known by their mark."""
 
 import pytest
 
-from audio_checks.audio import AudioFile
-from audio_checks.runner import is_placeholder
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.run.runner import is_placeholder
 from tests.support.chunks import ixml
 from tests.support.waves import chunk, placeholder_mark, silence, sine, write_wav
 
@@ -44,7 +44,7 @@ def test_a_mark_among_other_comments(codes_of):
 
 def test_the_state_that_other_tools_write(found_by):
     (finding,) = found_by("placeholder", silence(), before=[ixml("<ASWG><state>placeholder</state></ASWG>")])
-    assert finding.message == "this is a stand-in, not the sound itself"
+    assert finding.message == "this is a placeholder, not the final sound"
     assert found_by("placeholder", silence(), before=[ixml("<ASWG><state>mastered</state></ASWG>")]) == []
 
 

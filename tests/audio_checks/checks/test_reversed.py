@@ -2,7 +2,7 @@
 
 import pytest
 
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.rooms import knell
 from tests.support.waves import noise, silence
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from tests.support.waves import click, noise, silence, sine
 
 LIMIT = "limits.silence_below_dbfs = -90.0"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.runner import check_file
+from audio_checks.run.runner import check_file
 from tests.support.waves import chunk, extensible, noise, pcm_bytes, riff, silence, sine, wav_bytes
 
 

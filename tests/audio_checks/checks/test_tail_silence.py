@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
 from tests.support.waves import join, silence, smpl
 
 LIMIT = "limits.tail_silence_ms = 100"

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from audio_checks import check_files, read_sound_list
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks.variation_set import LEAST_UNLIKE_DB
 from audio_checks.measure.likeness import unlikeness_db
-from audio_checks.spec import parse_spec
+from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import noise, silence, sine, write_wav
 
 SPEC = parse_spec("format = 1\naccept.channels = 'any'")
@@ -59,10 +59,10 @@ def test_levels(tmp_path, levels_db, named, channels):
 def test_the_distance_to_the_middle_of_the_others_is_said(tmp_path):
     found = steps(tmp_path, [0, 0, 4, 0])[2][0]
     assert found.measured == pytest.approx(4, abs=0.1)
-    assert found.message == "_03 stands 4.0 dB over its set, limit 2 LU"
+    assert found.message == "_03 is 4.0 LU louder than the rest of its set, limit 2 LU"
     assert found.fix.startswith("lower its level by 4.0 dB, to -")
     under = steps(tmp_path, [0, 0, -3, 0])[2][0]
-    assert under.message == "_03 stands 3.0 dB under its set, limit 2 LU"
+    assert under.message == "_03 is 3.0 LU quieter than the rest of its set, limit 2 LU"
 
 
 def test_sounds_under_400_ms_have_a_loudness_too(tmp_path):
@@ -85,7 +85,7 @@ def test_two_that_are_alike(tmp_path):
     write_wav(tmp_path / "step_03.wav", copied)
     found = found_in(sorted(tmp_path.glob("*.wav")), 3)
     assert codes(found) == [[], [], ["alike"]]
-    assert found[2][0].message.startswith("_03 is like _01, 0.")
+    assert found[2][0].message.startswith("_03 is nearly identical to _01, 0.")
 
 
 def test_an_exact_copy_is_for_the_duplicate_check(tmp_path):

@@ -3,7 +3,7 @@
 import pytest
 
 from audio_checks.cli import main
-from audio_checks.spec import new_spec
+from audio_checks.spec.delivery_spec import new_spec
 
 
 @pytest.fixture

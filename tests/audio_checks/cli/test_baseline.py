@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from audio_checks.baseline import add_to_baseline, read_baseline
-from audio_checks.commands import check
-from audio_checks.findings import FileReport, Finding
+from audio_checks.cli.commands import check
+from audio_checks.report.findings import FileReport, Finding
+from audio_checks.run.baseline import add_to_baseline, read_baseline
 from tests.support.waves import sine, write_wav
 
 GOOD = sine(hz=1_000, dbfs=-6, seconds=0.1)

@@ -9,10 +9,10 @@ import time
 
 import pytest
 
-from audio_checks import cache as cache_module
-from audio_checks import runner
-from audio_checks.cache import VerdictCache, default_folder
-from audio_checks.spec import CueFacts, new_spec, parse_spec
+from audio_checks.run import cache as cache_module
+from audio_checks.run import runner
+from audio_checks.run.cache import VerdictCache, default_folder
+from audio_checks.spec.delivery_spec import CueFacts, new_spec, parse_spec
 from tests.support.waves import silence, sine, write_wav
 
 GOOD = sine(hz=997, dbfs=-6, seconds=0.1)
@@ -194,7 +194,7 @@ class TestDamage:
         (tmp_path / "kept" / "verdicts.sqlite").write_bytes(content)
         assert asked(tmp_path / "kept", [task(path)])[0][0].verdict == "rejected"
         asked(tmp_path / "kept", [task(path)])
-        assert asked(tmp_path / "kept", [task(path)])[1] == 0  # and is mended by itself
+        assert asked(tmp_path / "kept", [task(path)])[1] == 0  # and is fixed by itself
 
     @pytest.mark.parametrize("entry", ["", "[]", "{", '{"verdict": "conforming"}', "null", "\udcff"])
     def test_nor_does_a_damaged_verdict(self, tmp_path, entry):

@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from audio_checks.spec import new_spec
+from audio_checks.spec.delivery_spec import new_spec
 from tests.support.waves import sine, write_wav
 
 GOOD = sine(hz=997, dbfs=-6, seconds=0.1)

@@ -12,9 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from audio_checks import reporters
 from audio_checks.checks import all_checks
-from audio_checks.cli import COMMANDS, main
+from audio_checks.cli import COMMANDS, main, reporters
 
 CONTROLS = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x1f]")
 BIN = str(Path(sys.executable).parent)

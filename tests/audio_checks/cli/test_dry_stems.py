@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from audio_checks.discovery import dry_stems
-from audio_checks.sound_list import dry_stem_for, read_sound_list
-from audio_checks.spec import new_spec
+from audio_checks.run.discovery import dry_stems
+from audio_checks.spec.delivery_spec import new_spec
+from audio_checks.spec.sound_list import dry_stem_name, read_sound_list
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import write_wav
 
@@ -50,7 +50,7 @@ def test_a_stem_is_known_by_its_name():
         "dry.wav",
         "x__dry__alt2.wav",
     ]
-    assert [dry_stem_for(name) for name in names] == ["warp_in", "warp_in__alt2", None, None, None, None]
+    assert [dry_stem_name(name) for name in names] == ["warp_in", "warp_in__alt2", None, None, None, None]
 
 
 def test_it_belongs_to_the_sound_of_its_folder():

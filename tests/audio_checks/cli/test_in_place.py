@@ -7,7 +7,8 @@ import struct
 
 import pytest
 
-from audio_checks import check_file, in_place, wav
+from audio_checks import check_file, wav
+from audio_checks.fixing import in_place
 from tests.support.waves import chunk, fmt, pcm_bytes, riff, sine, wav_bytes, write_wav
 
 GOOD = sine(hz=1_000, dbfs=-6, seconds=0.1)
@@ -126,12 +127,12 @@ class TestNames:
     def test_one_who_came_meanwhile_keeps_his_place(self, folder, monkeypatch):
         write_wav(folder / "a.wav", GOOD)
         (folder / "b.wav").write_text("came meanwhile")
-        with pytest.raises(in_place.CannotBePutRight, match="there is a file b"):
-            in_place.put_right(in_place.Change("a.wav", "b.wav"))
+        with pytest.raises(in_place.CannotFixInPlace, match="there is a file b"):
+            in_place.fix_in_place(in_place.Change("a.wav", "b.wav"))
         monkeypatch.setattr(in_place.os, "link", lambda *_: (_ for _ in ()).throw(OSError("no links on this disk")))
-        with pytest.raises(in_place.CannotBePutRight, match="there is a file b"):
-            in_place.put_right(in_place.Change("a.wav", "b.wav"))
-        in_place.put_right(in_place.Change("a.wav", "c.wav"))
+        with pytest.raises(in_place.CannotFixInPlace, match="there is a file b"):
+            in_place.fix_in_place(in_place.Change("a.wav", "b.wav"))
+        in_place.fix_in_place(in_place.Change("a.wav", "c.wav"))
         assert files(folder) == ["b.wav", "c.wav"]
         assert (folder / "b.wav").read_text() == "came meanwhile"
 
@@ -213,6 +214,6 @@ def test_a_disk_that_takes_capitals_for_the_same(folder, monkeypatch):
     renamed = []
     monkeypatch.setattr(in_place.os.path, "samefile", lambda old, new: old.casefold() == new.casefold())
     monkeypatch.setattr(in_place.os, "rename", lambda old, new: renamed.append((old, new)))
-    in_place.put_right(in_place.Change("Door.wav", "door.wav"))
+    in_place.fix_in_place(in_place.Change("Door.wav", "door.wav"))
     assert renamed == [("Door.wav", "door.wav")]
     assert os.path.exists("Door.wav")

@@ -6,7 +6,7 @@ import json
 import pytest
 
 from audio_checks.cli import COMMANDS, parser_of
-from audio_checks.spec import new_spec
+from audio_checks.spec.delivery_spec import new_spec
 from tests.support.waves import noise, sine, swelling, write_wav
 
 GOOD = swelling(sine(hz=997, dbfs=-6, seconds=0.2))
@@ -114,7 +114,7 @@ class TestOptions:
         (folder / "sounds.csv").write_text("number,name,file_name,duration_s\n1,hit,hit,0.5\n", encoding="utf-8")
         arguments = ("--list", "sounds.csv", *SPEC, "--out", "made", "--no-voice", "--no-progress")
         code, out, _ = run("placeholders", *arguments, "--format", "json:made.json", "--format", "text")
-        assert (code, "1 stand-in" in out) == (0, True)
+        assert (code, "1 placeholder" in out) == (0, True)
         (made,) = json.loads((folder / "made.json").read_text(encoding="utf-8"))["placeholders"]
         assert made["number"] == "1"
         assert run("placeholders", *arguments, "-q")[:2] == (0, "")

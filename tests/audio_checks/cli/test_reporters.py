@@ -11,10 +11,10 @@ from xml.etree import ElementTree as ET
 import jsonschema
 import pytest
 
-from audio_checks import reporters
 from audio_checks.checks import all_checks
-from audio_checks.findings import FileReport, Finding, Report, SpecRef
-from audio_checks.reporters import Style, judged_as
+from audio_checks.cli import reporters
+from audio_checks.cli.reporters import Style, judged_as
+from audio_checks.report.findings import FileReport, Finding, Report, SpecRef
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import silence, sine, write_wav
 

@@ -8,9 +8,9 @@ import sys
 
 import pytest
 
-from audio_checks import progress, runner, terminal, workload
-from audio_checks.cli import main
-from audio_checks.progress import Progress
+from audio_checks.cli import main, progress, terminal
+from audio_checks.cli.progress import Progress
+from audio_checks.run import runner, workload
 from tests.support.waves import sine, write_wav
 
 GOOD = sine(hz=997, dbfs=-6, seconds=0.1)
@@ -134,4 +134,4 @@ def test_processes_are_started_for_work_that_is_worth_them(tmp_path, monkeypatch
     path = tmp_path / "a.wav"
     with path.open("wb") as file:
         file.truncate(size)
-    assert workload.worth([str(path)] * files) == wanted
+    assert workload.process_count([str(path)] * files) == wanted

@@ -8,13 +8,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from audio_checks import discovery, outputs, reporters
-from audio_checks.discovery import audio_files
-from audio_checks.globs import matches
-from audio_checks.locations import in_repository, uri_of
-from audio_checks.sound_list import parse_file_name
-from audio_checks.spec import new_spec
-from audio_checks.windows import reachable, unlimited, without_long_prefix
+from audio_checks.cli import outputs, reporters
+from audio_checks.cli.locations import in_repository, uri_of
+from audio_checks.run import discovery
+from audio_checks.run.discovery import audio_files
+from audio_checks.spec.delivery_spec import new_spec
+from audio_checks.spec.globs import matches
+from audio_checks.spec.sound_list import parse_file_name
+from audio_checks.system.windows import reachable, unlimited, without_long_prefix
 from tests.support.waves import sine, write_wav
 
 ROOT = PureWindowsPath(r"C:\game")

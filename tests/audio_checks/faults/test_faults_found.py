@@ -1,13 +1,13 @@
-"""A small form of the trial that docs/false-alarms.md tells of whole. The unseen half is left alone here."""
+"""A small form of the trial of docs/false-alarms.md. The unseen half is left alone here."""
 
 import pickle
 
 import pytest
 
-from tests.audio_checks.faults import injuries, known, sounds, unseen
-from tests.audio_checks.faults.masters import MOST
-from tests.audio_checks.faults.promise import BEYOND, PROMISED
-from tests.audio_checks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
+from benchmarks.faults import injuries, known, sounds, unseen
+from benchmarks.faults.masters import MOST
+from benchmarks.faults.promise import BEYOND, PROMISED
+from benchmarks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
 
 MOST_MISSED = 0.1  # of so few: with the whole trial's 5 % a single miss more would not show
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.audio_checks.faults import (
+from benchmarks.faults import (
     fourth_unseen_injuries,
     injuries,
     known,
@@ -12,10 +12,10 @@ from tests.audio_checks.faults import (
     third_unseen_injuries,
     unseen,
 )
-from tests.audio_checks.faults.audible import excess_db
-from tests.audio_checks.faults.injuries import Fault, Injured
-from tests.audio_checks.faults.sounds import Samples
-from tests.audio_checks.faults.trial import CHECKS
+from benchmarks.faults.audible import excess_db
+from benchmarks.faults.injuries import Fault, Injured
+from benchmarks.faults.sounds import Samples
+from benchmarks.faults.trial import CHECKS
 
 RATE = 44_100
 HALVES = (

@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from tests.audio_checks.faults import (
+from benchmarks.faults import (
     fourth_unseen_sounds,
     known,
     once_unseen_sounds,
@@ -14,7 +14,7 @@ from tests.audio_checks.faults import (
     third_unseen_sounds,
     unseen,
 )
-from tests.audio_checks.faults.sounds import Family, draw
+from benchmarks.faults.sounds import Family, draw
 
 FAMILIES = third_unseen_sounds.FAMILIES | fourth_unseen_sounds.FAMILIES
 

@@ -1,7 +1,7 @@
 import pytest
 
-from tests.audio_checks.faults.masters import MOST, NAMED, flagged_masters, masters_folder
-from tests.audio_checks.faults.trial import CHECKS
+from benchmarks.faults.masters import MOST, NAMED, flagged_masters, masters_folder
+from benchmarks.faults.trial import CHECKS
 
 
 @pytest.fixture(scope="module")

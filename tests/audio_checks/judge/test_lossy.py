@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.judge import CANNOT_TELL, judge
 from audio_checks.judge.lossy import low_pass_of, score_of, verdict_of, weights
 from audio_checks.measure.cliff import Cliff

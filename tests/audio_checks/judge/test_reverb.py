@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from audio_checks import measure_file
-from audio_checks.audio import AudioFile
-from audio_checks.commands.measure import KINDS
+from audio_checks.audio.audio_file import AudioFile
+from audio_checks.cli.commands.measure import KINDS
 from audio_checks.judge import CANNOT_TELL, judge, names
 from audio_checks.judge.reverb import LONG_FROM_S, limits_of
 from tests.support.rooms import hits, in_a_room

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.judge import CANNOT_TELL, judge
 from audio_checks.judge.reversed import weights
 from tests.support.rooms import hits, in_a_room, knell

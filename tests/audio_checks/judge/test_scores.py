@@ -2,7 +2,7 @@
 
 import pytest
 
-from audio_checks.judge import kept_score, score_in_words
+from audio_checks.judge import score_in_words, truncated_score
 
 
 @pytest.mark.parametrize(
@@ -10,7 +10,7 @@ from audio_checks.judge import kept_score, score_in_words
     [(0.0, 0.0, "0.00"), (0.9949, 0.994, "0.99"), (0.995, 0.995, "0.99"), (0.99999, 0.999, "0.99"), (1.0, 1.0, "1.00")],
 )
 def test_decimals_are_cut_off(score, kept, said):
-    assert kept_score(score) == kept
+    assert truncated_score(score) == kept
     assert score_in_words(kept) == said
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from audio_checks.audio import AudioFile
+from audio_checks.audio.audio_file import AudioFile
 from audio_checks.judge import CANNOT_TELL, judge
 from audio_checks.judge.upsampled import weights
 from tests.support.waves import noise, silence, sine, write_wav

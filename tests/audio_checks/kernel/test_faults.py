@@ -1,4 +1,4 @@
-"""Cells, crests, repeats and what cannot be foretold, held to plain references."""
+"""Cells, crests, repeats and what cannot be predicted, held to plain references."""
 
 import numpy as np
 import pytest
@@ -178,7 +178,7 @@ def unforeseen(row: NDArray[np.float64], window: NDArray[np.float64], order: int
 
 @pytest.mark.parametrize("frames", [400, 1_003])
 @pytest.mark.parametrize("order", [1, 8, 20])
-def test_what_cannot_be_foretold(frames: int, order: int):
+def test_what_cannot_be_predicted(frames: int, order: int):
     rng = np.random.default_rng(frames + order)
     times = np.arange(frames + order)
     row = np.sin(0.3 * times) + 0.5 * np.sin(1.1 * times) + 0.01 * rng.standard_normal(len(times))
@@ -275,7 +275,7 @@ def both_ways(row: NDArray[np.float64], order: int, times_beside: float, times_a
 
 
 def rests(row: NDArray[np.float64], first: int, end: int, order: int, weighed: slice) -> NDArray[np.float64]:
-    """What cannot be foretold of frames, by the coefficients that fit some of them best."""
+    """What cannot be predicted of frames, by the coefficients that fit some of them best."""
     faded = row[weighed] * np.hanning(weighed.stop - weighed.start)
     products = np.array([faded[: len(faded) - lag] @ faded[lag:] for lag in range(order + 1)])
     products[0] *= 1 + 1e-10
@@ -289,8 +289,8 @@ def how_hard_to_tell(row: NDArray[np.float64], order: int) -> tuple[float, float
     start, end, span, length = MIDDLE * SIZE, (MIDDLE + PLACE) * SIZE, SPAN * SIZE, len(row)
     beside = []
     for turned, first in ((row, start), (row[::-1], length - end)):
-        foretold = rests(turned, first - span + order, first + PLACE * SIZE, order, slice(first - span, first))
-        beside.append(foretold[span - order :].max() / foretold[: span - order].max())
+        predicted = rests(turned, first - span + order, first + PLACE * SIZE, order, slice(first - span, first))
+        beside.append(predicted[span - order :].max() / predicted[: span - order].max())
     around = slice(start - AROUND * SIZE, end + AROUND * SIZE)
     before = rests(row, around.start, around.stop, order, around)
     after = rests(
@@ -308,7 +308,7 @@ def how_hard_to_tell(row: NDArray[np.float64], order: int) -> tuple[float, float
 
 @settings(max_examples=30)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1, 8, 20]), st.sampled_from([0.0, 0.3, 4.0]), st.booleans())
-def test_what_can_be_foretold_neither_way(seed: int, order: int, click: float, is_step: bool):
+def test_what_can_be_predicted_neither_way(seed: int, order: int, click: float, is_step: bool):
     rng = np.random.default_rng(seed)
     times = np.arange((2 * MIDDLE + PLACE) * SIZE)
     row = np.sin(rng.uniform(0.05, 1) * times) + 0.02 * rng.standard_normal(len(times))
@@ -322,7 +322,7 @@ def test_what_can_be_foretold_neither_way(seed: int, order: int, click: float, i
 
 @settings(max_examples=30)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([2, 3, 5]), st.sampled_from([0.0, 0.3, 2.0]))
-def test_what_is_thinned_is_foretold_as_the_sums(seed: int, thin: int, click: float):
+def test_what_is_thinned_is_predicted_as_the_sums(seed: int, thin: int, click: float):
     rng = np.random.default_rng(seed)
     row = np.sin(0.1 * np.arange((2 * MIDDLE + PLACE) * SIZE)) + 0.05 * rng.standard_normal((2 * MIDDLE + PLACE) * SIZE)
     row[(MIDDLE + 1) * SIZE] += click
@@ -521,7 +521,7 @@ def test_bends(sums: list[float]):
     np.testing.assert_allclose(out, np.abs(np.diff(sums, n=2)) / 2, atol=1e-12)
 
 
-def test_silence_is_foretold():
+def test_silence_is_predicted():
     assert unforeseen(np.zeros(300), np.hanning(280), 20, 10) is None
 
 

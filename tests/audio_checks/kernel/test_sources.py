@@ -23,7 +23,7 @@ def test_every_change_shows(tmp_path):
     assert sources.digest_of(tmp_path) in found
 
 
-def test_an_older_kernel_says_how_to_mend_it(monkeypatch):
+def test_an_older_kernel_says_how_to_fix_it(monkeypatch):
     monkeypatch.setattr(sources, "digest_of", lambda _: "of newer sources")
     with pytest.raises(ImportError, match="rebuild it: make setup"):
         importlib.reload(kernel)

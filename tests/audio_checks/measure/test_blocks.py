@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.figures import FIGURES, accumulators_of
+from audio_checks.audio.figures import FIGURES, accumulators_of
 from audio_checks.measure import faults
 from audio_checks.measure.cells import cell_frames
 from audio_checks.measure.faults import Faults

@@ -1,4 +1,4 @@
-"""Stand-ins keep to the spec like the sound they stand in for, say that they are none, and harm no sound."""
+"""Placeholders keep to the spec like the sounds that they replace, are marked, and harm no sound."""
 
 import stat
 import sys
@@ -10,8 +10,8 @@ from audio_checks import RenderRefused, check_file, is_placeholder, make_placeho
 from audio_checks.cli import main
 from audio_checks.placeholders import speech
 from audio_checks.placeholders.pattern import pattern
-from audio_checks.sound_list import SoundList, read_sound_list
-from audio_checks.spec import CueFacts
+from audio_checks.spec.delivery_spec import CueFacts
+from audio_checks.spec.sound_list import SoundList, read_sound_list
 from tests.support.waves import noise, write_wav
 
 SPEC = parse_spec(new_spec("44k1"))
@@ -167,7 +167,7 @@ def engine(tmp_path, monkeypatch):
 class TestSpeech:
     def test_the_word_without_its_silence_at_the_rate_wanted(self, engine):
         engine()
-        sound = speech.spoken("Shield up", 48_000, None)
+        sound = speech.synthesize_speech("Shield up", 48_000, None)
         assert len(sound) == pytest.approx(0.3 * 48_000, abs=48)
         peak_hz = np.argmax(np.abs(np.fft.rfft(sound))) * 48_000 / len(sound)
         assert peak_hz == pytest.approx(500, abs=4)
@@ -175,24 +175,24 @@ class TestSpeech:
 
     def test_faster_where_it_must_be_short_and_not_at_all_where_it_cannot(self, engine):
         engine()
-        assert len(speech.spoken("Shield up", 48_000, 10_000)) == pytest.approx(0.17 * 48_000, abs=48)
-        assert speech.spoken("Shield up", 48_000, 4_000) is None
+        assert len(speech.synthesize_speech("Shield up", 48_000, 10_000)) == pytest.approx(0.17 * 48_000, abs=48)
+        assert speech.synthesize_speech("Shield up", 48_000, 4_000) is None
 
     @pytest.mark.parametrize(
         "more", ["sys.exit(1)", "open(sys.argv[4], 'w').write('no sound'); sys.exit()", "sys.exit()"]
     )
     def test_an_engine_that_fails_is_as_good_as_none(self, engine, more):
         engine(more)
-        assert speech.spoken("Shield up", 48_000, None) is None
+        assert speech.synthesize_speech("Shield up", 48_000, None) is None
 
     def test_an_engine_that_hangs_is_ended(self, engine, monkeypatch):
         engine("import time; time.sleep(30)")
         monkeypatch.setattr(speech, "TIMEOUT_S", 0.5)
-        assert speech.spoken("Shield up", 48_000, None) is None
+        assert speech.synthesize_speech("Shield up", 48_000, None) is None
 
     def test_none_installed(self, tmp_path, monkeypatch):
         monkeypatch.setenv("PATH", str(tmp_path))
-        assert speech.spoken("Shield up", 48_000, None) is None
+        assert speech.synthesize_speech("Shield up", 48_000, None) is None
 
     def test_spoken_stand_ins_conform_too(self, tmp_path, engine):
         engine()
@@ -206,7 +206,7 @@ class TestSpeech:
 
     @pytest.mark.skipif(speech.engine() is None, reason="no espeak-ng is installed")
     def test_the_real_engine(self):
-        sound = speech.spoken("Shield up", 44_100, None)
+        sound = speech.synthesize_speech("Shield up", 44_100, None)
         assert 0.2 < len(sound) / 44_100 < 3.0
 
 
@@ -227,18 +227,18 @@ class TestCommand:
         out = capsys.readouterr().out
         assert sorted(path.parent.name for path in (folder / "out").rglob("*.wav")) == ["game"] * 5 + ["handheld"] * 5
         assert "SW-004 -> out/handheld/vo_welcome.wav: a pattern, 1.000 s" in out
-        assert out.splitlines()[-1] == "10 stand-ins; 1 takes need none"
+        assert out.splitlines()[-1] == "10 placeholders; 1 takes need none"
         assert is_placeholder(folder / "out" / "game" / "vo_welcome.wav")
 
     def test_a_stand_in_is_no_take(self, capsys):
         assert main([*self.ASKED]) == 0
         assert main([*self.ASKED, "out"]) == 0
-        assert capsys.readouterr().out.splitlines()[-1] == "6 stand-ins; 0 takes need none"
+        assert capsys.readouterr().out.splitlines()[-1] == "6 placeholders; 0 takes need none"
 
     def test_what_is_refused_and_a_wrong_target(self, folder, capsys):
         (folder / "out").mkdir()
         write_wav(folder / "out" / "shield_up.wav", noise())
         assert main([*self.ASKED]) == 1
-        assert "refused: out/shield_up.wav is no stand-in" in capsys.readouterr().out
+        assert "refused: out/shield_up.wav is no placeholder" in capsys.readouterr().out
         assert main([*self.ASKED, "--target", "trailer"]) == 2
         assert "targets of the spec: game, handheld" in capsys.readouterr().err

@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from audio_checks import RenderRefused, check_file, is_placeholder, parse_spec, wav
-from audio_checks.metadata.carrying import Move, carried
-from audio_checks.render import along
+from audio_checks.metadata.moving import Move, carried
+from audio_checks.render import carried_chunks
 from audio_checks.render.render import render_master
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from tests.support.waves import chunk, join, noise, placeholder_mark, silence, sine, wav_bytes, write_wav
 
 HALF = Target("half", 48_000, 16, chunks="all")
@@ -209,7 +209,7 @@ def test_a_stand_in_stays_marked(tmp_path, chunks):
 
 
 def test_more_than_can_be_held_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(along, "MOST_BYTES", 100)
+    monkeypatch.setattr(carried_chunks, "MOST_BYTES", 100)
     with pytest.raises(RenderRefused) as refused:
         rendered(tmp_path, chunks={"after": [chunk(b"pict", bytes(200))]})
     assert refused.value.code == "render:large-chunks"

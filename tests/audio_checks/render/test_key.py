@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from audio_checks import render_key
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 
 PC = Target("pc", 44_100, 16)
 

@@ -10,7 +10,7 @@ from audio_checks.errors import RenderRefused
 from audio_checks.render import loops
 from audio_checks.render.loops import fitted_loop, part, with_turns
 from audio_checks.render.render import render_master
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from tests.support.waves import noise, sine, smpl, write_wav
 
 FILM = Target("film", 48_000, 24)

@@ -7,7 +7,7 @@ import pytest
 
 from audio_checks import wav
 from audio_checks.render.render import render_master
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from tests.support.waves import join, noise, silence, sine, swelling, write_wav
 
 OLD = Target("old", 22_050, 16)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from audio_checks import wav
-from audio_checks.render.preview import playable_rate_hz, plays_as_preview, preview, wave_shapes
+from audio_checks.render.preview import is_preview, playable_rate_hz, preview, wave_shapes
 from audio_checks.render.render import render_master
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from tests.support import waves
 
 
@@ -94,7 +94,7 @@ def test_a_game_file_that_plays_as_the_preview_is_the_preview(tmp_path, master_r
     master = waves.write_wav(tmp_path / "a.wav", sound, rate=master_rate, bits=24)
     target = Target("game", rate, 16, over_peak="refuse", folder="sfx", mono_gains=(1.0, 0.0))
     rendered = render_master(master, target, tmp_path / "game.wav", loop=loop, true_peak_limit_dbtp=-1.0)
-    assert plays_as_preview(rendered, target, master_rate)
+    assert is_preview(rendered, target, master_rate)
     preview(master, tmp_path / "preview.wav", loop=loop)
     assert (tmp_path / "game.wav").read_bytes() == (tmp_path / "preview.wav").read_bytes()
 
@@ -121,7 +121,7 @@ def test_a_game_file_that_differs_from_the_preview_is_told_apart(tmp_path, other
     master = waves.write_wav(tmp_path / "a.wav", sound, bits=24)
     target = Target(**{"name": "game", "sample_rate_hz": 48_000, "bit_depth": 16} | other)
     rendered = render_master(master, target, tmp_path / "game.wav", sample_peak_limit_dbfs=limit_dbfs)
-    assert not plays_as_preview(rendered, target, 48_000)
+    assert not is_preview(rendered, target, 48_000)
     preview(master, tmp_path / "preview.wav")
     assert (tmp_path / "game.wav").read_bytes() != (tmp_path / "preview.wav").read_bytes()
 
@@ -129,4 +129,4 @@ def test_a_game_file_that_differs_from_the_preview_is_told_apart(tmp_path, other
 def test_a_game_file_of_more_than_two_channels_is_no_preview(tmp_path):
     master = waves.write_wav(tmp_path / "a.wav", waves.noise(seconds=0.1, channels=6), bits=24)
     target = Target("game", 48_000, 16)
-    assert not plays_as_preview(render_master(master, target, tmp_path / "game.wav"), target, 48_000)
+    assert not is_preview(render_master(master, target, tmp_path / "game.wav"), target, 48_000)

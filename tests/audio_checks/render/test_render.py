@@ -9,7 +9,7 @@ import pytest
 from audio_checks import wav
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.render.render import RENDERER_VERSION, render_master
-from audio_checks.spec import Target
+from audio_checks.spec.delivery_spec import Target
 from tests.support import waves
 
 PC = Target("pc", 44_100, 16)

@@ -40,8 +40,8 @@ if sys.argv[3]:
 from pathlib import Path
 from audio_checks.placeholders.make import make_placeholders
 from audio_checks.render.render import render_master
-from audio_checks.sound_list import read_sound_list
-from audio_checks.spec import Target, parse_spec
+from audio_checks.spec.sound_list import read_sound_list
+from audio_checks.spec.delivery_spec import Target, parse_spec
 folder, out = Path(sys.argv[1]), Path(sys.argv[2])
 made = {}
 for master, target, more in [

@@ -1,0 +1,130 @@
+"""What caller and child say to each other: a request, and an answer that is not trusted."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import io
+import os
+import pickle
+import socket
+import struct
+import time
+from collections.abc import Callable
+from typing import Any
+
+from audio_checks.audio.sandbox.answers import ensure_declared, ensure_expected
+from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxOutOfMemory
+
+CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
+NAME_BYTES = 256  # of a module's name on its way to the server
+MEANWHILE_S = 0.1
+LENGTH = struct.Struct("<cQ")
+RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
+DETAIL_CHARACTERS = 8_000
+
+# What may be made from a child's answer, besides classes that carry data: a child whose decoder was
+# taken over must not run code here.
+PLAIN = {("builtins", name) for name in ("set", "frozenset", "complex", "bytearray", "slice", "range")} | {
+    ("datetime", "datetime"),
+    ("datetime", "timedelta"),
+    ("datetime", "timezone"),
+    ("datetime", "date"),
+    ("collections", "OrderedDict"),
+    ("pathlib", "PosixPath"),
+    ("pathlib", "PurePosixPath"),
+    ("pathlib", "WindowsPath"),
+    ("pathlib", "PureWindowsPath"),
+    ("pathlib._local", "PosixPath"),
+    ("pathlib._local", "PurePosixPath"),
+    ("uuid", "UUID"),
+    ("decimal", "Decimal"),
+    ("numpy", "ndarray"),
+    ("numpy", "dtype"),
+    ("numpy._core.multiarray", "_reconstruct"),
+    ("numpy._core.multiarray", "scalar"),
+    ("numpy._core.numeric", "_frombuffer"),
+    ("_codecs", "encode"),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """What a child may take for one call."""
+
+    memory_bytes: int
+    cpu_s: int
+    file_bytes: int
+    open_files: int
+    result_bytes: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Access:
+    """The files that a child may reach for its whole life: absolute paths of files and folders."""
+
+    reads: tuple[str, ...]
+    writes: tuple[str, ...]
+    scratch: str  # a folder for temporary files, also written to
+
+
+def receive(
+    work: socket.socket, count: int, deadline: float | None, meanwhile: Callable[[], None] | None = None
+) -> bytes | None:
+    """Return exactly `count` bytes, or None when the other end closed before; `meanwhile` is called now and then."""
+    content = bytearray()
+    while len(content) < count:
+        if deadline is not None:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise TimeoutError
+            work.settimeout(left if meanwhile is None else min(left, MEANWHILE_S))
+        try:
+            piece = work.recv(min(count - len(content), 1 << 20))
+        except TimeoutError:
+            if meanwhile is None:
+                raise
+            meanwhile()
+            continue
+        if not piece:
+            return None
+        content += piece
+    return bytes(content)
+
+
+def resolved(answer: tuple[bytes, bytes], function: Callable[..., Any]) -> Any:
+    """Return or raise what the child answered; an answer is of the type that the called function declares."""
+    kind, body = answer
+    if kind == NO_MEMORY:
+        raise SandboxOutOfMemory("the call wanted more memory than it may have")
+    if kind == FAILED:
+        detail = "".join(c if c.isprintable() or c == "\n" else "?" for c in body.decode("utf-8", "replace"))
+        detail = detail[-DETAIL_CHARACTERS:]
+        raise SandboxCrashed(f"the call failed: {detail.strip().splitlines()[-1] if detail.strip() else '?'}", detail)
+    try:
+        value = _Unpickler(io.BytesIO(body)).load()
+        if kind == RAISED:
+            ensure_expected([value.args, vars(value)])
+        else:
+            ensure_expected(value)
+            ensure_declared(value, function)
+    except Exception as error:
+        raise SandboxCrashed(f"the child's answer cannot be read: {error}") from error
+    if kind == RAISED:
+        raise value if isinstance(value, AudioChecksError) else SandboxCrashed("the child raised no error of ours")
+    return value
+
+
+class _Unpickler(pickle.Unpickler):
+    """Makes plain values, numpy arrays, and data classes, enumerations and errors of audio_checks."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        if (module, name) in PLAIN:
+            return super().find_class(module, name)
+        if module.partition(".")[0] == "audio_checks" and "." not in name:
+            found = super().find_class(module, name)
+            if isinstance(found, type) and (
+                dataclasses.is_dataclass(found) or issubclass(found, (AudioChecksError, enum.Enum))
+            ):
+                return found
+        raise pickle.UnpicklingError(f"{module}.{name} may not come out of a sandbox")

@@ -1,0 +1,113 @@
+"""The arguments that several commands take, and what they mean: paths, a spec, a number of processes."""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from audio_checks.cli.progress import Progress
+from audio_checks.errors import AudioChecksError
+from audio_checks.run.discovery import Found, PathNotFound, SpecFinder, audio_files
+from audio_checks.spec.delivery_spec import DeliverySpec
+
+OK, FOUND, WRONG = 0, 1, 2
+FORMAT_HELP = "{}; to a file if one is named; may be repeated"
+
+
+class UsageError(AudioChecksError):
+    """The command was given something it cannot work with."""
+
+
+def add_paths(parser: argparse.ArgumentParser) -> None:
+    """Take paths, on the line or from a file."""
+    parser.add_argument("paths", nargs="*", metavar="PATH", help="files and folders")
+    parser.add_argument("--files-from", metavar="FILE", help="read more paths from a file, one a line; - is stdin")
+
+
+def add_spec(parser: argparse.ArgumentParser) -> None:
+    """Take a spec, a category and a sound list."""
+    parser.add_argument("--spec", metavar="FILE", help="delivery spec; else the nearest audio-checks.toml")
+    parser.add_argument("--category", metavar="NAME", help="judge by the limits of this category")
+    parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list: what each cue asks for")
+
+
+def add_run(parser: argparse.ArgumentParser, formats: Sequence[str] = (), *, jobs: bool = True) -> None:
+    """Take what every command over files takes: formats, the number of processes, and how much it says."""
+    shown = parser.add_argument_group("how it runs, and what is shown")
+    if formats:
+        shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(formats)))
+    if jobs:
+        shown.add_argument("-j", "--jobs", type=number_of_jobs, metavar="N", help="processes; 0 is one a core")
+    shown.add_argument("--no-progress", action="store_true", help="no progress line on a terminal")
+    shown.add_argument(
+        "-q", "--quiet", action="store_true", help="only what was found or refused: no summary, notes or progress"
+    )
+
+
+def add_fail_level(parser: argparse._ActionsContainer, what: str) -> None:
+    """Take the mildest severity that fails."""
+    parser.add_argument("--fail-level", choices=("error", "warning"), default="error", help=what)
+
+
+def progress_over(count: int, options: argparse.Namespace) -> Progress:
+    """Return the progress line of a run, unless the command line asks for none."""
+    return Progress(count, shown=not (options.no_progress or options.quiet))
+
+
+def out_folder(options: argparse.Namespace) -> Path:
+    """Return the folder of `--out`; UsageError for "-", since several files do not fit standard output."""
+    if options.out == "-":
+        raise UsageError("--out wants a folder: standard output (-) has room for one text, not for sound files")
+    return Path(options.out)
+
+
+def number_of_jobs(text: str) -> int:
+    """Return a number of processes, as `-j` takes it."""
+    jobs = int(text)
+    if jobs < 0:
+        raise ValueError
+    return jobs
+
+
+def found_files(options: argparse.Namespace, *, may_be_none: bool = False) -> list[Found]:
+    """Return the files that the given paths mean; UsageError when there is none to find, or no path at all."""
+    paths = list(options.paths)
+    if options.files_from is not None:
+        paths += _paths_from(options.files_from)
+    elif not paths:
+        raise UsageError("no path given")
+    if "-" in paths:
+        raise UsageError(
+            "- is standard input, and a sound read from there has no name to judge: write it to a file first;"
+            " --files-from - reads paths from standard input, and ./- is a file of that name"
+        )
+    try:
+        found = list(audio_files(paths))
+    except PathNotFound as error:
+        raise UsageError(str(error)) from None
+    if not found and not may_be_none:
+        raise UsageError(
+            "no audio found" + ("; --allow-empty says that this is fine" if "allow_empty" in options else "")
+        )
+    return found
+
+
+def _paths_from(source: str) -> list[str]:
+    try:
+        raw = sys.stdin.buffer.read() if source == "-" else Path(source).read_bytes()
+    except OSError as error:
+        raise UsageError(f"{source}: cannot be read: {error.strerror}") from None
+    lines = raw.split(b"\0") if b"\0" in raw else raw.splitlines()
+    return [os.fsdecode(line) for line in lines if line]
+
+
+def spec_for(path: str, finder: SpecFinder, options: argparse.Namespace) -> DeliverySpec | None:
+    """Return the spec of one file; UsageError when it lacks what the command line names."""
+    spec = finder.spec_of(path)
+    if options.category is not None and (spec is None or options.category not in spec.categories):
+        known = ", ".join(spec.categories) if spec and spec.categories else "none"
+        raise UsageError(f'no category "{options.category}"; categories of the spec: {known}')
+    if spec is None and options.target is not None:
+        raise UsageError(f"--target needs a spec, and there is none for {path}")
+    return spec

@@ -1,0 +1,71 @@
+"""An audit for people, and as a report of findings for the formats that CI services read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from audio_checks.audit.report import Audit, Entry
+from audio_checks.audit.statuses import STATUSES
+from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink
+from audio_checks.report.findings import FileReport, Finding, Report, printable
+from audio_checks.version import TOOL_VERSION
+
+FIXES = {
+    "gain": "put the approved file in its place, or have the new level approved",
+    "trimmed": "put the approved file in its place, or have the cut approved",
+    "resampled": "let the sounds be rendered to this rate and approved, or allow it: --allow resampled",
+    "re-encoded": "put the approved file in its place, or allow it where the engine does it: --allow re-encoded",
+    "changed": "put the approved file in its place, or have this one approved",
+    "missing": "add the approved file, or take it off the manifest",
+    "unknown": "have it approved, or take it out of the build",
+    "placeholder": "put the real sound in its place",
+    "duplicate": "let the game play one file for both, or take this one out",
+}
+COLOURS = {"same": GREEN, "resampled": YELLOW, "re-encoded": YELLOW, "duplicate": YELLOW}
+
+
+def in_words(audit: Audit, *, allowed: tuple[str, ...] = (), colour: bool = False) -> str:
+    """Return what differs, a line each, and how many files are what."""
+    ink = Ink(colour)
+    lines = [
+        f"{ink(printable(entry.path), BOLD)}  {ink(entry.status, COLOURS.get(entry.status, RED))}"
+        f"{_figures(entry)}: {printable(entry.message)}{_also(entry)}"
+        for entry in audit.drifted(allowed)
+    ]
+    counts = audit.summary
+    counted = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
+    allowed_note = f" ({', '.join(allowed)} allowed)" if allowed else ""
+    return "\n".join([*lines, f"{counts['files']} sounds: {counted or 'nothing to compare'}{allowed_note}"]) + "\n"
+
+
+def as_findings(audit: Audit, allowed: tuple[str, ...] = ()) -> Report:
+    """Return the audit as a report: each file that differs is rejected, by a finding such as `audit:gain`."""
+    drifted = set(audit.drifted(allowed))
+    files = tuple(
+        FileReport(entry.path, "rejected" if entry in drifted else "conforming", findings=_findings(entry, drifted))
+        for entry in audit.entries
+    )
+    return Report(files=files, specs=(), not_run=(), tool_version=TOOL_VERSION)
+
+
+def _findings(entry: Entry, drifted: set[Entry]) -> tuple[Finding, ...]:
+    if entry not in drifted:
+        return ()
+    finding = Finding(f"audit:{entry.status}", entry.message, FIXES[entry.status], severity="error")
+    louder = entry.status == "gain"
+    return (replace(finding, measured=entry.gain_db, limit=0.0, unit="dB") if louder else finding,)
+
+
+def _figures(entry: Entry) -> str:
+    if entry.gain_db is None or entry.offset_s is None:
+        return ""
+    moved = f", {entry.offset_s:+.3f} s" if abs(entry.offset_s) >= 0.001 else ""
+    return f" ({round(entry.gain_db, 1) + 0.0:+.1f} dB{moved})"
+
+
+def _also(entry: Entry) -> str:
+    others = [match.path for match in entry.matches if match.path != entry.approved]
+    if not others or entry.status == "changed":
+        return ""
+    more = f" and {len(others) - 3} more" if len(others) > 3 else ""
+    return printable(f"; also like {', '.join(others[:3])}{more}")

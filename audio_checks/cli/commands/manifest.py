@@ -1,0 +1,54 @@
+"""`audio-checks manifest`: write down what approved sounds are known by, for audits of game builds."""
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from audio_checks.audit.build import fingerprint_files
+from audio_checks.audit.fingerprinted import FingerprintedFile
+from audio_checks.audit.manifest import manifest_text, write_manifest
+from audio_checks.cli.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
+from audio_checks.cli.terminal import say
+from audio_checks.report.findings import printable
+from audio_checks.run.workload import process_count
+from audio_checks.spec.sound_list import SoundList, read_sound_list
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Take folders of approved sounds, and where the manifest goes."""
+    add_paths(parser)
+    parser.add_argument("--out", metavar="FILE", required=True, help="where the manifest goes; - is stdout")
+    parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list, to name the cue of each file")
+    add_run(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Listen to the sounds and write the manifest; 1 when one could not be read, and is left out."""
+    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    heard = fingerprints_below(options)
+    for one in heard:
+        if one.trouble:
+            say(f"{one.path}: left out: {one.trouble}")
+    kept = [_with_cue(one, sound_list) for one in heard if not one.trouble]
+    if options.out == "-":
+        sys.stdout.write(manifest_text(kept))
+        return FOUND if len(kept) < len(heard) else OK
+    write_manifest(options.out, kept)
+    if not options.quiet:
+        print(printable(f"{options.out}: {len(kept)} sounds"))
+    return FOUND if len(kept) < len(heard) else OK
+
+
+def fingerprints_below(options: argparse.Namespace) -> list[FingerprintedFile]:
+    """Return what is known of every sound below the paths that were given, by its place below them."""
+    found = found_files(options)
+    jobs = process_count([one.path for one in found]) if options.jobs is None else options.jobs
+    files = [(one.path, one.relative.replace("\\", "/")) for one in found]
+    with progress_over(len(files), options) as progress:
+        return fingerprint_files(files, jobs=jobs, done=lambda one: progress.step(one.path))
+
+
+def _with_cue(one: FingerprintedFile, sound_list: SoundList | None) -> FingerprintedFile:
+    slot = sound_list.slot_of_file(Path(one.path).name) if sound_list else None
+    return one if slot is None else replace(one, cue=slot[0].number)

@@ -1,0 +1,38 @@
+"""Where a report goes: formats, each to a file or to stdout."""
+
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from audio_checks.cli import reporters
+from audio_checks.cli.arguments import UsageError
+from audio_checks.cli.terminal import in_colour
+
+
+class Outputs:
+    """The formats that were asked for, and the place of each."""
+
+    def __init__(self, asked: list[str] | None, known: Sequence[str]) -> None:
+        self._places: list[tuple[str, str]] = []
+        for one in asked or ["text"]:
+            name, _, place = one.partition(":")
+            place = "" if place == "-" else place
+            if name not in known:
+                raise UsageError(f'no format "{name}"; formats: {", ".join(known)}')
+            self._places.append((name, place))
+        alone = [place for name, place in self._places if place or not reporters.goes_beside(name)]
+        if len(set(alone)) < len(alone) or len(set(self._places)) < len(self._places):
+            raise UsageError("two formats go to the same place; name a file for one, as in --format json:report.json")
+
+    def write(self, written: Callable[[str, bool], str]) -> None:
+        """Write every format; `written` makes the text of one, coloured or not."""
+        for name, place in self._places:
+            if place:
+                try:
+                    Path(place).write_text(
+                        written(name, False), encoding="utf-8", errors="backslashreplace", newline="\n"
+                    )
+                except OSError as error:
+                    raise UsageError(f"{place}: cannot be written: {error.strerror}") from None
+            else:
+                sys.stdout.write(written(name, in_colour(sys.stdout)))

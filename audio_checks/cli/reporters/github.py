@@ -1,0 +1,101 @@
+"""Annotations of GitHub Actions: one a file, its worst finding first, and a table in the job's summary.
+
+GitHub shows ten errors and ten warnings of a step, so no more are written; a notice counts the rest.
+Where GITHUB_STEP_SUMMARY names a file, the whole is appended to it as a table.
+Source: GitHub's "Workflow commands for GitHub Actions".
+"""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from audio_checks.cli.locations import in_repository, repository_root
+from audio_checks.cli.reporters import Style
+from audio_checks.report.findings import FileReport, Finding, Report, printable
+from audio_checks.spec.check_names import Severity
+
+BESIDE = True  # the runner picks its commands out of any other output
+MOST_OF_A_LEVEL = 10
+SUMMARY_BYTES = 900_000  # of the 1 MiB that a step may write
+MOST_IN_A_CELL = 5
+MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", "|": "&#124;", **{one: f"\\{one}" for one in "\\`*_[]#@"}})
+LEVELS: tuple[Severity, ...] = ("error", "warning")
+
+
+def judged(report: Report, style: Style) -> str:
+    """Return the commands; append the summary of the job where GitHub asks for one."""
+    if place := os.environ.get("GITHUB_STEP_SUMMARY"):
+        with Path(place).open("a", encoding="utf-8", errors="backslashreplace", newline="\n") as summary:
+            summary.write(_summary(report))
+    return "".join(f"{line}\n" for line in _commands(report))
+
+
+def _counting(entry: FileReport) -> list[Finding]:
+    """Return the unwaived findings, the most severe first."""
+    return sorted((one for one in entry.findings if not one.waived), key=lambda one: one.severity != "error")
+
+
+def _commands(report: Report) -> Iterator[str]:
+    root = repository_root()
+    found = [(entry, _counting(entry)) for entry in report.files]
+    left = 0
+    for level in LEVELS:
+        files = [(entry, ones) for entry, ones in found if ones and ones[0].severity == level]
+        left += max(0, len(files) - MOST_OF_A_LEVEL)
+        for entry, ones in files[:MOST_OF_A_LEVEL]:
+            place = in_repository(entry.path, root) or entry.path
+            more = f" ({len(ones) - 1} more in the summary)" if len(ones) > 1 else ""
+            text = f"{printable(ones[0].sentence)}; fix: {printable(ones[0].fix)}{more}"
+            title = f"{printable(ones[0].code)} in {Path(place).name}"
+            yield f"::{level} file={_property(place)},title={_property(title)}::{_data(text)}"
+    if left:
+        yield f"::notice title=audio-checks::{left} more file{'s' if left > 1 else ''} in the summary"
+
+
+def _property(text: str) -> str:
+    return _data(printable(text)).replace(":", "%3A").replace(",", "%2C")
+
+
+def _data(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _summary(report: Report) -> str:
+    counts = report.summary
+    verdicts = ", ".join(
+        f"{counts[verdict]} {verdict}"
+        for verdict in ("conforming", "rejected", "unreadable", "unjudged")
+        if counts[verdict]
+    )
+    waived = f", {counts['waived']} waived" if counts["waived"] else ""
+    total = f"{counts['files']} file{'' if counts['files'] == 1 else 's'}: {verdicts or 'nothing to judge'}"
+    head = f"## audio-checks\n\n{total}; {counts['errors']} errors, {counts['warnings']} warnings{waived}\n\n"
+    rows = sorted(
+        ((entry, ones) for entry in report.files if (ones := _counting(entry))),
+        key=lambda row: (row[1][0].severity != "error", -len(row[1])),
+    )
+    if not rows:
+        return head
+    lines = ["| file | verdict | found | how to fix |", "|---|---|---|---|"]
+    size = len(head) + 200
+    for place, (entry, ones) in enumerate(rows):
+        line = _row(entry, ones)
+        size += len(line.encode("utf-8", "replace")) + 1
+        if size > SUMMARY_BYTES:
+            lines.append(f"\n{len(rows) - place} more files are left out here; `--format json:FILE` has them all.")
+            break
+        lines.append(line)
+    return head + "\n".join(lines) + "\n\n"
+
+
+def _row(entry: FileReport, ones: list[Finding]) -> str:
+    found = [f"{one.severity}: {_cell(one.sentence)} `{printable(one.code)}`" for one in ones[:MOST_IN_A_CELL]]
+    fixes = [_cell(one.fix) for one in ones[:MOST_IN_A_CELL]]
+    if len(ones) > MOST_IN_A_CELL:
+        found.append(f"and {len(ones) - MOST_IN_A_CELL} more")
+    return f"| {_cell(entry.path)} | {entry.verdict} | {'<br>'.join(found)} | {'<br>'.join(dict.fromkeys(fixes))} |"
+
+
+def _cell(text: str) -> str:
+    """Return text that can break out of no table and starts no markup."""
+    return printable(text).translate(MARKUP)

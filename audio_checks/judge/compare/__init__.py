@@ -1,0 +1,1 @@
+"""Reverb judged by comparison: with a dry stem, or with an earlier take."""

@@ -1,0 +1,1 @@
+"""Learned models that need numpy alone: boosted trees and small neural nets."""

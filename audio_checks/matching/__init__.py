@@ -1,0 +1,1 @@
+"""Finds the cue that a file is for by its name, however it is spelt."""

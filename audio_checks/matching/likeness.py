@@ -1,0 +1,76 @@
+"""Which cues a name is like, where it is none's: words that both have, and letters in threes for mistakes in typing."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+
+from audio_checks.matching.reading import Token
+
+MOST_POSTINGS = 150  # of a word or three letters: what more names have says little
+COMPARED = 20  # names that share most
+LEAST = 0.15  # a name less like is no guess
+
+
+class Likenesses:
+    """The words and threes of letters of a list's names.
+
+    Parameters
+    ----------
+    names : sequence of (int, list of list of Token)
+        What the caller knows a cue by, with its names.
+    """
+
+    def __init__(self, names: Sequence[tuple[int, Sequence[Sequence[Token]]]]) -> None:
+        self._words: dict[str, list[int]] = defaultdict(list)
+        self._threes: dict[str, list[int]] = defaultdict(list)
+        self._own: dict[int, tuple[frozenset[str], frozenset[str]]] = {}
+        for place, spelt in names:
+            words = frozenset(token.key for tokens in spelt for token in tokens)
+            threes = frozenset(three for tokens in spelt for three in threes_of(tokens))
+            self._own[place] = (words, threes)
+            for word in words:
+                self._words[word].append(place)
+            for three in threes:
+                self._threes[three].append(place)
+
+    def nearest(self, tokens: Sequence[Token], folders: Sequence[Token], most: int) -> list[tuple[int, str]]:
+        """Return the names that are most alike, the likeliest first, each with why; fewer where few are alike."""
+        words = frozenset(token.key for token in tokens)
+        beside = frozenset(token.key for token in folders)
+        threes = threes_of(tokens)
+        counts: dict[int, float] = defaultdict(float)
+        for postings, keys, weight in ((self._words, words | beside, 3.0), (self._threes, threes, 1.0)):
+            found = sorted((postings[key] for key in keys if key in postings), key=len)
+            for place, of_key in enumerate(found):
+                if len(of_key) > MOST_POSTINGS and place:
+                    break
+                for cue in of_key[:MOST_POSTINGS]:
+                    counts[cue] += weight
+        near = sorted(counts, key=lambda cue: (-counts[cue], cue))[:COMPARED]
+        scored = [(self._score(cue, words, beside, threes), cue) for cue in near]
+        scored.sort(key=lambda item: (-item[0], item[1]))
+        return [(cue, self._why(cue, words | beside)) for score, cue in scored[:most] if score >= LEAST]
+
+    def _score(self, cue: int, words: frozenset[str], beside: frozenset[str], threes: frozenset[str]) -> float:
+        own_words, own_threes = self._own[cue]
+        shared = math.fsum(self._weight(word) for word in own_words & (words | beside))
+        every = math.fsum(self._weight(word) for word in own_words | words)
+        spelling = 2 * len(threes & own_threes) / (len(threes) + len(own_threes)) if threes and own_threes else 0.0
+        return 0.5 * shared / every + 0.5 * spelling if every else spelling
+
+    def _weight(self, word: str) -> float:
+        return 1.0 / (1.0 + math.log1p(len(self._words.get(word, ()))))
+
+    def _why(self, cue: int, words: frozenset[str]) -> str:
+        shared = sorted(word for word in self._own[cue][0] & words if not word.startswith("#"))
+        if shared:
+            return "the name has " + " and ".join(f'"{word}"' for word in shared[:3])
+        return "the name is spelt nearly alike"
+
+
+def threes_of(tokens: Sequence[Token]) -> frozenset[str]:
+    """Return the threes of letters in a name, its beginning and its end included."""
+    letters = f"  {''.join(token.text for token in tokens)} "
+    return frozenset(letters[start : start + 3] for start in range(len(letters) - 2))

@@ -1,0 +1,314 @@
+"""Reads the name of a file as tokens, and marks those that say nothing about the sound: versions, dates, copies."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import date
+from typing import Literal
+
+from audio_checks.matching.words import (
+    ALTERNATE_WORDS,
+    COPY_WORDS,
+    FORMAT_WORDS,
+    MONTHS,
+    STATE_WORDS,
+    TAKE_WORDS,
+    UNITS,
+    VERSION_WORDS,
+    WEAK_STATE_WORDS,
+)
+from audio_checks.spec.sound_list import AUDIO_SUFFIXES
+
+Kind = Literal["state", "version", "take", "copy", "count", "alternate", "format", "date"]
+
+FOLDERS_READ = 3
+MOST_TOKENS = 40  # of one name; the rest of a longer one is not read
+MOST_CHARS = 400
+NEVER_SPLIT = STATE_WORDS | VERSION_WORDS | UNITS
+
+_TOKEN = re.compile(r"[0-9]+|[^\W\d_]+")
+_HUMPS = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+_DATES = (
+    re.compile(r"(?<![0-9])(?P<y>20[0-9]{2})([-_. ]?)(?P<m>[0-9]{2})\2(?P<d>[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<d>[0-9]{1,2})([-_. ])(?P<m>[0-9]{1,2})\2(?P<y>20[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<m>[0-9]{1,2})([-_. ])(?P<d>[0-9]{1,2})\2(?P<y>20[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<d>[0-9]{2})(?P<m>[0-9]{2})(?P<y>20[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<m>[0-9]{2})(?P<d>[0-9]{2})(?P<y>20[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<y>[1-3][0-9])([-.]?)(?P<m>[0-9]{2})\2(?P<d>[0-9]{2})(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<d>[0-9]{2})([-.]?)(?P<m>[0-9]{2})\2(?P<y>[1-3][0-9])(?![0-9])"),
+    re.compile(r"(?<![0-9])(?P<m>[0-9]{2})([-.]?)(?P<d>[0-9]{2})\2(?P<y>[1-3][0-9])(?![0-9])"),
+    re.compile(
+        rf"(?<![0-9])(?P<d>[0-9]{{1,2}})[-_. ]?(?P<b>{'|'.join(MONTHS)})[-_. ]?(?P<y>(?:20)?[0-9]{{2}})(?![0-9])", re.I
+    ),
+)  # fmt: skip
+_TIME = re.compile(
+    r"[-_ T]{1,3}(?:[0-2][0-9][-.:h][0-5][0-9](?:[-.:m][0-5][0-9])?|[0-2][0-9][0-5][0-9](?:[0-5][0-9])?)(?![0-9])"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word or a number in a name.
+
+    Attributes
+    ----------
+    text : str
+        Its letters in lower case without accents; of a number its digits without leading zeros.
+    written : str
+        As written in the name.
+    start, end : int
+        Its place in the name.
+    is_number : bool
+        Whether it is made of digits.
+    is_attached : bool
+        Whether nothing is between it and the token before.
+    part : int
+        0 for the name itself, 1 for its folder, 2 for the folder of that.
+    """
+
+    text: str
+    written: str
+    start: int
+    end: int
+    is_number: bool
+    is_attached: bool
+    part: int = 0
+
+    @property
+    def key(self) -> str:
+        """What it adds to the key of a name: numbers are marked, so that `1 2` is not `12`."""
+        return f"#{self.text}" if self.is_number else self.text
+
+
+@dataclass(frozen=True)
+class Reading:
+    """The name of a file as it was read.
+
+    Attributes
+    ----------
+    stem : str
+        The name without folders and ending, without accents.
+    tokens : tuple of Token
+        The folders' first, the outermost before the others, then the name's own.
+    first : int
+        The place of the name's first token.
+    markers : dict
+        What kind of marker a token is part of, by its place.
+    groups : dict
+        Which marker a token is part of, by its place; the parts of one marker have one number.
+    after_marker : frozenset of int
+        Numbers that may belong to the marker before them: FINAL 2.
+    alternate : int or None
+        Which alternate the name says it is.
+    """
+
+    stem: str
+    tokens: tuple[Token, ...]
+    first: int
+    markers: dict[int, Kind] = field(default_factory=dict)
+    groups: dict[int, int] = field(default_factory=dict)
+    after_marker: frozenset[int] = frozenset()
+    alternate: int | None = None
+
+
+def plain(text: str) -> str:
+    """Return text without accents, its case kept; letters of other scripts stay."""
+    decomposed = unicodedata.normalize("NFKD", text)
+    return unicodedata.normalize("NFC", "".join(one for one in decomposed if not unicodedata.combining(one)))
+
+
+def tokens_of(text: str, part: int = 0) -> list[Token]:
+    """Return the words and numbers of a text that has no accents; CamelCase is split."""
+    found: list[Token] = []
+    end = 0
+    for chunk in _TOKEN.finditer(text[:MOST_CHARS]):
+        for start, written in _pieces(chunk, text):
+            is_number = written[0] in "0123456789"
+            word = written.lstrip("0") or "0" if is_number else written.casefold()
+            found.append(
+                Token(word, written, start, start + len(written), is_number, bool(found) and start == end, part)
+            )
+            end = start + len(written)
+    return found
+
+
+def _pieces(chunk: re.Match[str], text: str) -> list[tuple[int, str]]:
+    """Return a run of letters or digits cut where CamelCase has a hump, and before the `v` of a version."""
+    run, start = chunk[0], chunk.start()
+    if run[0] in "0123456789" or run.casefold() in NEVER_SPLIT:
+        return [(start, run)]
+    ends_in_version = len(run) > 1 and run[-1] in "vV" and text[chunk.end() : chunk.end() + 1].isdigit()
+    body = run[:-1] if ends_in_version else run
+    pieces = []
+    for piece in _HUMPS.split(body):
+        pieces.append((start, piece))
+        start += len(piece)
+    return [*pieces, (start, run[-1])] if ends_in_version else pieces
+
+
+def key_of(tokens: Sequence[Token]) -> str:
+    """Return what two spellings of one name share: the letters and numbers in their order."""
+    return "".join(token.key for token in tokens)
+
+
+def read_name(path: str) -> Reading:
+    """Return the tokens of a file's name and of the folders before it, with its markers marked."""
+    *folders, name = [part for part in re.split(r"[/\\]", plain(path)) if part not in ("", ".", "..")] or [""]
+    stem = without_ending(name)
+    near = folders[-FOLDERS_READ:]
+    before = [token for place, folder in enumerate(near) for token in tokens_of(folder, len(near) - place)]
+    own = tokens_of(stem)[:MOST_TOKENS]
+    before = before[-MOST_TOKENS:]
+    markers, groups, after, alternate = _markers(stem, own)
+    first = len(before)
+    return Reading(
+        stem=stem,
+        tokens=(*before, *own),
+        first=first,
+        markers={first + place: kind for place, kind in markers.items()},
+        groups={first + place: group for place, group in groups.items()},
+        after_marker=frozenset(first + place for place in after),
+        alternate=alternate,
+    )
+
+
+def without_ending(name: str) -> str:
+    """Return a name without the ending of a sound file, also one that stands twice."""
+    while True:
+        stem, dot, ending = name.rpartition(".")
+        if not (stem and dot + ending.lower() in AUDIO_SUFFIXES):
+            return name
+        name = stem
+
+
+class _Marks:
+    def __init__(self) -> None:
+        self.markers: dict[int, Kind] = {}
+        self.groups: dict[int, int] = {}
+
+    def add(self, kind: Kind, *places: int) -> None:
+        group = len(set(self.groups.values()))
+        for place in places:
+            self.markers[place], self.groups[place] = kind, group
+
+
+def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[int, int], set[int], int | None]:
+    marks = _Marks()
+    after: set[int] = set()
+    alternate: int | None = None
+    for start, end in _dates(stem):
+        inside = [place for place, token in enumerate(tokens) if token.start >= start and token.end <= end]
+        marks.add("date", *inside)
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        following = _number_after(tokens, place)
+        if place in marks.markers:
+            place += 1
+            continue
+        if token.is_number:
+            place = _mark_number(stem, tokens, place, marks)
+            continue
+        if token.text in VERSION_WORDS and following is not None:
+            places = [place, following]
+            last = following + 1
+            while last < len(tokens) and (
+                (tokens[last].is_number and stem[tokens[last].start - 1] == ".")
+                or (not tokens[last].is_number and tokens[last].is_attached and len(tokens[last].text) == 1)
+            ):
+                places.append(last)
+                last += 1
+            marks.add("version", *places)
+        elif token.text in TAKE_WORDS and following is not None:
+            marks.add("take", place, following)
+        elif token.text in COPY_WORDS:
+            is_copy_of = place + 1 < len(tokens) and tokens[place + 1].text == "of"
+            marks.add("copy", place, *([place + 1] if is_copy_of else [following] if following is not None else []))
+        elif (found := _alternate(tokens, place)) is not None:
+            alternate, last = found
+            marks.add("alternate", *range(place, last + 1))
+        elif token.text in STATE_WORDS or (token.text in WEAK_STATE_WORDS and _is_aside(stem, tokens, place, marks)):
+            attached = following is not None and tokens[following].is_attached
+            marks.add("state", place, *([place + 1] if attached else []))
+            if following is not None and not attached:
+                after.add(following)
+        elif token.text in FORMAT_WORDS:
+            marks.add("format", place)
+        place += 1
+    return marks.markers, marks.groups, after, alternate
+
+
+def _is_aside(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) -> bool:
+    """Whether a word follows a marker, or is shouted where the name is not."""
+    if place == 0:
+        return False
+    if place - 1 in marks.markers:
+        return True
+    return tokens[place].written.isupper() and any(one.islower() for one in stem[: tokens[place].start])
+
+
+def _number_after(tokens: Sequence[Token], place: int) -> int | None:
+    following = place + 1
+    return following if following < len(tokens) and tokens[following].is_number else None
+
+
+def _mark_number(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) -> int:
+    """Mark a number that is a copy's, or has a unit; return the place to read on from."""
+    token = tokens[place]
+    if stem[token.start - 1 : token.start] in ("(", "[") and stem[token.end : token.end + 1] in (")", "]"):
+        marks.add("count", place)
+        return place + 1
+    places = [place]
+    following = place + 1
+    if following < len(tokens) and tokens[following].is_number and stem[token.end : tokens[following].start] == ".":
+        places.append(following)
+        following += 1
+    if following < len(tokens) and tokens[following].text in UNITS:
+        unit = tokens[following]
+        if unit.is_attached or unit.text in ("khz", "hz", "bit", "bits", "bpm", "lufs"):
+            marks.add("format", *places, following)
+            return following + 1
+    return place + 1
+
+
+def _alternate(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
+    """Return which alternate a name says from this place on, and the place where it has said so."""
+    text = tokens[place].text
+    if len(text) == 4 and text.startswith("alt") and text[3].isascii():  # altb
+        return ord(text[3]) - ord("a") + 1, place
+    if text not in ALTERNATE_WORDS or place + 1 >= len(tokens):
+        return None
+    following = tokens[place + 1]
+    if following.is_number and len(following.text) <= 2 and following.text != "0":
+        return int(following.text), place + 1
+    if not following.is_number and len(following.text) == 1 and "a" <= following.text <= "z":
+        return ord(following.text) - ord("a") + 1, place + 1
+    return None
+
+
+def _dates(stem: str) -> list[tuple[int, int]]:
+    """Return the places of dates, each with the time of day that may follow."""
+    found: list[tuple[int, int]] = []
+    for pattern in _DATES:
+        for match in pattern.finditer(stem):
+            start, end = match.span()
+            if any(start < other_end and other_start < end for other_start, other_end in found):
+                continue
+            if _is_day(match):
+                time = _TIME.match(stem, end)
+                found.append((start, time.end() if time else end))
+    return found
+
+
+def _is_day(match: re.Match[str]) -> bool:
+    parts = match.groupdict()
+    month = MONTHS[parts["b"].lower()] if "b" in parts else int(parts["m"])
+    year = int(parts["y"]) % 100 + 2000
+    try:
+        date(year, month, int(parts["d"]))
+    except ValueError:
+        return False
+    return 2010 <= year <= 2039

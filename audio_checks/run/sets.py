@@ -1,0 +1,71 @@
+"""Checks over a set of files: what no file can be blamed for alone.
+
+A check module that has `check_set(files)` is called once over all judged files, and yields findings
+with the place of the file that each is for. Severity and verdict follow as for any other finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from audio_checks.checks import all_checks, variation_set
+from audio_checks.report.findings import FileReport, Finding
+from audio_checks.report.judged import JudgedFile
+from audio_checks.run.severity import crash, graded, ordered
+from audio_checks.spec.delivery_spec import DeliverySpec
+
+
+def set_findings(files: Sequence[JudgedFile]) -> list[tuple[Finding, ...]]:
+    """Return the findings over files together, for each of them, with the severities of its own spec.
+
+    Parameters
+    ----------
+    files : sequence of JudgedFile
+        Of one delivery, one folder, or one cue. Files that cannot be read are left out.
+
+    Returns
+    -------
+    list of tuple of Finding
+        In the order of the files; empty for a file that nothing was found in.
+    """
+    found: list[list[Finding]] = [[] for _ in files]
+    for check in [one for one in all_checks().values() if one.is_over_sets]:
+        places = [place for place, one in enumerate(files) if one.was_read and one.spec.checks.get(check.name) != "off"]
+        try:
+            for place, finding in list(check.run_set([files[place] for place in places])):
+                found[places[place]].append(finding)
+        except Exception as error:  # a check's bug is the tool's, never held against a file
+            for place in places:
+                found[place].append(crash(check.name, error))
+    return [tuple(_graded(findings, one.spec)) for findings, one in zip(found, files, strict=True)]
+
+
+def offset_from_set_lu(files: Sequence[JudgedFile]) -> list[float | None]:
+    """Return how much louder each file of one cue is than its other variations, in LU; None where it is not known."""
+    readable = [one for one in files if one.was_read]
+    off = iter(variation_set.offset_from_set_lu(readable))
+    return [next(off) if one.was_read else None for one in files]
+
+
+def _graded(findings: Sequence[Finding], spec: DeliverySpec) -> Iterator[Finding]:
+    for finding in findings:
+        one = finding if finding.code.endswith(":crashed") else graded(finding, spec)
+        if one is not None:
+            yield one
+
+
+def with_set_findings(files: Sequence[JudgedFile]) -> list[FileReport]:
+    """Return the reports of files with what is found over them together, their verdicts following."""
+    reports = []
+    for one, findings in zip(files, set_findings(files), strict=True):
+        report = one.report
+        if findings:
+            verdict = report.verdict
+            if any(finding.code.endswith(":crashed") for finding in findings):
+                verdict = "unjudged"
+            elif verdict == "conforming" and any(finding.severity == "error" for finding in findings):
+                verdict = "rejected"
+            report = replace(report, verdict=verdict, findings=ordered([*report.findings, *findings]))
+        reports.append(report)
+    return reports

@@ -1,0 +1,241 @@
+"""The parts of a delivery spec, each as plain values, and how each is read from its table."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from audio_checks.errors import SpecError
+from audio_checks.spec import kinds
+from audio_checks.spec.name_tokens import Token
+
+CATEGORY_FOLDER = "{category}"
+Tables = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Range:
+    """A lower and an upper bound; None does not limit."""
+
+    min: float | None = None
+    max: float | None = None
+
+    def __bool__(self) -> bool:
+        """Return whether there is a bound at all."""
+        return self.min is not None or self.max is not None
+
+
+@dataclass(frozen=True)
+class Accept:
+    """What a file may be; None accepts anything that can be read."""
+
+    containers: tuple[str, ...] | None = None
+    encodings: tuple[str, ...] | None = None
+    sample_rates_hz: tuple[int, ...] | None = None
+    bit_depths: tuple[int, ...] | None = None
+    channels: tuple[int, ...] | None = None
+    layouts: tuple[str, ...] | None = None
+    duration_s: Range = Range()
+
+
+@dataclass(frozen=True)
+class Limits:
+    """The levels and edges a file must keep to; None does not limit."""
+
+    sample_peak_dbfs: float | None = None
+    true_peak_dbtp: float | None = None
+    dc_offset_percent: float | None = None
+    silence_below_dbfs: float | None = None
+    head_silence_ms: float | None = None
+    tail_silence_ms: float | None = None
+    edge_silence_below_dbfs: float = -60.0
+    tolerance_db: float = 0.05
+    loudness_lufs: Range = Range()
+    noise_floor_dbfs: float | None = None
+    mono_loss_db: float | None = None
+
+
+@dataclass(frozen=True)
+class Naming:
+    """How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System.
+
+    Attributes
+    ----------
+    tokens : tuple of Token
+        What stands between separators; empty where a name is not made of tokens.
+    ucs_ids : tuple of str
+        The category ids that there are, for the grammar "ucs"; empty accepts any of the right form.
+    portable : bool
+        Whether a name must be one that every system can hold; always so where the spec has any other rule for names.
+    """
+
+    pattern: str | None = None
+    extension: str | None = None
+    tokens: tuple[Token, ...] = ()
+    separator: str = "_"
+    grammar: Literal["ucs"] | None = None
+    ucs_ids: tuple[str, ...] = ()
+    portable: bool = False
+
+
+@dataclass(frozen=True)
+class Engine:
+    """What the game adds to a sound, so that its file must come without."""
+
+    adds: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Target:
+    """What renders are made to, and what the game may keep of them in memory.
+
+    Attributes
+    ----------
+    name : str
+        A slug; also the folder that `audio-checks render` writes to.
+    sample_rate_hz, bit_depth, encoding, channels : int, int, str, "master" or int
+        The format; "master" keeps the master's channels.
+    dither : {"tpdf", "shaped", "none"}
+        Noise added where bits are lost.
+    over_peak : {"attenuate", "refuse"}
+        What happens to a file whose peaks exceed the limits.
+    mono_gains : (float, float)
+        What left and right are multiplied by before they are added to mono.
+    chunks : {"sound", "all"}
+        Which chunks of the master go along: what describes the sound (loops, cue points with their
+        labels, notes, tempo), or everything, names of people and projects included.
+    shelf_db : float or "auto"
+        By how much the top octave is lifted where the rate falls; "auto" by as much as the lost
+        highs weigh, 6 dB at most.
+    trim_below_dbfs : float or None
+        Cut what stays below this level, or 60 dB under the peak if that is lower, at both ends. None cuts nothing.
+    fade_in_ms, fade_out_ms : float
+        Raised-cosine fades. What loops is neither trimmed nor faded.
+    budget_bytes : int or None
+        What all game files of the target may take in memory; stated for a category, what its files may.
+    codec_ratio : float
+        How many times smaller the engine's codec makes the PCM: PCM 1, ADPCM 4, Vorbis or Opus about 10.
+    streamed : bool
+        Whether the engine plays from disk: then only a buffer counts as memory.
+    stream_buffer_bytes : int
+        The buffer of one streamed file.
+    folder : str
+        Where the game looks for its files: folders with "/" between, "{category}" for the sound's own; "" is the top.
+    """
+
+    name: str
+    sample_rate_hz: int
+    bit_depth: int
+    encoding: Literal["pcm", "float"] = "pcm"
+    channels: Literal["master", 1, 2] = "master"
+    dither: Literal["tpdf", "shaped", "none"] = "tpdf"
+    over_peak: Literal["attenuate", "refuse"] = "attenuate"
+    mono_gains: tuple[float, float] = (0.5, 0.5)
+    chunks: Literal["sound", "all"] = "sound"
+    shelf_db: float | Literal["auto"] = 0.0
+    trim_below_dbfs: float | None = None
+    fade_in_ms: float = 0.0
+    fade_out_ms: float = 0.0
+    budget_bytes: int | None = None
+    codec_ratio: float = 1.0
+    streamed: bool = False
+    stream_buffer_bytes: int = 65_536
+    folder: str = ""
+
+    def path_of(self, file_name: str, category: str | None) -> str:
+        """Return the path of a target's file in a pack; a sound without a category skips that folder."""
+        parts = [part.replace(CATEGORY_FOLDER, category or "") for part in self.folder.split("/")]
+        return "/".join([part for part in parts if part] + [file_name])
+
+
+@dataclass(frozen=True)
+class CueFacts:
+    """What the sound list says of one cue, as far as a check or a render needs it.
+
+    `more` keeps the columns that no check reads (description, use, trigger, and any of the writer's own).
+    """
+
+    number: str
+    name: str = ""
+    file_name: str = ""
+    category: str | None = None
+    duration_s: float | None = None
+    length_locked: bool = False
+    frame_rate_fps: float | None = None
+    loop: bool = False
+    reverb: str | None = None
+    variations: int = 1
+    state: str = "concept"
+    more: Mapping[str, str] = field(default_factory=dict, compare=False)
+
+
+def read_accept(table: Tables) -> Accept:
+    """Return what the table `accept` says."""
+    lists = {key: tuple(value) for key, value in stated(table).items() if key != "duration_s"}
+    return Accept(**lists, duration_s=_range(table.get("duration_s"), "accept.duration_s"))
+
+
+def read_limits(table: Tables) -> Limits:
+    """Return what the table `limits` says."""
+    plain = {key: value for key, value in stated(table).items() if key != "loudness_lufs"}
+    return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"))
+
+
+def read_naming(table: Tables) -> Naming:
+    """Return what a table `naming` says; SpecError where it gives a name two rules."""
+    said = stated(table)
+    rules = [key for key in ("pattern", "tokens", "grammar") if key in said]
+    if len(rules) > 1:
+        raise SpecError(
+            f'a name has one rule, and here are {" and ".join(rules)}; lift the others, as in {rules[0]} = "any"',
+            where="naming",
+        )
+    tokens = tuple(_token(keys, f"naming.tokens[{place}]") for place, keys in enumerate(said.pop("tokens", ())))
+    ids = tuple(said.pop("ucs_ids", ()))
+    portable = said.pop("portable", bool(rules) or "extension" in said)
+    return Naming(**said, tokens=tokens, ucs_ids=ids, portable=portable)
+
+
+def read_target(name: str, keys: Tables) -> Target:
+    """Return the target of one of the tables `targets`; SpecError where no render can be made to it."""
+    where = f"targets.{name}"
+    for needed in ("sample_rate_hz", "bit_depth"):
+        if needed not in keys:
+            raise SpecError("a target must say it", where=f"{where}.{needed}")
+    encoding, depth = keys.get("encoding", "pcm"), keys["bit_depth"]
+    lawful = (32, 64) if encoding == "float" else (8, 16, 24)
+    if depth not in lawful:
+        raise SpecError(
+            f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, lawful))}",
+            where=f"{where}.bit_depth",
+        )
+    plain = encoding == "float" or depth == 24
+    said = {"dither": "none" if plain else "tpdf", **stated(keys), "name": name}
+    if "mono_gains" in said:
+        said["mono_gains"] = tuple(said["mono_gains"])
+    target = Target(**said)
+    if target.dither == "shaped" and target.sample_rate_hz < 44_100:
+        raise SpecError(
+            "shaped dither needs 44100 Hz or more: below, the noise has nowhere to hide", where=f"{where}.dither"
+        )
+    return target
+
+
+def stated(table: Tables) -> Tables:
+    """Return what is limited: "any" lifts a limit, and is as good as absent."""
+    return {key: value for key, value in table.items() if value != kinds.ANY}
+
+
+def _range(table: Tables | str | None, where: str) -> Range:
+    bounds = Range(**stated(table)) if isinstance(table, dict) else Range()
+    if bounds.min is not None and bounds.max is not None and bounds.min > bounds.max:
+        raise SpecError(f"min {bounds.min:g} is above max {bounds.max:g}", where=where)
+    return bounds
+
+
+def _token(keys: Tables, where: str) -> Token:
+    if "name" not in keys:
+        raise SpecError("a token must say it", where=f"{where}.name")
+    rules = [key for key in ("one_of", "pattern", "digits", "case") if key in keys]
+    if len(rules) > 1:
+        raise SpecError(f"a token has one rule, and here are {' and '.join(rules)}", where=where)
+    return Token(**{**keys, "one_of": tuple(keys.get("one_of", ()))})

@@ -1,0 +1,1 @@
+"""The corpus that audits are evaluated on: what builds do to approved sounds."""

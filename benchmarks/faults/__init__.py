@@ -1,0 +1,1 @@
+"""The corpus that detectors of faults are evaluated on: sounds, injuries, what each detector promises."""

@@ -1,0 +1,499 @@
+"""The command line: what it prints, where, and with which exit code."""
+
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+
+import jsonschema_rs
+import pytest
+
+from audio_checks import TOOL_VERSION, check_file, is_placeholder
+from audio_checks.checks import all_checks
+from audio_checks.cli import main, reporters
+from audio_checks.report.findings import schema as report_schema
+from audio_checks.run import runner
+from audio_checks.spec.delivery_spec import new_spec, parse_spec
+from tests.support.waves import join, placeholder_mark, silence, sine, write_wav
+
+GOOD = sine(hz=1_000, dbfs=-6, seconds=0.2)
+LATE = join(silence(seconds=0.02), GOOD)
+LOUD = sine(hz=1_000, dbfs=0.0, seconds=0.2)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A folder to work in, with a spec beside the sounds that is found only when it is named."""
+    work = tmp_path / "work"
+    work.mkdir()
+    monkeypatch.chdir(work)
+    (tmp_path / "spec.toml").write_text(new_spec(name="Shield Wing"), encoding="utf-8")
+    return work
+
+
+@pytest.fixture
+def run(capsys):
+    """Run a command; return its exit code and what it printed to stdout and stderr."""
+
+    def run(*arguments):
+        code = main([str(one) for one in arguments])
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return run
+
+
+SPEC = ("--spec", "../spec.toml")
+
+
+class TestExitCodes:
+    def test_conforming(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        code, out, err = run("check", *SPEC, "laser.wav")
+        assert (code, err) == (0, "")
+        assert out == "1 file: 1 conforming; 0 errors, 0 warnings\n"
+
+    def test_an_error(self, folder, run):
+        write_wav(folder / "laser.wav", LOUD)
+        code, out, _ = run("check", *SPEC, ".")
+        assert code == 1
+        assert "sample peak 0.00 dBFS, limit -0.1 dBFS" in out
+
+    def test_a_warning_counts_at_its_own_level(self, folder, run):
+        write_wav(folder / "laser.wav", LATE)
+        assert run("check", *SPEC, ".")[0] == 0
+        assert run("check", *SPEC, "--fail-level", "warning", ".")[0] == 1
+
+    def test_a_broken_file_is_a_finding(self, folder, run):
+        (folder / "laser.wav").write_bytes(b"not audio")
+        code, out, _ = run("check", *SPEC, ".")
+        assert code == 1
+        assert "unreadable" in out
+
+    def test_a_tool_fault_outranks_a_finding(self, folder, run, monkeypatch):
+        def crash(check, *_):
+            raise ZeroDivisionError
+
+        write_wav(folder / "Bad Name.wav", LOUD)
+        monkeypatch.setattr(all_checks()["clipping"].module, "check", crash)
+        code, out, _ = run("check", *SPEC, ".")
+        assert code == 2
+        assert "the check itself broke" in out
+
+    def test_so_does_a_tool_that_breaks_altogether(self, folder, run, monkeypatch):
+        def crash(*_, **__):
+            raise ZeroDivisionError("a\x1bb")
+
+        write_wav(folder / "laser.wav", GOOD)
+        monkeypatch.setattr(runner, "judge", crash)
+        code, _, err = run("check", *SPEC, ".")
+        assert code == 2
+        assert "a fault of the tool" in err
+        assert "a\\x1bb" in err
+
+    def test_a_disk_that_refuses(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "out").write_text("in the way", encoding="utf-8")
+        code, _, err = run("render", *SPEC, "--out", "out", "laser.wav")
+        assert code == 2
+        assert "out" in err
+        assert "fault of the tool" not in err
+
+    def test_no_audio(self, folder, run):
+        (folder / "readme.txt").write_text("hello", encoding="utf-8")
+        code, _, err = run("check", *SPEC, ".")
+        assert (code, "--allow-empty" in err) == (2, True)
+        assert run("check", *SPEC, "--allow-empty", ".")[0] == 0
+
+    @pytest.mark.parametrize(
+        ("arguments", "said"),
+        [
+            ([], "COMMAND"),
+            (["chek"], "chek"),
+            (["check"], "no path given"),
+            (["check", "nowhere.wav"], "nowhere.wav: no such file or folder"),
+            (["check", "--frmat", "json", "."], "--frmat"),
+            (["check", "--format", "yaml", "."], "formats: github, json, jsonl, junit, sarif, text"),
+            (["check", "--format", "json", "--format", "text", "."], "same place"),
+            (["check", "--format", "json:no/such/folder.json", "laser.wav"], "cannot be written"),
+            (["check", "--spec", "none.toml", "."], "none.toml"),
+            (["check", *SPEC, "--target", "pc", "laser.wav"], "targets of this spec: game, handheld"),
+            (["check", *SPEC, "--category", "wepon", "laser.wav"], 'no category "wepon"'),
+            (["check", "--category", "vo", "laser.wav"], 'no category "vo"'),
+            (["check", "--target", "game", "laser.wav"], "--target needs a spec"),
+            (["check", *SPEC, "--list", "none.csv", "laser.wav"], "none.csv"),
+            (["check", *SPEC, "--baseline", "none.json", "laser.wav"], "none.json"),
+            (["check", "-j", "-1", "laser.wav"], "-j"),
+            (["measure", "nowhere.wav"], "no such file"),
+            (["render", "--out", "out", "laser.wav"], "--spec"),
+            (["explain", "true-peek"], '"true-peak"'),
+            (["schema", "sounds"], "sounds"),
+            (["new-spec", "--preset", "96k"], "96k"),
+        ],
+    )
+    def test_asked_wrongly(self, folder, run, arguments, said):
+        write_wav(folder / "laser.wav", GOOD)
+        code, _, err = run(*arguments)
+        assert code == 2
+        assert said in err
+
+    def test_an_unknown_key_of_the_spec(self, folder, run):
+        (folder / "mine.toml").write_text("format = 1\n[limits]\ntrue_peak = -1\n", encoding="utf-8")
+        code, _, err = run("check", "--spec", "mine.toml", ".")
+        assert code == 2
+        assert 'mine.toml: limits.true_peak: no such key; the nearest known is "true_peak_dbtp"' in err
+
+
+class TestSpecs:
+    def test_no_spec_judges_the_structure_and_says_so(self, folder, run):
+        write_wav(folder / "Bad Name.WAV", LOUD)
+        code, _, err = run("check", ".")
+        assert code == 0
+        assert "only their structure is judged" in err
+
+    def test_the_nearest_spec_is_taken_whole(self, folder, run):
+        (folder / "audio-checks.toml").write_text("format = 1\nlimits.sample_peak_dbfs = -1\n", encoding="utf-8")
+        (folder / "sub").mkdir()
+        (folder / "sub" / "pyproject.toml").write_text("[tool.audio-checks]\nformat = 1\n", encoding="utf-8")
+        (folder / "sub" / "deep").mkdir()
+        (folder / "sub" / "deep" / "pyproject.toml").write_text("[tool.other]\n", encoding="utf-8")
+        quiet, loud = sine(hz=997, dbfs=-0.5), folder / "loud.wav"
+        write_wav(loud, quiet)
+        write_wav(folder / "sub" / "deep" / "same.wav", quiet)
+        code, out, _ = run("check", "--format", "json", ".")
+        report = json.loads(out)
+        assert code == 1
+        assert {entry["path"]: entry["verdict"] for entry in report["files"]} == {
+            "./loud.wav": "rejected",
+            "./sub/deep/same.wav": "conforming",
+        }
+        assert report["spec"] is None
+        assert len(report["specs"]) == 2
+
+    def test_globs_give_categories(self, folder, run):
+        text = new_spec() + '\n[files]\n"vo/**" = "vo"\n'
+        (folder / "audio-checks.toml").write_text(text, encoding="utf-8")
+        (folder / "vo").mkdir()
+        write_wav(folder / "vo" / "line.wav", LATE)
+        code, out, _ = run("check", "--fail-level", "warning", "--format", "jsonl", ".")
+        assert (code, json.loads(out)["category"]) == (0, "vo")
+
+    @pytest.mark.usefixtures("without_lossy")
+    def test_a_check_that_is_lacking_is_said(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "mine.toml").write_text("format = 1\nchecks.lossy = 'warning'\n", encoding="utf-8")
+        code, out, err = run("check", "--spec", "mine.toml", "--format", "json", ".")
+        assert (code, json.loads(out)["not_run"]) == (0, ["lossy"])
+        assert "lossy" in err
+        code, _, err = run("explain", "lossy")
+        assert (code, "this version lacks" in err) == (2, True)
+
+    def test_a_doubtful_spec_is_said(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "mine.toml").write_text(new_spec().replace("[44100, ", "[22050, 44100, "), encoding="utf-8")
+        assert "22050 Hz" in run("check", "--spec", "mine.toml", ".")[2]
+
+    def test_target_and_list(self, folder, run):
+        write_wav(folder / "laser_01.wav", sine(hz=997, rate=44_100, seconds=0.5), rate=44_100, bits=16)
+        write_wav(folder / "extra.wav", sine(hz=440, rate=44_100, seconds=0.5), rate=44_100, bits=16)
+        (folder / "sounds.csv").write_text("number,file_name,duration_s,variations\n1,laser,2,2\n", encoding="utf-8")
+        code, out, _ = run("check", *SPEC, "--list", "sounds.csv", "--target", "game", "--format", "json", ".")
+        codes = {entry["path"]: [one["code"] for one in entry["findings"]] for entry in json.loads(out)["files"]}
+        assert code == 0
+        assert codes == {"./laser_01.wav": ["duration:cue"], "./extra.wav": ["naming:unlisted"]}
+
+
+class TestFiles:
+    def test_folders_are_walked_for_audio_of_any_kind(self, folder, run):
+        (folder / ".git").mkdir()
+        (folder / "a").mkdir()
+        for name in ("a/laser.wav", ".hidden.wav", ".git/laser.wav", "b.WAV"):
+            write_wav(folder / name, GOOD)
+        (folder / "song.mp3").write_bytes(b"ID3" + bytes(100))
+        (folder / "notes.txt").write_text("hello", encoding="utf-8")
+        code, out, _ = run("check", "--format", "jsonl", ".")
+        entries = {entry["path"]: entry["verdict"] for entry in map(json.loads, out.splitlines())}
+        assert code == 1
+        assert entries == {"./b.WAV": "conforming", "./song.mp3": "unreadable", "./a/laser.wav": "conforming"}
+
+    def test_links_pipes_and_folders_are_findings_and_nothing_hangs(self, folder, run):
+        os.mkfifo(folder / "pipe.wav")
+        (folder / "dangling.wav").symlink_to("nowhere.wav")
+        (folder / "loop.wav").symlink_to("loop.wav")
+        (folder / "self").symlink_to(".")
+        code, out, _ = run("check", "--format", "jsonl", ".", "dangling.wav", "pipe.wav")
+        entries = [json.loads(line) for line in out.splitlines()]
+        assert code == 1
+        assert {entry["verdict"] for entry in entries} == {"unreadable"}
+        assert {entry["path"] for entry in entries} >= {"./pipe.wav", "./dangling.wav", "./loop.wav"}
+
+    def test_a_file_is_judged_once(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        assert len(run("check", "--format", "jsonl", ".", "laser.wav", "./laser.wav")[1].splitlines()) == 1
+
+    def test_paths_from_stdin(self, folder, run, monkeypatch):
+        for name in ("a.wav", "b c.wav", "d\ne.wav"):
+            write_wav(folder / name, GOOD)
+        for raw, count in ((b"a.wav\r\nb c.wav\n", 2), (b"a.wav\0d\ne.wav\0", 2)):
+            monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(raw)))
+            code, out, _ = run("check", "--files-from", "-", "--format", "jsonl")
+            assert (code, len(out.splitlines())) == (0, count)
+
+    @pytest.mark.parametrize(
+        "name", ["a\nb.wav", "\x1b[31mred.wav", "\u202evaw.exe.wav", "\x7f\x9b.wav", b"\xff\xfe.wav"]
+    )
+    def test_names_are_never_printed_raw(self, folder, run, name):
+        path = os.fsdecode(name)
+        write_wav(folder / path, LOUD)
+        for form in ("text", "json", "jsonl"):
+            code, out, err = run("check", *SPEC, "--format", form, path)
+            assert code == 1
+            assert all(one.isprintable() or one == "\n" for one in out + err)
+            out.encode("utf-8")
+        code, out, err = run("check", f"{path}.gone")
+        assert code == 2
+        assert all(one.isprintable() or one == "\n" for one in out + err)
+
+    def test_inputs_are_left_alone(self, folder, run):
+        path = write_wav(folder / "laser.wav", LOUD)
+        path.chmod(0o444)
+        before = path.read_bytes(), path.stat().st_mtime_ns
+        run("check", *SPEC, ".")
+        run("measure", ".")
+        assert (path.read_bytes(), path.stat().st_mtime_ns) == before
+
+
+class TestReports:
+    def test_several_formats_at_once(self, folder, run):
+        write_wav(folder / "laser.wav", LOUD)
+        code, out, _ = run(
+            "check", *SPEC, "--format", "text", "--format", "json:report.json", "--format", "jsonl:l.jsonl", "."
+        )
+        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        assert code == 1
+        assert "rejected" in out
+        assert report["spec"]["name"] == "Shield Wing"
+        assert report["tool"] == {"name": "audio-checks", "version": TOOL_VERSION}
+        assert [json.loads((folder / "l.jsonl").read_text(encoding="utf-8"))] == report["files"]
+        jsonschema_rs.validator_for(report_schema()).validate(report)
+
+    def test_text_is_grouped_with_the_worst_first(self, folder, run):
+        write_wav(folder / "a_late.wav", LATE)
+        write_wav(folder / "b_loud.wav", LOUD)
+        (folder / "c_broken.wav").write_bytes(b"RIFF")
+        write_wav(folder / "d_good.wav", GOOD)
+        out = run("check", *SPEC, ".")[1]
+        assert [line.split()[0] for line in out.splitlines() if line.startswith("./")] == [
+            "./c_broken.wav",
+            "./b_loud.wav",
+            "./a_late.wav",
+        ]
+        assert "4 files: 2 conforming, 1 rejected, 1 unreadable; 2 errors, 2 warnings" in out
+        figure, fix = out[out.index("sample peak") :].splitlines()[:2]
+        assert figure.endswith("sample-peak:over")
+        assert fix.strip() == "fix: lower the level by 0.10 dB or more"
+
+    def test_colour_only_where_it_is_wanted(self, folder, monkeypatch):
+        class Terminal(io.StringIO):
+            def isatty(self):
+                return True
+
+        write_wav(folder / "laser.wav", LOUD)
+        for variable, coloured in (("", True), ("1", False)):
+            terminal = Terminal()
+            monkeypatch.setattr("sys.stdout", terminal)
+            monkeypatch.setenv("TERM", "xterm")
+            monkeypatch.setenv("NO_COLOR", variable)
+            main(["check", *SPEC, "."])
+            assert ("\x1b[" in terminal.getvalue()) is coloured
+
+    def test_the_progress_line_can_be_left_out(self, folder, monkeypatch):
+        class Terminal(io.StringIO):
+            def isatty(self):
+                return True
+
+        for name in ("a.wav", "b.wav"):
+            write_wav(folder / name, GOOD)
+        for extra, shown in (([], True), (["--no-progress"], False)):
+            terminal = Terminal()
+            monkeypatch.setattr("sys.stderr", terminal)
+            main(["check", *SPEC, *extra, "."])
+            assert ("1/2" in terminal.getvalue()) is shown
+
+    def test_processes_change_nothing(self, folder, run):
+        for number in range(4):
+            write_wav(folder / f"laser_{number}.wav", LOUD if number % 2 else GOOD)
+        assert run("check", *SPEC, "--format", "json", "-j", "2", ".") == run("check", *SPEC, "--format", "json", ".")
+
+
+class TestBaseline:
+    def test_waived_findings_stay_but_do_not_fail(self, folder, run):
+        path = write_wav(folder / "laser.wav", LOUD)
+        spec = parse_spec(new_spec())
+        waived = {"pcm_sha256": check_file(path, spec).pcm_sha256, "codes": ["sample-peak:over"], "reason": "style"}
+        (folder / "baseline.json").write_text(json.dumps({"format": 1, "waived": [waived]}), encoding="utf-8")
+        code, out, _ = run("check", *SPEC, "--baseline", "baseline.json", "--format", "json", ".")
+        (entry,) = json.loads(out)["files"]
+        assert code == 0
+        assert entry["verdict"] == "rejected"
+        assert [one.get("waived", False) for one in entry["findings"]] == [True, False]
+        code, out, _ = run("check", *SPEC, "--baseline", "baseline.json", "--fail-level", "warning", ".")
+        assert (code, "1 waived" in out) == (1, True)
+
+    @pytest.mark.parametrize(
+        "content",
+        ["", "[]", '{"format": 2, "waived": []}', '{"format": 1, "waived": [{"pcm_sha256": "x", "codes": []}]}'],
+    )
+    def test_what_is_no_baseline(self, folder, run, content):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "baseline.json").write_text(content, encoding="utf-8")
+        assert run("check", *SPEC, "--baseline", "baseline.json", ".")[0] == 2
+
+
+class TestMeasure:
+    def test_figures_without_a_verdict(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "broken.wav").write_bytes(b"RIFF")
+        code, out, err = run("measure", "--category", "weapon", "--format", "json", ".")
+        broken, laser = json.loads(out)["files"]
+        assert code == 1
+        assert "broken.wav" in err
+        assert broken["facts"] is None
+        assert laser["category"] == "weapon"
+        assert laser["measurements"]["sample_peak_dbfs"] == pytest.approx(-6.0, abs=0.01)
+        assert "verdict" not in laser
+        assert "findings" not in laser
+
+    def test_as_text(self, folder, run):
+        write_wav(folder / "laser.wav", silence(seconds=0.1))
+        code, out, _ = run("measure", "laser.wav")
+        assert code == 0
+        assert re.search(r"true peak +-\n", out)
+
+
+class TestRender:
+    def test_masters_become_game_files(self, folder, run):
+        (folder / "in" / "deep").mkdir(parents=True)
+        write_wav(folder / "in" / "deep" / "laser__alt2.wav", GOOD, rate=48_000)
+        code, out, _ = run("render", *SPEC, "--out", "out", "in")
+        assert code == 0, out
+        for target, rate in (("game", 44_100), ("handheld", 22_050)):
+            entry = check_file(folder / "out" / target / "deep" / "laser.wav", parse_spec(new_spec()), target=target)
+            assert (entry.verdict, entry.facts["sample_rate_hz"]) == ("conforming", rate)
+            assert f"in/deep/laser__alt2.wav -> {target}:" in out
+
+    def test_one_target_and_what_is_refused(self, folder, run):
+        write_wav(folder / "low.wav", sine(hz=440, rate=22_050, seconds=0.2), rate=22_050)
+        (folder / "broken.wav").write_bytes(b"RIFF")
+        code, out, _ = run("render", *SPEC, "--target", "game", "--out", "out", "low.wav", "broken.wav")
+        assert code == 1
+        assert out.count("refused") == 2
+        assert not list(folder.glob("out/**/*.wav"))
+
+    def test_two_alternates_do_not_overwrite_each_other(self, folder, run):
+        for name in ("laser__alt1.wav", "laser__alt2.wav"):
+            write_wav(folder / name, GOOD)
+        code, out, _ = run("render", *SPEC, "--target", "game", "--out", "out", ".")
+        assert (code, out.count("refused")) == (1, 1)
+
+    def test_a_render_never_replaces_an_earlier_one_unasked(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        asked = ("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")
+        made = folder / "out" / "game" / "laser.wav"
+        assert run(*asked)[0] == 0
+        first, stamp = made.read_bytes(), made.stat().st_mtime_ns
+        code, out, _ = run(*asked)
+        assert (code, out.rstrip().endswith("; as before"), made.stat().st_mtime_ns) == (0, True, stamp)
+        write_wav(folder / "laser.wav", 0.5 * GOOD)
+        code, out, _ = run(*asked)
+        assert (code, "is there already, and differs" in out, made.read_bytes() == first) == (1, True, True)
+        assert run(*asked, "--replace")[0] == 0
+        assert made.read_bytes() != first
+        assert [path.name for path in made.parent.iterdir()] == ["laser.wav"]
+
+    def test_a_stand_in_gives_way(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "out" / "game").mkdir(parents=True)
+        write_wav(folder / "out" / "game" / "laser.wav", 0.5 * GOOD, after=[placeholder_mark("SW-014")])
+        assert run("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")[0] == 0
+        assert not is_placeholder(folder / "out" / "game" / "laser.wav")
+
+    def test_the_loss_reports_as_json(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        (folder / "broken.wav").write_bytes(b"RIFF")
+        code, out, _ = run("render", *SPEC, "--format", "json", "--out", "out", "laser.wav", "broken.wav")
+        game, handheld, *broken = json.loads(out)["renders"]
+        assert code == 1
+        assert (game["target"], game["path"], game["is_new"]) == ("game", "out/game/laser.wav", True)
+        assert handheld["loss"]["above_nyquist_db"] is None or handheld["loss"]["above_nyquist_db"] < 0
+        assert [one["refused"]["code"] for one in broken] == ["structure:truncated"] * 2
+
+    def test_a_master_is_never_overwritten(self, folder, run):
+        (folder / "game").mkdir()
+        path = write_wav(folder / "game" / "laser.wav", GOOD)
+        before = path.read_bytes()
+        code, out, _ = run("render", *SPEC, "--target", "game", "--out", ".", "game/laser.wav")
+        assert (code, "overwrite its master" in out) == (1, True)
+        assert path.read_bytes() == before
+
+
+class TestPlain:
+    def test_explain_by_name_and_by_code(self, run):
+        code, out, _ = run("explain", "true-peak")
+        assert code == 0
+        assert "ITU-R BS.1770" in out
+        assert run("explain", "true-peak:over")[1] == out
+
+    def test_list(self, run):
+        code, out, _ = run("list")
+        assert code == 0
+        assert all(f"\n{name} " in f"\n{out}" for name in all_checks())
+
+    @pytest.mark.parametrize("preset", ["44k1", "48k"])
+    def test_new_spec(self, run, preset):
+        code, out, _ = run("new-spec", "--preset", preset)
+        assert (code, tomllib.loads(out)["format"]) == (0, 1)
+
+    @pytest.mark.parametrize("document", ["spec", "report"])
+    def test_schema(self, run, document):
+        code, out, _ = run("schema", document)
+        assert code == 0
+        jsonschema_rs.meta.validate(json.loads(out))
+
+    def test_every_format_can_be_told_apart(self):
+        assert set(reporters.measured_formats()) <= set(reporters.formats())
+        assert {"text", "json", "jsonl"} <= set(reporters.formats())
+
+
+def test_a_cold_start_takes_half_a_second_of_cpu_at_most(folder):
+    write_wav(folder / "laser.wav", LOUD)
+    command = [sys.executable, "-m", "audio_checks.cli", "check", *SPEC, "laser.wav"]
+
+    def spent_s():
+        before = os.times()
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        after = os.times()
+        assert done.returncode == 1
+        assert "sample-peak:over" in done.stdout
+        return after.children_user + after.children_system - before.children_user - before.children_system
+
+    assert any(spent_s() <= 0.5 for _ in range(4))  # a busy machine spoils single runs
+
+
+def test_a_closed_pipe_is_no_traceback():
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run([sys.executable, "-m", "audio_checks.cli", "list"], stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert b"Traceback" not in done.stderr
+    assert b"Exception ignored" not in done.stderr
+
+
+def test_the_version(capsys):
+    with pytest.raises(SystemExit) as left:
+        main(["--version"])
+    assert left.value.code == 0
+    assert capsys.readouterr().out == f"audio-checks {runner.TOOL_VERSION}\n"

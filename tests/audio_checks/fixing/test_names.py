@@ -1,0 +1,39 @@
+import pytest
+
+from audio_checks import parse_spec
+from audio_checks.fixing.names import lawful_name
+
+LOWER = parse_spec("""
+format = 1
+[naming]
+pattern = '[a-z0-9]+(_[a-z0-9]+)*'
+extension = ".wav"
+[targets.game]
+sample_rate_hz = 44100
+bit_depth = 16
+""")
+UPPER = parse_spec("format = 1\n[naming]\npattern = '[A-Z][A-Z0-9_]*'\n")
+CAMEL = parse_spec("format = 1\n[naming]\npattern = '[A-Z]{2}_[A-Za-z0-9_]+'\n")
+
+
+@pytest.mark.parametrize(
+    ("spec", "name", "lawful"),
+    [
+        (LOWER, "laser_fire.wav", "laser_fire.wav"),
+        (LOWER, "Laser Fire.WAV", "laser_fire.wav"),
+        (LOWER, "laser-fire.bwf", "laser_fire.wav"),
+        (LOWER, "Überläufer (final).wav", "uberlaufer_final.wav"),
+        (LOWER, "Laser_altB.wav", "laser__alt2.wav"),
+        (LOWER, "laser_altB.wav", "laser_altB.wav"),  # the mark of an alternate is lawful in a delivery
+        (LOWER, "Laser_v03.wav", "laser.wav"),
+        (LOWER, "laser.mp3", None),
+        (LOWER, "!!!.wav", None),
+        (LOWER, "笑い声.wav", None),
+        (LOWER.for_target("game"), "laser_altB.wav", "laser.wav"),
+        (UPPER, "laser fire.wav", "LASER_FIRE.wav"),
+        (CAMEL, "SW laser fire.wav", "SW_laser_fire.wav"),
+        (parse_spec("format = 1\n"), "What ever.wav", "What ever.wav"),
+    ],
+)
+def test_the_nearest_lawful_name(spec, name, lawful):
+    assert lawful_name(name, spec) == lawful

@@ -1,0 +1,188 @@
+"""Which cue a messy name is for, and when that is sure."""
+
+import random
+import time
+
+import pytest
+
+from audio_checks import ListedCue, NameIndex
+from tests.audio_checks.matching import messy
+
+CUES = [
+    ListedCue("bell", "Bell", "perc_bell", label="SW-001"),
+    ListedCue("bell2", "Second bell", "perc_bell2", label="SW-002"),
+    ListedCue("twang", "Twang", "elec_twang", label="SW-003"),
+    ListedCue("snare", "Snare", "elec_hi_snare", label="SW-004"),
+    ListedCue("glitch1", "Glitch 1", "glitch_perc1", label="SW-005"),
+    ListedCue("glitch2", "Glitch 2", "glitch_perc2", label="SW-006"),
+    ListedCue("steps", "Steps on grass", "step_grass", variations=4, label="SW-007"),
+    ListedCue("click", "Click", "ui_click", category="ui", label="SW-008"),
+    ListedCue("fire", "Laser fire", "laser_fire.wav", category="weapon", label="SW-009"),
+    ListedCue("door", "Tür auf", "", label="SW-010"),
+    ListedCue("level", "Level up", "level_up", label="SW-011"),
+    ListedCue("level2", "Level up again", "level_up_2", label="SW-012"),
+]
+INDEX = NameIndex(CUES, ["Star Whale", "SW"])
+
+
+@pytest.mark.parametrize(
+    ("name", "cue", "variation"),
+    [
+        ("elec twang.wav", "twang", 1),
+        ("ELEC-TWANG.WAV", "twang", 1),
+        ("ElecTwang", "twang", 1),
+        ("elec.twang.wav.wav", "twang", 1),
+        ("PERC_BELL.wav", "bell", 1),
+        ("perc-bell2.wav", "bell2", 1),
+        ("PercBell2_FINAL.wav", "bell2", 1),
+        ("perc_bell_FINAL2.wav", "bell", 1),
+        ("perc bell copy 2.wav", "bell", 1),
+        ("perc_bell2_v2.wav", "bell2", 1),
+        ("glitch_perc1_final_FINAL2.wav", "glitch1", 1),
+        ("Glitch-Perc-02 (1).aif", "glitch2", 1),
+        ("step_grass_3.wav", "steps", 3),
+        ("StepGrass3FINAL2.wav", "steps", 3),
+        ("step grass 004_v03 (2).wav", "steps", 4),
+        ("step_grass/02.wav", "steps", 2),
+        ("STEPS ON GRASS 1.wav", "steps", 1),
+        ("UI/click.wav", "click", 1),
+        ("C:\\Users\\me\\UI\\Click v2.wav", "click", 1),
+        ("2026-11-23_laser_fire.wav", "fire", 1),
+        ("231126 Laser Fire.wav", "fire", 1),
+        ("laser_fire_20261123-1430.wav", "fire", 1),
+        ("laser_fire_48kHz_24bit.wav", "fire", 1),
+        ("laser_fire-6dB.wav", "fire", 1),
+        ("weapon_laser_fire.wav", "fire", 1),
+        ("SW_laser_fire.wav", "fire", 1),
+        ("StarWhale_laser_fire.wav", "fire", 1),
+        ("jd_laser_fire_v2.wav", "fire", 1),
+        ("Jane Doe - laser fire.wav", "fire", 1),
+        ("GUNAuto_Laser Fire_JDOE_SRC.wav", "fire", 1),
+        ("laser_fire_altB.wav", "fire", 1),
+        ("SW-009.wav", "fire", 1),
+        ("SW-009 laser fire NEW.wav", "fire", 1),
+        ("Tur_auf.wav", "door", 1),
+        ("tu\u0308r auf.wav", "door", 1),
+    ],
+)
+def test_sure(name: str, cue: str, variation: int) -> None:
+    found = INDEX.sure(name, ["Jane Doe"])
+    assert found is not None
+    assert (found.cue, found.variation) == (cue, variation)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "perc bell 2.wav",  # the second bell, or a bell's second file
+        "perc_bell_02.wav",
+        "perc_bell_FINAL_2.wav",
+        "perc_bell (2).wav",
+        "level_up (2).wav",  # a second download of the first
+        "glitch_perc3.wav",  # no cue
+        "glitch_perc.wav",
+        "step_grass.wav",  # which of four?
+        "step_grass_v2.wav",
+        "step_grass_5.wav",
+        "step_grass (3).wav",
+        "step_grass_2_3.wav",
+        "hi_snare.wav",
+        "elec_snare.wav",
+        "click.wav.txt",
+        "big_laser_fire.wav",
+        "laser_fire_left.wav",
+        "laser_fire_02.wav",
+        "laser_fire_new.wav",  # may be another sound
+        "laser_fire_elec_twang.wav",
+        "fire_laser.wav",
+        "lazer_fire.wav",
+        "perc_bell/elec_twang.wav",  # the folder is another cue
+        "SW-003 laser fire.wav",  # the number is another cue's
+        "NPC_laser_fire.wav",
+        "",
+        "...",
+        "01.wav",
+        "FINAL.wav",
+    ],
+)
+def test_in_doubt_nothing_is_sure(name: str) -> None:
+    assert INDEX.sure(name, ["Jane Doe"]) is None
+
+
+def test_a_guess_says_why() -> None:
+    first, second = INDEX.guesses("perc bell 2.wav")[:2]
+    assert (first.cue, second.cue) == ("bell2", "bell")
+    assert first.why == 'the name fits, and the number may be one of "Bell"'
+    assert second.why == 'it has the name, and "2" in addition'
+    assert INDEX.guesses("step_grass_v2.wav")[0] == ("steps", None, "the name does not say which variation")
+    assert INDEX.guesses("lazer_fire.wav")[0].cue == "fire"
+    assert INDEX.guesses("hi_snare.wav")[0].cue == "snare"
+    assert INDEX.guesses("zzz.wav") == []
+    assert len(INDEX.guesses("perc elec laser glitch.wav")) == 3
+
+
+def test_the_alternate_is_read() -> None:
+    for name, alternate in (
+        ("laser_fire_altB", 2),
+        ("Laser Fire ALT-3", 3),
+        ("laser_fire__alt2", 2),
+        ("laser_fire", None),
+    ):
+        found = INDEX.sure(name)
+        assert found is not None
+        assert found.alternate == alternate
+
+
+def test_a_folder_that_may_be_meant_or_not_leaves_a_guess() -> None:
+    index = NameIndex([ListedCue("ui", "UI click", "ui_click"), ListedCue("any", "Click", "click")])
+    assert index.sure("UI/click.wav") is None
+    assert {guess.cue for guess in index.guesses("UI/click.wav")} == {"ui", "any"}
+    assert index.sure("click.wav") is not None
+
+
+def test_a_set_and_a_single_file_of_like_names() -> None:
+    index = NameIndex([ListedCue("set", "Robot", "robot", variations=4), ListedCue("two", "Robot 2", "robot2")])
+    found = {name: index.sure(name) for name in ("robot_02.wav", "robot2.wav", "robot_2.wav", "robot_03.wav")}
+    assert [found[name] and found[name].cue for name in found] == ["set", "two", None, "set"]  # type: ignore[union-attr]
+
+
+def test_a_prefix_counts_once_many_files_share_it() -> None:
+    paths = [
+        f"Nordlicht_{name}.wav" for name in ("elec_twang", "perc_bell", "perc_bell2", "glitch_perc1", "laser_fire")
+    ]
+    assert INDEX.shared_prefixes(paths[:4]) == frozenset()
+    prefixes = INDEX.shared_prefixes(paths)
+    assert prefixes == {"nordlicht"}
+    assert INDEX.sure(paths[0]) is None
+    assert INDEX.sure(paths[0], prefixes=prefixes) == ("twang", 1, None)
+    assert INDEX.shared_prefixes(path.replace("Nordlicht", "heavy") for path in paths) == frozenset()
+
+
+@pytest.mark.parametrize("list_name", ["sonic_pi", "hypersomnia", "redeclipse", "megaglest", "openclonk"])
+def test_no_sure_match_of_real_lists_is_wrong(list_name: str) -> None:
+    right = on_list = 0
+    for seed in (11, 12):
+        cues, names = messy.make(messy.names_of(list_name), seed, each=1)
+        listed = [ListedCue(cue.stem, cue.stem, cue.stem, variations=cue.variations) for cue in cues]
+        index = NameIndex(listed, [messy.PROJECT, messy.PREFIX, messy.STUDIO])
+        for one in names:
+            found = index.sure(one.path, [messy.DESIGNER])
+            on_list += one.cue is not None
+            if found is not None:
+                assert (found.cue, found.variation) == (one.cue, one.variation), one.path
+                right += 1
+    assert right >= 0.8 * on_list
+
+
+def test_10_000_cues_take_seconds_to_read_and_a_name_milliseconds() -> None:
+    dice = random.Random(1)
+    words = [word for name in messy.names_of("hypersomnia") for word in name.split("_") if len(word) > 2]
+    listed = [ListedCue(place, f"{'_'.join(dice.sample(words, 3))}_{place % 9}") for place in range(10_000)]
+    begun = time.process_time()
+    index = NameIndex(listed)
+    assert time.process_time() - begun < 4  # 1.5 s on a quiet machine
+    begun = time.process_time()
+    for cue in listed[:100]:
+        index.sure(f"weapons/{cue.name.upper()}_FINAL2 (1).wav")
+        index.guesses(f"weapons/{cue.name}x_v2.wav")
+    assert (time.process_time() - begun) / 200 < 0.004
