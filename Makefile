@@ -3,18 +3,18 @@ PORT ?= 8000
 DATA ?= data
 PYTHON ?= python3
 WORKERS ?= 2
-BESIDE ?= 2
+PARALLEL_JOBS ?= 2
 # First what says soonest that something is wrong, then the longest; what is short fills the gap at the end.
 PARTS := check unit e2e frontend-test unit-postgres
 BIN := .venv/bin
 COMPILE = $(BIN)/uv pip compile --quiet --no-header --universal --python-version 3.11 --generate-hashes $(if $(UPGRADE),--upgrade)
 SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
-# Where images and shells set it, each of the thousand processes of a test run would compile all it imports anew: 3.5 s.
+# Where images and shells set it, each of the thousand processes of a test run would compile all it imports again: 3.5 s.
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run test test-all check fix unit unit-postgres frontend-test e2e kill attack false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks test test-all check fix unit unit-postgres frontend-test e2e kill attack large-zip false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -24,16 +24,24 @@ setup: .make/python .make/kernel .make/node .make/page  ## Set up everything tha
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
 
+dev: setup  ## Serve the demo project and follow every change: open port 5173 (PORT=8000 is the server's)
+	@trap 'kill 0' EXIT; \
+	  SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/watchfiles --filter python --sigint-timeout 30 "$(BIN)/soundlist demo --port $(PORT)" app audio_checks migrations & \
+	  cd frontend && SOUNDLIST_SERVER=http://127.0.0.1:$(PORT) npm run --silent dev
+
+hooks: setup  ## Check what you commit before it is committed
+	@$(BIN)/pre-commit install
+
 test: .make/s3  ## Set up and pass every test; two parts at a time, for much in them waits
 	@mkdir -p .make && rm -f .make/*.failed
-	@$(MAKE) --no-print-directory --keep-going --jobs=$(BESIDE) $(PARTS:%=beside-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
+	@$(MAKE) --no-print-directory --keep-going --jobs=$(PARALLEL_JOBS) $(PARTS:%=parallel-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
 	@tail -q -n 1 .make/unit.log .make/unit-postgres.log
 
 test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
 
 beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sent
-beside-%: setup .make/postgresql .make/browser .make/librosa
+parallel-%: setup .make/postgresql .make/browser .make/librosa
 	@.ci/part $* $(MAKE) --no-print-directory $*
 
 check: setup  ## Lint, types, import contracts, OpenAPI drift
@@ -62,11 +70,14 @@ kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named 
 attack: setup .make/postgresql  ## Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)
 	$(BIN)/python -m tests.attack --seconds $(or $(SECONDS),300) --database $(or $(DATABASE),sqlite)
 
+large-zip: setup  ## Send a ZIP of 5 GiB through a real server, and look at time, memory and disk (BYTES=)
+	$(BIN)/python -m tests.attack.large_zip --bytes $(or $(BYTES),5368709120)
+
 false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
-	$(BIN)/python -m tests.audio_checks.faults
+	$(BIN)/python -m benchmarks.faults
 
 audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
-	$(BIN)/python -m tests.audio_checks.audit
+	$(BIN)/python -m benchmarks.audits
 
 fuzz: setup  ## Feed the reader a million mutants, and everything 200,000 sounds of every shape (SOUNDS=, FIRST=)
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
@@ -78,20 +89,21 @@ parity: setup  ## Ask server, command line and Python about 1,000 sounds by 6 sp
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
-weights: setup  ## Learn the weights of judgements anew (needs ffmpeg; SOUNDS_DIR= adds real recordings; an hour)
+weights: setup  ## Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= tries others; an hour)
 	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
 	$(BIN)/python -m training.reverb
+	test -z "$(RECORDED_DIR)" || $(BIN)/python -m training.reverb_recorded
 	$(BIN)/python -m training.reversed
 	$(BIN)/python -m training.upsampled
 	$(BIN)/python -m training.lossy
 	$(BIN)/python -m training.padded
 
-fix: setup  ## Format and mend what can be mended by itself
+fix: setup  ## Format and fix what can be fixed by itself
 	$(BIN)/ruff check --fix . ; $(BIN)/ruff format .
 	cd frontend && npm run --silent format
 
 docs: setup  ## Write the generated pages
-	$(BIN)/python -m audio_checks.pages docs/checks
+	$(BIN)/python -m audio_checks.cli.pages docs/checks
 
 openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json

@@ -1,1 +1,1 @@
-"""The Soundlist server: rooms over a kit, and the front doors main, worker and cli."""
+"""The Soundlist server: rooms over a kit, and the entry points main, worker and cli."""

@@ -29,12 +29,12 @@ PARTIAL = ".partial"
 
 
 class BackupRefused(Exception):
-    """A backup that cannot be made or put back: says what was found, what was wanted, how to mend it."""
+    """A backup that cannot be made or put back: says what was found, what was wanted, how to fix it."""
 
 
 @dataclass
 class Copied:
-    """What was copied, and which blobs are not what their names say."""
+    """The counts of a copy, and the blobs whose content does not match their names."""
 
     database: Path
     blobs: int = 0

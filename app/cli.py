@@ -88,20 +88,21 @@ def serve(
     host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on.")] = 8000,
 ) -> None:
-    """Serve the web application; run `soundlist migrate` before and `soundlist worker` beside it."""
-    from app.kit import processes
+    """Serve the web application; run `soundlist migrate` first and `soundlist worker` in parallel."""
+    from app.kit import memory, processes
     from app.main import create_app  # noqa: F401  before processes are forked, so that they share what it loads
 
+    memory.return_free_memory()
     settings = _settings(serving=True)
     logs.configure(settings.log_level)
     logs.report_confinement()
     if settings.demo and host != "127.0.0.1":
-        raise _refusal(["the demo listens on 127.0.0.1 only, since it asks nobody to sign in"])
+        raise _refusal(["the demo listens on 127.0.0.1 only, since it needs no sign-in"])
     if settings.web_processes == 1:
         _serve(_ready_to_serve(settings), lambda: processes.listener(host, port))
         return
-    # What is wrong is said once, by a process whose threads and connections nobody inherits.
-    if code := processes.run_apart(lambda: _apart(lambda: _ready_to_serve(settings).close())):
+    # Problems are reported once, by a process whose threads and connections are not inherited.
+    if code := processes.run_in_subprocess(lambda: _apart(lambda: _ready_to_serve(settings).close())):
         raise typer.Exit(code)
     try:
         kept = processes.listener(host, port, shared=True)
@@ -109,13 +110,13 @@ def serve(
         raise _refusal([str(error)]) from None
 
     def serve_beside(place: int) -> None:
-        _apart(lambda: _serve(_opened(settings), lambda: processes.beside(kept), place=place))
+        _apart(lambda: _serve(_opened(settings), lambda: processes.shared_listener(kept), place=place))
 
-    raise typer.Exit(processes.Siblings(serve_beside, settings.web_processes).run())
+    raise typer.Exit(processes.PreforkSupervisor(serve_beside, settings.web_processes).run())
 
 
 def _apart(work: Callable[[], None]) -> None:
-    """Do a part of a command in a process of its own, which ends with the command's code."""
+    """Run a part of a command in a forked process, and exit with its code if it fails."""
     try:
         work()
     except typer.Exit as end:
@@ -137,9 +138,10 @@ def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: i
 @cli.command()
 def worker() -> None:
     """Run jobs until stopped."""
-    from app.kit import metrics
+    from app.kit import memory, metrics
     from app.worker import run
 
+    memory.return_free_memory()
     settings = _settings(serving=True)
     logs.configure(settings.log_level)
     logs.report_confinement()
@@ -179,7 +181,7 @@ def backup(
     runtime = _opened(_settings())
     _tighten([folder, *folder.glob("database-*")])
     try:
-        _tell_copied("backed up", back_up(runtime, folder, keep=keep))
+        _notify_copied("backed up", back_up(runtime, folder, keep=keep))
     except (BackupRefused, Refused) as error:
         raise _refusal([str(error)]) from None
     finally:
@@ -193,18 +195,18 @@ def restore(
 ) -> None:
     """Fill an empty database and a store, whichever the settings name, from a backup."""
     from app.backup import BackupRefused
-    from app.backup import restore as put_back
+    from app.backup import restore as return_to_received
 
     runtime = _opened(_settings())
     try:
-        _tell_copied("restored", put_back(runtime, folder, database))
+        _notify_copied("restored", return_to_received(runtime, folder, database))
     except (BackupRefused, Refused) as error:
         raise _refusal([str(error)]) from None
     finally:
         runtime.close()
 
 
-def _tell_copied(done: str, copied: "Copied") -> None:
+def _notify_copied(done: str, copied: "Copied") -> None:
     typer.echo(
         f"{done}: {copied.database.name}, {copied.blobs} blobs of {copied.size_bytes} bytes; "
         f"{copied.there_before} were there before"
@@ -222,7 +224,7 @@ def verify(
     ] = None,
 ) -> None:
     """Look whether the records of contracts, their texts and their PDFs are the ones that were written."""
-    from app.contracts import record
+    from app.agreements import record
 
     runtime = _opened(_settings())
     records = entries = wrong = 0
@@ -252,7 +254,7 @@ def verify(
 def demo(
     port: Annotated[int, typer.Option(help="Port on 127.0.0.1.")] = 8000,
 ) -> None:
-    """Serve the product with a demo project on the embedded database; nobody needs to sign in."""
+    """Serve the product with a demo project on the embedded database; no sign-in is needed."""
     from app.demo.run import run_demo
 
     settings = _settings()
@@ -328,24 +330,24 @@ def mails(
 ) -> None:
     """Print mails that wait, with their links: how accounts are verified on a server without a mail server."""
     from app.accounts.rules import normalised_email
-    from app.notifications.queries import waiting_for
+    from app.notifications.queries import pending_for
 
     runtime = _opened(_settings())
     with runtime.database.reading() as session:
-        for mail in waiting_for(session, normalised_email(address) if address else None):
+        for mail in pending_for(session, normalised_email(address) if address else None):
             typer.echo(f"{mail.recipient}\t{mail.subject}\t{mail.link or 'its link is made when it is sent'}")
     runtime.close()
 
 
 @operators_cli.command("add")
 def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
-    """Let somebody see every studio's jobs and storage."""
+    """Let a person see every studio's jobs and storage."""
     _change_operators("add_operator", address, "is an operator now")
 
 
 @operators_cli.command("remove")
 def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
-    """Let somebody be an operator no longer."""
+    """Remove a person's operator rights."""
     _change_operators("remove_operator", address, "is no operator any more")
 
 

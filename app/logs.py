@@ -1,4 +1,4 @@
-"""How the processes of the server log: one line an event, with the ids of its request and job."""
+"""Logging of the server's processes: one line for each event, with the ids of its request and job."""
 
 import logging
 import sys

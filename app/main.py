@@ -8,15 +8,19 @@ from pathlib import Path
 import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
-from starlette.staticfiles import StaticFiles
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from app import rooms
-from app.accounts.doors import DEMO_COOKIE, SESSION_COOKIE
+from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
+from app.dashboards.watching import sights_of
 from app.kit import events, health, http
+from app.kit.api_document import ApiDocument
+from app.kit.change_feed import ChangeFeed
+from app.kit.changes import forget_old_changes
+from app.kit.compression import CompressedAnswers, PrecompressedFiles
+from app.kit.idempotency import delete_expired_responses
 from app.kit.response_headers import WithResponseHeaders, security_headers
 from app.kit.runtime import Runtime
-from app.kit.saved_answers import forget_old_answers
 from app.kit.uploads import Uploads
 from app.migrate import ensure_at_head
 from app.projects.queries import rights_of
@@ -40,22 +44,25 @@ def create_app(runtime: Runtime) -> FastAPI:
         title="Soundlist",
         version="1",
         description="Sound lists, deliveries, reviews and packs; one spec and one verdict everywhere.",
-        openapi_url="/v1/openapi.json",
+        openapi_url=None,  # ApiDocument
         docs_url=None,  # the frontend's docs/index.html, which loads nothing from elsewhere
         redoc_url=None,
         lifespan=lifespan,
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.runtime = runtime
+    app.state.change_feed = ChangeFeed(runtime.database, sights_of)
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(rooms.PARSERS)
-    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
+    events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
     http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
+    app.add_route("/v1/openapi.json", ApiDocument(app).respond, include_in_schema=False)
     headers = security_headers(runtime.store.public_origin, is_https=runtime.settings.is_https)
     app.state.security_headers = headers
+    app.add_middleware(CompressedAnswers)
     app.add_middleware(WithResponseHeaders, headers=headers)
     if runtime.settings.trusted_proxies:  # who visits, read from right to left up to the first who is not one of them
         app.add_middleware(ProxyHeadersMiddleware, trusted_hosts=list(runtime.settings.trusted_proxies))
@@ -69,14 +76,15 @@ async def _sweep(runtime: Runtime) -> None:
         await asyncio.sleep(SWEEP_EVERY_S)
         try:
             await asyncio.to_thread(Uploads(runtime.database, runtime.store).sweep)
-            await asyncio.to_thread(forget_old_answers, runtime.database)
+            await asyncio.to_thread(delete_expired_responses, runtime.database)
+            await asyncio.to_thread(forget_old_changes, runtime.database)
         except Exception:
             log.exception("old uploads and answers could not be cleared away")
 
 
 def _serve_frontend(app: FastAPI, folder: Path) -> None:
     if (folder / "assets").is_dir():
-        app.mount("/assets", StaticFiles(directory=folder / "assets"), name="assets")
+        app.mount("/assets", PrecompressedFiles(directory=folder / "assets"), name="assets")
 
     @app.get("/{path:path}", include_in_schema=False)
     def page(path: str) -> Response:
@@ -92,7 +100,7 @@ def _serve_frontend(app: FastAPI, folder: Path) -> None:
 
 
 def _file_in(folder: Path, path: str) -> Path | None:
-    """Return the file of the frontend at this address; None where there is none, or it lies outside."""
+    """Return the file of the frontend at this address; None if there is none, or the path leaves the folder."""
     try:
         named = (folder / path).resolve()
         if path and (named / "index.html").is_file():

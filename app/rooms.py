@@ -1,4 +1,4 @@
-"""Which rooms there are, and who listens to which event."""
+"""The rooms, and the subscribers of each event."""
 
 from fastapi import APIRouter
 
@@ -6,14 +6,17 @@ from app.accounts.endpoints import router as accounts
 from app.accounts.me_endpoints import router as me
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
+from app.agreements.endpoints import router as contracts
+from app.agreements.template_endpoints import router as contract_templates
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
-from app.contracts.endpoints import router as contracts
-from app.contracts.money_endpoints import router as money
-from app.contracts.template_endpoints import router as contract_templates
 from app.dashboards.endpoints import router as dashboards
+from app.dashboards.event_endpoints import router as events
 from app.deliveries.endpoints import router as deliveries
+from app.kit.events import Handler
+from app.money.endpoints import router as money
+from app.money.ledger import charge_deposits
 from app.notifications.endpoints import router as notifications
 from app.operations.endpoints import router as operations
 from app.projects.endpoints import router as projects
@@ -40,48 +43,59 @@ ROUTERS: tuple[APIRouter, ...] = (
     builds,
     manifests,
     dashboards,
+    events,
     notifications,
     operations,
 )
 JOB_MODULES = (
+    "app.projects.jobs",
     "app.deliveries.jobs",
     "app.conformance.jobs",
-    "app.renders.jobs",
+    "app.renders.take_jobs",
+    "app.renders.batch_jobs",
+    "app.renders.export_jobs",
+    "app.renders.reel_jobs",
+    "app.renders.timbre_jobs",
     "app.reviews.jobs",
     "app.builds.jobs",
     "app.notifications.jobs",
 )
-PARSERS = ("app.sound_lists.sheets", "app.contracts.template_files", "audio_checks.spec")  # of what strangers send
+PARSERS = (
+    "app.sound_lists.sheets",
+    "app.agreements.template_files",
+    "audio_checks.spec.delivery_spec",
+)  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
-    "takes.checked": ("notifications.tell_checks",),
-    "take.rendered": ("renders.hear_take",),
-    "palette.changed": ("renders.hear_palette",),
-    "mend.asked": ("conformance.make_mend",),
-    "mend.made": ("renders.draw_mend",),
+    "takes.checked": ("notifications.notify_checks",),
+    "take.rendered": ("renders.measure_timbre",),
+    "palette.changed": ("renders.measure_palette",),
+    "fix.asked": ("conformance.make_fix",),
+    "fix.made": ("renders.draw_fix",),
     "dry_stem.changed": ("conformance.compare_takes",),
     "take.waived": ("renders.make_renders",),
-    "spec.changed": ("conformance.recheck_takes", "renders.renew_renders"),
-    "cue.changed": ("conformance.recheck_takes", "renders.renew_renders"),
-    "placeholders.asked": ("builds.make_stand_ins",),
+    "spec.changed": ("conformance.recheck_takes", "renders.update_renders"),
+    "cue.changed": ("conformance.recheck_takes", "renders.update_renders"),
+    "placeholders.asked": ("builds.make_placeholder_files",),
     "pack.asked": ("builds.seal_pack",),
-    "manifest.asked": ("builds.hear_pack",),
+    "manifest.asked": ("builds.fingerprint_pack",),
     "batch.asked": ("renders.plan_batch",),
     "reel.asked": ("renders.make_reel",),
     "master_export.asked": ("renders.export_master",),
-    "list.revised": ("notifications.tell_list_revised",),
-    "question.asked": ("notifications.tell_question",),
-    "question.answered": ("notifications.tell_answer",),
-    "changes.sent": ("notifications.tell_changes",),
-    "take.approved": ("notifications.tell_approval", "builds.hear_take"),
-    "cue.cut": ("notifications.tell_cut",),
-    "contract.sent": ("notifications.tell_contract",),
-    "contract.change_asked": ("notifications.tell_contract",),
-    "contract.agreed": ("notifications.tell_contract", "reviews.adopt_accepted"),
-    "decider.reminded": ("notifications.tell_reminder",),
-    "cue.accepted_by_silence": ("notifications.tell_silence",),
-    "build.posted": ("notifications.tell_build",),
+    "list.revised": ("notifications.notify_list_revised",),
+    "question.asked": ("notifications.notify_question",),
+    "question.answered": ("notifications.notify_answer",),
+    "changes.sent": ("notifications.notify_changes",),
+    "take.approved": ("notifications.notify_approval", "builds.fingerprint_take"),
+    "cue.cut": ("notifications.notify_cut",),
+    "contract.sent": ("notifications.notify_contract",),
+    "contract.change_requested": ("notifications.notify_contract",),
+    "contract.agreed": ("notifications.notify_contract", "reviews.add_accepted_cues"),
+    "approver.reminded": ("notifications.notify_reminder",),
+    "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
+    "build.posted": ("notifications.notify_build",),
+    "approver.joined": ("projects.name_invited_approver",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
     "password.reset_asked": ("notifications.mail_link",),
@@ -89,4 +103,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "sign_up.asked": ("notifications.mail_link",),
     "mail.written": ("notifications.send_mail",),
 }
-PATIENT_JOBS = frozenset({"builds.hear_take"})
+HANDLERS: dict[str, tuple[Handler, ...]] = {
+    "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
+}
+LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take"})

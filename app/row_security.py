@@ -1,8 +1,8 @@
-"""The second lock on PostgreSQL: row policies by which a request's transaction sees its own tenants' rows only.
+"""Row policies on PostgreSQL, the second line of defence: a request's transaction sees its own tenants' rows only.
 
-The first lock is the caller's reach in every WHERE. Each policy follows from the columns of its table, so a
+The first is the caller's reach in every WHERE. Each policy follows from the columns of its table, so a
 new table has one, or fails to migrate. Requests run as a role that owns nothing (app/kit/db.py); jobs,
-migrations and backups run as the owner of the tables, whom policies do not hold.
+migrations and backups run as the owner of the tables, to whom policies do not apply.
 """
 
 import hashlib
@@ -13,14 +13,15 @@ from psycopg import errors
 from sqlalchemy.exc import ProgrammingError
 
 from app import tables  # noqa: F401  every model, for its policy
-from app.kit.db import COME_IN, PERSON, PROJECT, REQUEST_ROLE, Base, Database
+from app.kit.db import PERSON, PROJECT, REQUEST_ROLE, SET_REACH, Base, Database
 from app.kit.health import NotReady
 from app.kit.runtime import Runtime
 
 POLICY = "within_reach"
-WRITING = ("insert", "update", "delete")  # each has a policy of its own where fewer rows are written than seen
+WRITING = ("insert", "update", "delete")  # each has a separate policy where fewer rows are writable than readable
 UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
-ADD_ONLY = frozenset({"kit_saved_answers"})  # kept and replayed by the server, under a hash of the credentials
+# Read by the server alone: answers it replays, under a hash of the credentials, and changes for open pages.
+ADD_ONLY = frozenset({"kit_saved_responses", "kit_changed_rooms"})
 NEVER_ALTERED = frozenset(  # what was said and owed stands
     {"contracts_events", "contracts_acceptances", "contracts_ledger_lines", "contracts_invoice_lines"}
 )
@@ -30,7 +31,7 @@ PERSONAL = frozenset(
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 
-ME, THIS_PROJECT = "soundlist_me()", "soundlist_this_project()"
+ME, THIS_PROJECT = "soundlist_person_id()", "soundlist_project_id()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
 LISTS = {  # looked up when a transaction begins, and kept to its end
     "soundlist.studios": "select studio_id from accounts_memberships where person_id = me",
@@ -95,7 +96,7 @@ def guard_rows(database: Database) -> None:
         mark = hashlib.sha256("\n".join(statements).encode()).hexdigest()
         if guarded.get(table.name) == mark:
             continue
-        with database.engine.begin() as connection:  # one at a time: a lock on all would stand in everybody's way
+        with database.engine.begin() as connection:  # one at a time: a lock on all tables would block every request
             for statement in statements:
                 connection.exec_driver_sql(statement)
             if is_guarded(table):
@@ -154,9 +155,9 @@ def _functions() -> Iterator[str]:
     keep = "perform set_config('{}', {}::text, true);"
     kept = [keep.format(name, value) for name, value in ((PERSON, "me"), (PROJECT, "this_project"))]
     kept += [keep.format(name, f"array({listed})") for name, listed in LISTS.items()]
-    # As the owner, who is held by no policy; with a fixed path, so that no other table can stand in.
+    # As the owner, to whom no policy applies; with a fixed search path, so that no other table can shadow one.
     yield (
-        f"create or replace function {COME_IN}(me uuid, this_project uuid) returns void language plpgsql"
+        f"create or replace function {SET_REACH}(me uuid, this_project uuid) returns void language plpgsql"
         f" security definer set search_path from current as $$ begin {' '.join(kept)} end $$"
     )
 
@@ -187,11 +188,11 @@ def _guard(table: sa.Table) -> Iterator[str]:
     rows, own = condition(table) or "true", written(table)
     yield f"alter table {table.name} enable row level security"
     if own is None:
-        # Whoever sees their own place in a studio must not give themselves one.
+        # Members may read their own memberships, but must not insert one.
         check = f"studio_id = {STUDIOS}" if table.name == "accounts_memberships" else rows
         yield f"create policy {POLICY} on {table.name} to {REQUEST_ROLE} using ({rows}) with check ({check})"
         return
-    added = "true" if table.name in UNGUARDED else own  # a new account is nobody's yet
+    added = "true" if table.name in UNGUARDED else own  # a new account has no owner yet
     yield f"create policy {POLICY} on {table.name} for select to {REQUEST_ROLE} using ({rows})"
     yield f"create policy {POLICY}_insert on {table.name} for insert to {REQUEST_ROLE} with check ({added})"
     for act in WRITING[1:]:

@@ -1,4 +1,4 @@
-"""What an operator sets: environment variables named SOUNDLIST_…, checked at start with words."""
+"""Settings of an operator: environment variables named SOUNDLIST_…, checked at start with clear messages."""
 
 import difflib
 import os
@@ -25,7 +25,7 @@ SECRET_KEY_LENGTH = 16
 
 
 class SettingsWrong(Exception):
-    """Settings that cannot be used: each line says what was found, what was wanted and how to mend it."""
+    """Settings that cannot be used: each line says what was found, what was wanted and how to fix it."""
 
     def __init__(self, lines: list[str]) -> None:
         super().__init__("\n".join(lines))
@@ -75,12 +75,12 @@ class Settings(BaseSettings):
         15.0, ge=1, le=18, description="How long a worker is silent before others take its jobs over."
     )
     drain_s: float = Field(
-        0.0, ge=0, le=60, description="How long a web process told to stop goes on, so that proxies turn away from it."
+        0.0, ge=0, le=60, description="How long a stopping web process goes on, so that proxies stop sending to it."
     )
     web_processes: int = Field(1, ge=1, le=64, description="Processes that `soundlist serve` answers by.")
     worker_jobs: int = Field(4, ge=1, le=64, description="Jobs that one worker process runs at once.")
     sign_up: Literal["open", "invited"] = Field(
-        "invited", description="Whether anybody may open an account and a studio, or only whom somebody invites."
+        "invited", description="Whether anyone may open an account and a studio, or only invited people."
     )
     trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
         (), description="Networks, with commas between, of proxies whose X-Forwarded-For says who visits."
@@ -88,8 +88,12 @@ class Settings(BaseSettings):
     disk_reserve: int = Field(
         1 << 30, ge=0, description="Bytes of the disk that uploads leave free, for the database and for what is made."
     )
-    metrics_token: SecretStr = Field(SecretStr(""), description="What Prometheus sends as a bearer to /metrics.")
-    metrics_port: int | None = Field(None, ge=1, le=65_535, description="A port of its own for /metrics.")
+    upload_min_rate: int = Field(
+        1 << 10, ge=0, description="Bytes a second that an upload sends at least, on average over each window."
+    )
+    upload_window_s: float = Field(60.0, gt=0, description="The window of that average.")
+    metrics_token: SecretStr = Field(SecretStr(""), description="The bearer token that Prometheus sends to /metrics.")
+    metrics_port: int | None = Field(None, ge=1, le=65_535, description="A separate port for /metrics.")
     metrics_host: str = Field("127.0.0.1", description="The address that the port for /metrics listens on.")
     log_level: Literal["DEBUG", "INFO", "WARNING", "ERROR"] = "INFO"
     frontend_dir: Path = Path(__file__).resolve().parent.parent / "frontend" / "dist"
@@ -165,10 +169,10 @@ class Settings(BaseSettings):
         return self
 
     @model_validator(mode="after")
-    def _tells_figures_of_each_process(self) -> Self:
+    def _has_metrics_per_process(self) -> Self:
         if self.web_processes > 1 and self.metrics_token.get_secret_value() and self.metrics_port is None:
             raise ValueError(
-                f"SOUNDLIST_WEB_PROCESSES is {self.web_processes}, and whoever asks one port for /metrics reaches any "
+                f"SOUNDLIST_WEB_PROCESSES is {self.web_processes}, and a request for /metrics on one port reaches any "
                 "of them; set SOUNDLIST_METRICS_PORT to the first of as many ports that are free"
             )
         return self
@@ -251,7 +255,7 @@ def _unknown_names() -> list[str]:
             lines.append(f"{name} is no setting any more; {GONE[name]}")
         elif bare != name and bare not in known:
             near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
-            hint = f"is it {PREFIX}{near[0]}?" if near else "docs/operate.md lists them"
+            hint = f"is it {PREFIX}{near[0]}?" if near else "docs/settings.md lists them"
             lines.append(f"{name} is no setting; {hint}")
     return lines
 

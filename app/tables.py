@@ -1,12 +1,14 @@
 """Every table of every room, imported once for migrations and tests."""
 
 from app.accounts import models as _accounts
+from app.agreements import models as _agreements
 from app.builds import models as _builds
 from app.conformance import models as _conformance
-from app.contracts import models as _contracts
 from app.deliveries import models as _deliveries
+from app.kit import changes as _changes
 from app.kit import http as _http
 from app.kit.db import Base
+from app.money import models as _money
 from app.notifications import models as _notifications
 from app.projects import models as _projects
 from app.renders import models as _renders

@@ -16,45 +16,45 @@ from app.kit.queue import Payload, job, job_names
 from app.kit.runtime import Runtime
 from app.kit.uploads import Uploads
 from app.kit.workers import Worker
-from app.notifications.jobs import send_waiting
+from app.notifications.jobs import send_pending
 
 CHORES_EVERY_S = 300
-JOBS_KEPT_FOR = timedelta(days=30)  # so long their keys tell a job that comes again
+JOBS_KEPT_FOR = timedelta(days=30)  # so long their keys detect repeated jobs
 log = structlog.get_logger(__name__)
 
 
 @job("server.sweep_uploads")
 def sweep_uploads(runtime: Runtime, _payload: Payload) -> None:
-    """Clear away uploads that nobody finished in time."""
+    """Delete uploads that were not finished in time."""
     Uploads(runtime.database, runtime.store).sweep()
 
 
-@job("server.send_waiting")
+@job("server.send_pending")
 def send_waiting_mails(runtime: Runtime, _payload: Payload) -> None:
     """Send what waits although no job will send it: mails that a dead server, or one without SMTP, left behind."""
-    send_waiting(runtime)
+    send_pending(runtime)
 
 
-@job("server.forget_done_jobs")
-def forget_done_jobs(runtime: Runtime, _payload: Payload) -> None:
+@job("server.delete_finished_jobs")
+def delete_finished_jobs(runtime: Runtime, _payload: Payload) -> None:
     """Clear away jobs that were done long ago."""
-    runtime.queue.forget_done(clock.now() - JOBS_KEPT_FOR)
+    runtime.queue.delete_finished(clock.now() - JOBS_KEPT_FOR)
 
 
-@job("server.forget_rate_limits")
-def forget_rate_limits(runtime: Runtime, _payload: Payload) -> None:
-    """Clear away counts of tries that hold nobody any more."""
+@job("server.delete_expired_rate_limits")
+def delete_expired_rate_limits(runtime: Runtime, _payload: Payload) -> None:
+    """Delete counts of tries that no longer limit anything."""
     with runtime.database.writing() as session:
-        rate_limits.forget_old(session)
+        rate_limits.delete_expired(session)
 
 
 CHORES = (
     "server.sweep_uploads",
-    "server.send_waiting",
-    "server.forget_done_jobs",
-    "server.forget_rate_limits",
-    "reviews.mind_silence",
-    "notifications.tell_untold",
+    "server.send_pending",
+    "server.delete_finished_jobs",
+    "server.delete_expired_rate_limits",
+    "reviews.apply_deemed_acceptance",
+    "notifications.notify_overdue_checks",
 )
 
 
@@ -65,14 +65,14 @@ def start_worker(runtime: Runtime) -> Worker:
     wanted = {name for names in rooms.SUBSCRIBERS.values() for name in names}
     if missing := wanted - job_names():
         raise RuntimeError(f"nobody does the jobs {', '.join(sorted(missing))}")
-    events.connect(rooms.SUBSCRIBERS, patient=rooms.PATIENT_JOBS)
+    events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
     settings = runtime.settings
     worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
     worker.start()
     return worker
 
 
-def ask_for_chores(runtime: Runtime) -> None:
+def request_chores(runtime: Runtime) -> None:
     """Write down what no event asks for; however many workers do so, each is one job in its five minutes."""
     turn = int(clock.now().timestamp()) // CHORES_EVERY_S
     with runtime.database.writing() as session:
@@ -92,7 +92,7 @@ def run(runtime: Runtime) -> None:
     worker = start_worker(runtime)
     while True:
         try:
-            ask_for_chores(runtime)
+            request_chores(runtime)
         except SQLAlchemyError as error:
             log.warning("chores could not be asked for", error=str(error))
         if stopped.wait(CHORES_EVERY_S):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import settings
 
 from tests.support.postgres import Postgres, running_postgres
-from tests.support.s3 import S3Server, run_s3
+from tests.support.s3 import BUILT_WITHIN_S, S3Server, run_s3
 from tests.support.statements import Recorder, fewest, recorded, test_id
 
 if TYPE_CHECKING:
@@ -69,6 +69,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = kept
     for item in items:
+        if "s3" in getattr(item, "fixturenames", ()):  # the first of these may wait for the build of the server
+            item.add_marker(pytest.mark.timeout(BUILT_WITHIN_S + float(item.config.getini("timeout"))))
         if isinstance(item, pytest.Function) and any(
             found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found
         ):

@@ -6,45 +6,45 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts import queries
-from app.accounts.doors import new_secret, sha256_of
+from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import AlreadyVerified, NotInDemo, VerificationNotFound
 from app.accounts.models import EmailVerification, MailedLink, PasswordReset, Person, SignUp
 from app.accounts.rules import Actor, AddressProof
 from app.kit import clock
-from app.kit.db import beyond_reach
+from app.kit.db import bypass_row_policies
 from app.kit.events import publish
 
-RESET_LASTS = timedelta(hours=1)
-VERIFICATION_LASTS = timedelta(days=1)
-SIGN_UP_LASTS = timedelta(days=1)
+RESET_LIFETIME = timedelta(hours=1)
+VERIFICATION_LIFETIME = timedelta(days=1)
+SIGN_UP_LIFETIME = timedelta(days=1)
 
 
-def renew_secret(link: MailedLink, *, is_only_mailed: bool) -> str:
-    """Give a link a new secret and return it; whatever link there was before is worthless from now on.
+def renew_secret(link: MailedLink, *, is_sent_by_mail_only: bool) -> str:
+    """Give a link a new secret and return it; earlier links stop working.
 
-    `is_only_mailed` says that the link goes out by mail and is shown to nobody here, so that whoever follows it
-    reads that mail.
+    `is_sent_by_mail_only` means that the link is sent by mail and never shown here, so that its user
+    has read that mail.
     """
     secret = new_secret()
-    link.secret_sha256, link.is_only_mailed = sha256_of(secret), is_only_mailed
+    link.secret_sha256, link.is_sent_by_mail_only = sha256_of(secret), is_sent_by_mail_only
     return secret
 
 
 def account_proof(link: MailedLink) -> AddressProof:
-    """Return what following an account's own link shows; only the command line shows such a link to anybody."""
-    return AddressProof.MAIL if link.is_only_mailed else AddressProof.OPERATOR
+    """Return what following an account's own link shows; only the command line shows such a link."""
+    return AddressProof.MAIL if link.is_sent_by_mail_only else AddressProof.OPERATOR
 
 
 def verify(session: Session, person: Person, proof: AddressProof) -> None:
     """Keep that a person reads the mail of their address; a proof by mail replaces a weaker one."""
     if person.email_proof is AddressProof.MAIL or person.email_proof is proof:
         return
-    with beyond_reach(session):  # the link says who comes, before the transaction is theirs
+    with bypass_row_policies(session):  # the link identifies the caller before the transaction has their reach
         person.email_verified_at, person.email_proof = clock.now(), proof
         session.flush()
 
 
-def ask_verification(session: Session, actor: Actor) -> None:
+def request_verification(session: Session, actor: Actor) -> None:
     """Mail the caller a link that verifies their address; links mailed before lose their worth."""
     person = session.get_one(Person, actor.person)
     if person.demo_part is not None:
@@ -52,7 +52,7 @@ def ask_verification(session: Session, actor: Actor) -> None:
     if person.email_proof is AddressProof.MAIL:
         raise AlreadyVerified(f"{person.email} is verified already")
     queries.drop_verifications(session, person.id)
-    asked = EmailVerification(person_id=person.id, expires_at=clock.now() + VERIFICATION_LASTS)
+    asked = EmailVerification(person_id=person.id, expires_at=clock.now() + VERIFICATION_LIFETIME)
     session.add(asked)
     session.flush()
     publish(session, "address.verification_asked", studio_id=None, recipient=person.email, link_id=asked.id)
@@ -61,13 +61,13 @@ def ask_verification(session: Session, actor: Actor) -> None:
 def verify_by_link(session: Session, actor: Actor, secret: str) -> Person:
     """Verify the caller's address by the link mailed to it, once.
 
-    The caller is signed in: whoever opened an account with somebody else's address must not have it verified by that
-    somebody's click. Raises VerificationNotFound for a link past use, and for one of another account.
+    The caller is signed in: an account opened with another person's address must not be verified by that
+    person's click. Raises VerificationNotFound for an expired or used link, and for one of another account.
     """
     asked = queries.open_verification(session, sha256_of(secret), actor.person)
     if asked is None:
         raise VerificationNotFound(
-            "this link is used, older than a day, or for another account",
+            "this link was used already, is older than a day, or belongs to another account",
             fix="sign in with the account that asked for it, or ask for a new link on the page Account",
         )
     person = session.get_one(Person, actor.person)
@@ -82,7 +82,7 @@ def begin_reset(session: Session, address: str) -> UUID | None:
     person = queries.person_by_email(session, address)
     if person is None or person.demo_part is not None:
         return None
-    reset = PasswordReset(person_id=person.id, expires_at=clock.now() + RESET_LASTS)
+    reset = PasswordReset(person_id=person.id, expires_at=clock.now() + RESET_LIFETIME)
     session.add(reset)
     session.flush()
     return reset.id
@@ -93,7 +93,7 @@ def begin_sign_up(session: Session, address: str) -> UUID | None:
     if queries.has_account(session, address):
         return None
     queries.drop_sign_ups(session, address)
-    begun = SignUp(email=address, expires_at=clock.now() + SIGN_UP_LASTS)
+    begun = SignUp(email=address, expires_at=clock.now() + SIGN_UP_LIFETIME)
     session.add(begun)
     session.flush()
     return begun.id

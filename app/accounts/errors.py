@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from typing import ClassVar
 
@@ -12,12 +12,12 @@ class NotSignedIn(Refused):
 
 
 class WrongSignIn(Refused):
-    """Address and password do not belong together; whether the address is known is not said."""
+    """Address and password do not belong together; the answer does not reveal whether the address is known."""
 
     status = 401
 
 
-class TooManyTries(Refused):
+class TooManyAttempts(Refused):
     """The same was tried too often; `retry_after_s` says how long to wait."""
 
     status: ClassVar[int] = 429
@@ -25,6 +25,10 @@ class TooManyTries(Refused):
     def __init__(self, retry_after_s: int) -> None:
         super().__init__(f"too many tries; wait {retry_after_s} s and try again")
         self.retry_after_s = retry_after_s
+
+
+class OperatorNeeded(Forbidden):
+    """Only an operator sees the whole server."""
 
 
 class PersonNeeded(Forbidden):
@@ -91,7 +95,7 @@ class SignInNotFound(NotFound):
     """No such sign-in of the caller."""
 
 
-class DemoDoorClosed(NotFound):
+class DemoUnavailable(NotFound):
     """There is no demo here, or not by this way."""
 
 
@@ -103,7 +107,7 @@ class AlreadyVerified(Conflict):
     """The address is verified already."""
 
 
-class MailFirst(Conflict):
+class VerificationNeeded(Conflict):
     """The server opens accounts by a link that it mails."""
 
 
@@ -112,7 +116,7 @@ class NoMailServer(Conflict):
 
 
 class AddressNotVerified(Conflict):
-    """Nobody has shown to read the mail of the account's address."""
+    """The account's address is not verified."""
 
 
 class AlreadyMember(Conflict):
@@ -124,7 +128,7 @@ class LastProducer(Conflict):
 
 
 class BadAddress(Invalid):
-    """What was given is no mail address."""
+    """The given text is no email address."""
 
 
 class NameNeeded(Invalid):
@@ -136,10 +140,10 @@ class PasswordTooWeak(Invalid):
 
 
 class QuotaReached(Conflict):
-    """The studio has as many of this kind as whoever runs the server lets it have."""
+    """The studio has as many of this kind as the operator allows."""
 
 
 class StorageQuotaReached(Refused):
-    """The studio keeps as many bytes as whoever runs the server lets it keep."""
+    """The studio keeps as many bytes as the operator allows."""
 
     status = 507

@@ -5,47 +5,54 @@ from uuid import UUID
 from fastapi import APIRouter, Request
 
 from app.accounts import addresses, people, sign_ins
-from app.accounts.doors import SESSION_COOKIE, sha256_of
-from app.accounts.endpoints import LateSession, PatientRoute, SecretRoute, allows, ensure_may_guess, ensure_may_mail
+from app.accounts.authentication import SESSION_COOKIE, sha256_of
 from app.accounts.errors import (
     AlreadyVerified,
     NotInDemo,
     PasswordTooWeak,
     SignInNotFound,
-    TooManyTries,
+    TooManyAttempts,
     VerificationNotFound,
     WrongPassword,
 )
 from app.accounts.models import Person
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.request_limits import (
+    DeferredSession,
+    RateLimitedRoute,
+    UnsavedResponseRoute,
+    ensure_mail_allowed,
+    ensure_sign_in_allowed,
+)
+from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import NameChange, PasswordChange, PersonRead, SignInRead
 from app.kit.http import DbSession, Router, problems
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
-_secret_router = APIRouter(route_class=SecretRoute)
+router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
+_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
 @router.put("/me", response_model=PersonRead)
-def change_my_name(body: NameChange, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
+def change_my_name(body: NameChange, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> Person:
     """Change the caller's name."""
     return people.rename(session, actor, body.name)
 
 
-@_secret_router.put(
-    "/me/password", status_code=204, responses=problems(WrongPassword, NotInDemo, PasswordTooWeak, TooManyTries)
+@_unsaved_router.put(
+    "/me/password", status_code=204, responses=problems(WrongPassword, NotInDemo, PasswordTooWeak, TooManyAttempts)
 )
 def change_my_password(
-    body: PasswordChange, request: Request, begin: LateSession, actor: Actor = allows(Sight.PERSON)
+    body: PasswordChange, request: Request, begin: DeferredSession, actor: Actor = allows(Audience.PERSON)
 ) -> None:
     """Change the caller's password, and end their other sign-ins."""
-    ensure_may_guess(request, str(actor.person))
+    ensure_sign_in_allowed(request, str(actor.person))
     kept_secret = request.cookies.get(SESSION_COOKIE)
     with begin() as session:
         people.change_password(session, actor, current=body.current, new=body.new, kept_secret=kept_secret)
 
 
 @router.get("/me/sign-ins")
-def list_my_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> list[SignInRead]:
+def list_my_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[SignInRead]:
     """Return the browsers in which the caller is signed in, the one used last first."""
     current = sha256_of(request.cookies.get(SESSION_COOKIE, ""))
     return [
@@ -63,29 +70,33 @@ def list_my_sign_ins(request: Request, session: DbSession, actor: Actor = allows
 
 
 @router.delete("/me/sign-ins/{sign_in_id}", status_code=204, responses=problems(SignInNotFound))
-def end_my_sign_in(sign_in_id: UUID, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> None:
+def end_my_sign_in(sign_in_id: UUID, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
     """Sign one of the caller's browsers out."""
     sign_ins.end_one(session, actor, sign_in_id)
 
 
 @router.delete("/me/sign-ins", status_code=204)
-def end_my_other_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> None:
+def end_my_other_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
     """Sign every other browser of the caller out."""
     sign_ins.end_others(session, actor, request.cookies.get(SESSION_COOKIE))
 
 
-@router.post("/me/email-verifications", status_code=202, responses=problems(AlreadyVerified, NotInDemo, TooManyTries))
-def ask_email_verification(request: Request, begin: LateSession, actor: Actor = allows(Sight.PERSON)) -> None:
+@router.post(
+    "/me/email-verifications", status_code=202, responses=problems(AlreadyVerified, NotInDemo, TooManyAttempts)
+)
+def request_email_verification(
+    request: Request, begin: DeferredSession, actor: Actor = allows(Audience.PERSON)
+) -> None:
     """Mail the caller a link that verifies their address."""
-    ensure_may_mail(request, str(actor.person))
+    ensure_mail_allowed(request, str(actor.person))
     with begin() as session:
-        addresses.ask_verification(session, actor)
+        addresses.request_verification(session, actor)
 
 
 @router.post("/email-verifications/{secret}", response_model=PersonRead, responses=problems(VerificationNotFound))
-def verify_email(secret: str, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Person:
+def verify_email(secret: str, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> Person:
     """Verify the caller's address by the link mailed to it."""
     return addresses.verify_by_link(session, actor, secret)
 
 
-router.include_router(_secret_router)
+router.include_router(_unsaved_router)

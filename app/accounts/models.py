@@ -1,4 +1,4 @@
-"""Who is who: the tables of this room."""
+"""Accounts, studios, memberships and sessions: the tables of this room."""
 
 from datetime import datetime
 from uuid import UUID
@@ -12,10 +12,10 @@ from app.kit.db import Base, new_id
 
 
 class MailedLink:
-    """What a mailed link opens. Its link is made when the mail is sent; a link made later replaces it."""
+    """The purpose of a mailed link. Its link is made when the mail is sent; a link made later replaces it."""
 
     secret_sha256: Mapped[str | None] = mapped_column(unique=True)  # None: no link has been made
-    is_only_mailed: Mapped[bool] = mapped_column(default=False)  # the link was shown nowhere but in the mail
+    is_sent_by_mail_only: Mapped[bool] = mapped_column(default=False)  # the link was shown nowhere but in the mail
 
 
 class Studio(Base):
@@ -30,7 +30,7 @@ class Studio(Base):
 
 
 class Person(Base):
-    """Somebody with an address; people are global, their memberships and engagements are not."""
+    """A person with an email address; people are global, their memberships and engagements are not."""
 
     __tablename__ = "accounts_people"
     __table_args__ = (
@@ -41,10 +41,10 @@ class Person(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     email: Mapped[str] = mapped_column(unique=True)
     name: Mapped[str]
-    password_hash: Mapped[str | None]  # None: signs in by the demo only
-    demo_part: Mapped[str | None] = mapped_column(unique=True)  # producer, decider, designer … of the demo studio
-    email_verified_at: Mapped[datetime | None]  # None: nobody has shown to read the mail of this address
-    email_proof: Mapped[AddressProof | None]  # how it was shown
+    password_hash: Mapped[str | None]  # None: signs in through the demo only
+    demo_part: Mapped[str | None] = mapped_column(unique=True)  # producer, approver, designer … of the demo studio
+    email_verified_at: Mapped[datetime | None]  # None: not verified
+    email_proof: Mapped[AddressProof | None]  # how it was verified
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
@@ -110,7 +110,7 @@ class SignUp(MailedLink, Base):
 
 
 class Operator(Base):
-    """Somebody who runs the server; named on its command line only."""
+    """An operator of the server; named on its command line only."""
 
     __tablename__ = "accounts_operators"
 
@@ -120,11 +120,11 @@ class Operator(Base):
 
 
 class RateLimit(Base):
-    """How soon the same may be tried again (GCRA): one row for a limit and whom it holds."""
+    """The time at which the next try is allowed (GCRA): one row for each limit and key."""
 
     __tablename__ = "accounts_rate_limits"
 
-    key: Mapped[str] = mapped_column(primary_key=True)  # hash of the limit's name and whom it holds
+    key: Mapped[str] = mapped_column(primary_key=True)  # hash of the limit's name and its subject
     free_at_s: Mapped[float] = mapped_column(index=True)  # Unix time from which every try is free again
 
 
@@ -147,14 +147,14 @@ class Token(Base):
 
 
 class Quota(Base):
-    """A limit of one studio that is not the default; set by who runs the server."""
+    """A limit of one studio that is not the default; set by an operator."""
 
     __tablename__ = "accounts_quotas"
-    __table_args__ = (CheckConstraint("most >= 0", name="most_known"),)
+    __table_args__ = (CheckConstraint("maximum >= 0", name="maximum_known"),)
 
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
     kind: Mapped[str] = mapped_column(primary_key=True)
-    most: Mapped[int] = mapped_column(BigInteger)
+    maximum: Mapped[int] = mapped_column(BigInteger)
 
 
 class StudioInvitation(MailedLink, Base):
@@ -166,6 +166,7 @@ class StudioInvitation(MailedLink, Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     email: Mapped[str]
     roles: Mapped[list[str]]
+    approves_project_id: Mapped[UUID | None]  # becomes the approver of this project on joining
     invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]

@@ -1,4 +1,4 @@
-"""Who runs the server: named and removed on its command line only."""
+"""Operators of the server: named and removed on its command line only."""
 
 from sqlalchemy.orm import Session
 
@@ -6,7 +6,7 @@ from app.accounts import queries
 from app.accounts.errors import AddressNotVerified, OperatorNotFound
 from app.accounts.models import Operator, Person
 from app.accounts.rules import normalised_email
-from app.kit.db import insert_unless_there
+from app.kit.db import insert_if_absent
 
 
 def add_operator(session: Session, address: str) -> Person:
@@ -14,16 +14,16 @@ def add_operator(session: Session, address: str) -> Person:
     person = _person(session, address)
     if person.email_verified_at is None:
         raise AddressNotVerified(
-            f"{person.email} is not verified, so the account may be anybody's",
+            f"{person.email} is not verified, so the account may belong to another person",
             fix="have its holder ask for a link on the page Account and follow it; without a mail server, "
             f"soundlist mails {person.email} prints the link",
         )
-    insert_unless_there(session, Operator, {"person_id": person.id}, unique=("person_id",))
+    insert_if_absent(session, Operator, {"person_id": person.id}, unique=("person_id",))
     return person
 
 
 def remove_operator(session: Session, address: str) -> Person:
-    """Make somebody an operator no longer; raise OperatorNotFound where they were none."""
+    """Remove an operator; raise OperatorNotFound if the person is none."""
     person = _person(session, address)
     operator = session.get(Operator, person.id)
     if operator is None:

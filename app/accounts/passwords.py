@@ -7,10 +7,10 @@ from functools import cache
 
 from pwdlib import PasswordHash
 
-HASHES_AT_ONCE = 2  # each takes 64 MiB and a tenth of a second of four threads
+MAX_CONCURRENT_HASHES = 2  # each takes 64 MiB and a tenth of a second of four threads
 
 _hasher = PasswordHash.recommended()
-_gate = threading.BoundedSemaphore(HASHES_AT_ONCE)
+_gate = threading.BoundedSemaphore(MAX_CONCURRENT_HASHES)
 
 
 def hash_of(password: str) -> str:
@@ -21,13 +21,13 @@ def hash_of(password: str) -> str:
 
 def matches(password: str, password_hash: str | None) -> bool:
     """Whether a password is the hashed one; where there is no hash, finding out takes as long."""
-    nobodys = _nobodys_hash()
+    nobodys = _dummy_hash()
     with _gate:
         return _hasher.verify(_plain(password), password_hash or nobodys) and password_hash is not None
 
 
 @cache
-def _nobodys_hash() -> str:
+def _dummy_hash() -> str:
     return hash_of(secrets.token_urlsafe())
 
 

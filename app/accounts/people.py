@@ -6,12 +6,12 @@ from sqlalchemy.orm import Session
 
 from app.accounts import passwords, queries
 from app.accounts.addresses import account_proof, verify
-from app.accounts.doors import sha256_of
+from app.accounts.authentication import sha256_of
 from app.accounts.errors import AddressTaken, NameNeeded, NotInDemo, ResetNotFound, SignInNeeded, WrongPassword
 from app.accounts.models import MailedLink, Person
-from app.accounts.rules import Actor, AddressProof, ensure_address, ensure_good_password, normalised_email
+from app.accounts.rules import Actor, AddressProof, ensure_address, ensure_strong_password, normalised_email
 from app.kit import clock
-from app.kit.db import Database, beyond_reach, reach_further
+from app.kit.db import Database, bypass_row_policies, widen_reach
 from app.kit.events import publish
 from app.kit.reach import Reach
 
@@ -23,20 +23,20 @@ def create_person(
     address = ensure_address(email)
     if queries.has_account(session, address):
         raise AddressTaken(
-            f"{address} has an account already",
+            f"{address} already has an account",
             fix="sign in, or ask for a new password",
-            errors=[{"where": "email", "message": "this address has an account already: sign in"}],
+            errors=[{"where": "email", "message": "this email already has an account: sign in"}],
         )
     password_hash = None
     if password is not None:
-        password_hash = passwords.hash_of(ensure_good_password(password, address, name))
+        password_hash = passwords.hash_of(ensure_strong_password(password, address, name))
     person = Person(email=address, name=name, password_hash=password_hash, demo_part=demo_part)
     session.add(person)
     session.flush()
     return person
 
 
-def person_who_knows(database: Database, email: str, password: str) -> UUID | None:
+def person_with_password(database: Database, email: str, password: str) -> UUID | None:
     """Return whose address and password these are. Takes as long for an unknown address, and no transaction waits."""
     with database.reading() as session:
         person = queries.person_by_email(session, normalised_email(email))
@@ -44,7 +44,7 @@ def person_who_knows(database: Database, email: str, password: str) -> UUID | No
     return person_id if passwords.matches(password, password_hash) else None
 
 
-def person_for_link(
+def person_by_link(
     session: Session, actor: Actor, address: str, link: MailedLink, *, name: str | None, password: str | None
 ) -> Person:
     """Return whose address an invitation is for: the account's holder, or a new account's.
@@ -55,7 +55,7 @@ def person_for_link(
     person = queries.person_by_email(session, address)
     if person is None:
         if not name:
-            message = "say your name"
+            message = "enter your name"
             raise NameNeeded(message, errors=[{"where": "name", "message": message}])
         person = create_person(session, email=address, name=name, password=password or "")
     elif actor.person_id != person.id and not (password and passwords.matches(password, person.password_hash)):
@@ -64,7 +64,7 @@ def person_for_link(
             fix=f"sign in as {address}, or give its password",
             errors=[{"where": "password", "message": "this is not the account's password"}] if password else [],
         )
-    if link.is_only_mailed:
+    if link.is_sent_by_mail_only:
         verify(session, person, AddressProof.MAIL)
     return person
 
@@ -76,7 +76,7 @@ def rename(session: Session, actor: Actor, name: str) -> Person:
     return person
 
 
-def ask_reset(session: Session, email: str) -> None:
+def request_reset(session: Session, email: str) -> None:
     """Have a link for a new password mailed, if the address has an account; to find out is left to the job."""
     publish(session, "password.reset_asked", studio_id=None, recipient=normalised_email(email))
 
@@ -86,13 +86,13 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
 
     The link was the account's own, so it verifies the address too.
     """
-    with beyond_reach(session):  # the secret is all that says whose link it is
+    with bypass_row_policies(session):  # only the secret identifies the link
         reset = queries.open_reset(session, sha256_of(secret))
     if reset is None:
-        raise ResetNotFound("this link is used up or older than an hour", fix="ask for a new one")
-    reach_further(session, Reach(person_id=reset.person_id))
+        raise ResetNotFound("this link was used already or is older than an hour", fix="ask for a new one")
+    widen_reach(session, Reach(person_id=reset.person_id))
     person = session.get_one(Person, reset.person_id)
-    person.password_hash = passwords.hash_of(ensure_good_password(password, person.email, person.name))
+    person.password_hash = passwords.hash_of(ensure_strong_password(password, person.email, person.name))
     reset.used_at = clock.now()
     session.flush()
     verify(session, person, account_proof(reset))
@@ -107,8 +107,8 @@ def change_password(session: Session, actor: Actor, *, current: str, new: str, k
     if person.password_hash is None:
         raise NotInDemo("the people of the demo have no password")
     if not passwords.matches(current, person.password_hash):
-        message = "this is not your present password"
+        message = "this is not your current password"
         raise WrongPassword(message, errors=[{"where": "current", "message": message}])
-    person.password_hash = passwords.hash_of(ensure_good_password(new, person.email, person.name))
+    person.password_hash = passwords.hash_of(ensure_strong_password(new, person.email, person.name))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id, except_sha256=sha256_of(kept_secret) if kept_secret else None)

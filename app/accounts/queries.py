@@ -1,4 +1,4 @@
-"""Who is who, read from the database."""
+"""Queries for people, studios, memberships and sessions."""
 
 from collections.abc import Sequence
 from datetime import timedelta
@@ -23,8 +23,8 @@ from app.accounts.rules import Actor, Role, Scope
 from app.kit import clock
 from app.kit.db import Database, UtcDateTime
 
-TOKEN_USE_NOTED_EVERY = timedelta(minutes=1)
-SEEN_NOTED_EVERY = timedelta(minutes=10)
+TOKEN_USE_RECORDED_EVERY = timedelta(minutes=1)
+SEEN_RECORDED_EVERY = timedelta(minutes=10)
 IDLE_FOR = timedelta(days=14)  # a browser unused for so long is signed out
 
 
@@ -49,20 +49,20 @@ _SIGNED_IN = (
 def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UUID | None] | None:
     """Return who holds this session cookie, None when it is unknown or over.
 
-    With them comes the sign-in's id where its use is to be noted (`note_seen`).
+    With them comes the sign-in's id where its use is to be noted (`record_seen`).
     """
     now = clock.now()
     values = {"secret_sha256": secret_sha256, "now": now, "idle_since": now - IDLE_FOR}
-    rows = database.glance(_SIGNED_IN, values)
+    rows = database.read_autocommit(_SIGNED_IN, values)
     if not rows:
         return None
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     first = rows[0]
-    unnoted = first.id if first.last_seen_at < now - SEEN_NOTED_EVERY else None
+    unnoted = first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None
     return Actor(person_id=first.person_id, roles=roles), unnoted
 
 
-def note_seen(session: Session, sign_in_id: UUID) -> None:
+def record_seen(session: Session, sign_in_id: UUID) -> None:
     """Keep when a browser was last used."""
     session.execute(update(SignIn).where(SignIn.id == sign_in_id).values(last_seen_at=clock.now()))
 
@@ -74,7 +74,7 @@ _TOKEN = select(Token.id, Token.studio_id, Token.project_id, Token.scopes).where
 
 def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
     """Return the build that holds this token, None when it is unknown or revoked."""
-    for token in database.glance(_TOKEN, {"secret_sha256": secret_sha256}):
+    for token in database.read_autocommit(_TOKEN, {"secret_sha256": secret_sha256}):
         return Actor(
             token_id=token.id,
             token_studio_id=token.studio_id,
@@ -94,10 +94,10 @@ def actor_for_demo_part(session: Session, part: str) -> Actor | None:
     return Actor(person_id=person_id, roles={id_: roles for id_, roles in actor.roles.items() if id_ in demo_ids})
 
 
-def note_token_use(session: Session, token_id: UUID) -> None:
+def record_token_use(session: Session, token_id: UUID) -> None:
     """Keep when a token was last used, to the minute."""
     now = clock.now()
-    is_old = Token.last_used_at.is_(None) | (Token.last_used_at < now - TOKEN_USE_NOTED_EVERY)
+    is_old = Token.last_used_at.is_(None) | (Token.last_used_at < now - TOKEN_USE_RECORDED_EVERY)
     session.execute(update(Token).where(Token.id == token_id, is_old).values(last_used_at=now))
 
 
@@ -145,7 +145,7 @@ def drop_old_sign_ins(session: Session, person_id: UUID) -> None:
 
 
 def has_people(session: Session) -> bool:
-    """Whether anybody has an account, the people of the demo aside."""
+    """Whether there is any account, the people of the demo aside."""
     return session.scalar(select(Person.id).where(Person.demo_part.is_(None)).limit(1)) is not None
 
 
@@ -164,7 +164,7 @@ def open_verification(session: Session, secret_sha256: str, person_id: UUID) -> 
 
 
 def drop_verifications(session: Session, person_id: UUID) -> None:
-    """Make a person's unused verification links worthless."""
+    """Revoke a person's unused verification links."""
     unused = EmailVerification.used_at.is_(None)
     session.execute(delete(EmailVerification).where(EmailVerification.person_id == person_id, unused))
 
@@ -178,12 +178,12 @@ def open_sign_up(session: Session, secret_sha256: str, *, lock: bool = False) ->
 
 
 def drop_sign_ups(session: Session, email: str) -> None:
-    """Make an address's unused sign-up links worthless, and forget those past use."""
+    """Revoke an address's unused sign-up links, and delete expired ones."""
     session.execute(delete(SignUp).where(or_(SignUp.email == email, SignUp.expires_at <= clock.now())))
 
 
 def operators(session: Session) -> Sequence[Operator]:
-    """Return who runs the server, in the order of naming."""
+    """Return the operators, in the order of naming."""
     return session.scalars(
         select(Operator).options(joinedload(Operator.person)).order_by(Operator.named_at, Operator.person_id)
     ).all()
@@ -208,12 +208,12 @@ def open_reset(session: Session, secret_sha256: str) -> PasswordReset | None:
 
 
 def drop_resets(session: Session, person_id: UUID) -> None:
-    """Make a person's unused reset links worthless."""
+    """Revoke a person's unused reset links."""
     session.execute(delete(PasswordReset).where(PasswordReset.person_id == person_id, PasswordReset.used_at.is_(None)))
 
 
 def studio_locked(session: Session, studio_id: UUID) -> Studio | None:
-    """Return a studio that nobody else changes until this transaction ends."""
+    """Return a studio, locked until this transaction ends."""
     return session.scalar(select(Studio).where(Studio.id == studio_id).with_for_update(key_share=True))
 
 
@@ -236,10 +236,10 @@ def membership(session: Session, studio_id: UUID, person_id: UUID) -> Membership
     )
 
 
-def is_member_address(session: Session, studio_id: UUID, email: str) -> bool:
-    """Whether a normalised address belongs to somebody of the studio."""
+def member_at_address(session: Session, studio_id: UUID, email: str) -> UUID | None:
+    """Return the member of the studio to whom a normalised address belongs."""
     found = select(Membership.person_id).join(Membership.person)
-    return session.scalar(found.where(Membership.studio_id == studio_id, Person.email == email)) is not None
+    return session.scalar(found.where(Membership.studio_id == studio_id, Person.email == email))
 
 
 def studio_invitations(session: Session, studio_id: UUID) -> Sequence[StudioInvitation]:

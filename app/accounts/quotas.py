@@ -1,19 +1,20 @@
-"""How much one studio may keep on this server: generous limits, which whoever runs it sets otherwise by command."""
+"""Limits of what a studio may store on this server: generous, changed by the operator's command."""
 
 from collections.abc import Callable, Mapping
 from enum import StrEnum
 from uuid import UUID
 
-from sqlalchemy import delete, func, select
+from sqlalchemy import delete
 from sqlalchemy.orm import Session
 
+from app.accounts import quota_queries
 from app.accounts.errors import QuotaReached, StorageQuotaReached
-from app.accounts.models import Membership, Quota, Token
-from app.kit.db import beyond_reach
+from app.accounts.models import Quota
+from app.kit.db import bypass_row_policies
 
 
 class QuotaKind(StrEnum):
-    """What is limited."""
+    """The limited resources."""
 
     MASTER_BYTES = "master_bytes"
     CUES = "cues"
@@ -43,15 +44,15 @@ NOUNS: Mapping[QuotaKind, str] = {
 
 def limits_of(session: Session, studio_id: UUID) -> dict[QuotaKind, int]:
     """Return the limits of a studio."""
-    rows = session.execute(select(Quota.kind, Quota.most).where(Quota.studio_id == studio_id)).all()
-    return {**DEFAULTS, **{QuotaKind(kind): most for kind, most in rows}}
+    own = quota_queries.own_limits(session, studio_id)
+    return {**DEFAULTS, **{QuotaKind(kind): maximum for kind, maximum in own.items()}}
 
 
-def set_limit(session: Session, studio_id: UUID, kind: QuotaKind, most: int | None) -> None:
+def set_limit(session: Session, studio_id: UUID, kind: QuotaKind, maximum: int | None) -> None:
     """Set a limit of a studio; None: the default again."""
     session.execute(delete(Quota).where(Quota.studio_id == studio_id, Quota.kind == kind.value))
-    if most is not None:
-        session.add(Quota(studio_id=studio_id, kind=kind.value, most=most))
+    if maximum is not None:
+        session.add(Quota(studio_id=studio_id, kind=kind.value, maximum=maximum))
     session.flush()
 
 
@@ -61,22 +62,12 @@ def ensure_room(
     """Raise QuotaReached where a studio would have more of a kind than it may; `used` counts what it has."""
     if added <= 0:
         return
-    most = limits_of(session, studio_id)[kind]
-    with beyond_reach(session):  # a designer sees their own work alone, and the limit counts everybody's
+    maximum = limits_of(session, studio_id)[kind]
+    with bypass_row_policies(session):  # a designer sees their own work only, and the limit counts all work
         has = used(session, studio_id)
-    if has + added > most:
+    if has + added > maximum:
         refusal = StorageQuotaReached if kind is QuotaKind.MASTER_BYTES else QuotaReached
         raise refusal(
-            f"the studio has {has:,} {NOUNS[kind]} and may have {most:,}; this would add {added:,}",
-            fix="remove some, or ask whoever runs this server for a higher limit (soundlist quota)",
+            f"the studio has {has:,} {NOUNS[kind]} and may have {maximum:,}; this would add {added:,}",
+            fix="remove some, or ask the operator for a higher limit (soundlist quota)",
         )
-
-
-def people_in(session: Session, studio_id: UUID) -> int:
-    """Return how many members a studio has."""
-    return session.scalar(select(func.count()).where(Membership.studio_id == studio_id)) or 0
-
-
-def tokens_of(session: Session, studio_id: UUID) -> int:
-    """Return how many tokens of a studio work."""
-    return session.scalar(select(func.count()).where(Token.studio_id == studio_id, Token.revoked_at.is_(None))) or 0

@@ -1,9 +1,9 @@
 """How often the same may be tried: guesses at passwords, mails sent to strangers. All processes count together.
 
 Each limit is a bucket (GCRA): so many tries at once, then one in each interval. A try that is refused costs nothing,
-so nobody is locked out by waiting. Guesses at one account from one place are held tighter than guesses at it from
-everywhere, so that one attacker uses up neither; a browser that has signed in to the account before has a bucket of
-its own (`doors.device_for`).
+so waiting always helps. Guesses at one account from one place are held tighter than guesses at it from
+everywhere, so that one attacker uses up neither; a browser that has signed in to the account before has
+a separate bucket (`authentication.device_for`).
 """
 
 import hashlib
@@ -18,32 +18,32 @@ import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
-from app.accounts.errors import TooManyTries
+from app.accounts.errors import TooManyAttempts
 from app.accounts.models import RateLimit
 
 
 @dataclass(frozen=True)
 class Limit:
-    """What is counted: `burst` tries at once, then one every `interval_s`."""
+    """A limit: `burst` tries at once, then one every `interval_s`."""
 
     name: str
     burst: int
     interval_s: float
 
 
-GUESSES_FROM_DEVICE = Limit("guesses at an account from a browser that signed in to it", 10, 60)
-GUESSES_AT_ACCOUNT_FROM_PLACE = Limit("guesses at an account from one place", 10, 60)
-GUESSES_AT_ACCOUNT = Limit("guesses at an account", 50, 30)
-GUESSES_FROM_PLACE = Limit("guesses from one place", 100, 5)
-SIGN_UPS_FROM_PLACE = Limit("sign-ups from one place", 30, 120)
+SIGN_INS_FROM_DEVICE = Limit("guesses at an account from a browser that signed in to it", 10, 60)
+SIGN_INS_TO_ACCOUNT_FROM_NETWORK = Limit("guesses at an account from one place", 10, 60)
+SIGN_INS_TO_ACCOUNT = Limit("guesses at an account", 50, 30)
+SIGN_INS_FROM_NETWORK = Limit("guesses from one place", 100, 5)
+SIGN_UPS_FROM_NETWORK = Limit("sign-ups from one place", 30, 120)
 MAILS_TO_ADDRESS = Limit("account mails to an address", 5, 720)
-MAILS_FROM_PLACE = Limit("account mails asked for from one place", 30, 120)
+MAILS_FROM_NETWORK = Limit("account mails asked for from one place", 30, 120)
 INVITATIONS_BY_PERSON = Limit("invitations by a person", 60, 60)
 
 IPV6_NETWORK = 64  # what one subscriber is given
 
 
-def place_of(address: str) -> str:
+def network_of(address: str) -> str:
     """Return what counts as one place: an IPv4 address, or the /64 of an IPv6 one."""
     try:
         ip = ipaddress.ip_address(address)
@@ -56,8 +56,8 @@ def place_of(address: str) -> str:
     return str(ip)
 
 
-def count_try(session: Session, limit: Limit, whom: str) -> None:
-    """Count one try, or raise TooManyTries; the transaction must be one that commits although the try fails."""
+def count_attempt(session: Session, limit: Limit, whom: str) -> None:
+    """Count one try, or raise TooManyAttempts; the transaction must be one that commits although the try fails."""
     now_s = time.time()
     ahead_s = now_s + (limit.burst - 1) * limit.interval_s
     values = {
@@ -69,16 +69,16 @@ def count_try(session: Session, limit: Limit, whom: str) -> None:
     }
     if session.execute(_counted(session.get_bind().dialect.name), values).first() is None:
         free_at_s = session.execute(sa.select(RateLimit.free_at_s).where(RateLimit.key == values["key"])).scalar_one()
-        raise TooManyTries(max(1, ceil(free_at_s - ahead_s)))
+        raise TooManyAttempts(max(1, ceil(free_at_s - ahead_s)))
 
 
-def forgive(session: Session, limit: Limit, whom: str) -> None:
-    """Forget the tries of somebody who has shown to be right."""
+def reset(session: Session, limit: Limit, whom: str) -> None:
+    """Delete the counted tries of a key after a success."""
     session.execute(sa.delete(RateLimit).where(RateLimit.key == _key(limit, whom)))
 
 
-def forget_old(session: Session) -> None:
-    """Clear away what holds nobody any more."""
+def delete_expired(session: Session) -> None:
+    """Delete counts that no longer limit anything."""
     session.execute(sa.delete(RateLimit).where(RateLimit.free_at_s < time.time()))
 
 

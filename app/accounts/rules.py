@@ -1,4 +1,4 @@
-"""What a person or a machine may be, stated without a database."""
+"""Roles, scopes and policies, stated without a database."""
 
 import re
 from collections.abc import Collection, Mapping
@@ -11,7 +11,7 @@ from app.kit.reach import Reach
 
 
 class Role(StrEnum):
-    """What a member does for the studio; liaisons and the decider are named per project."""
+    """A member's role in the studio; liaisons and the approver are named per project."""
 
     PRODUCER = "producer"
     LIAISON = "liaison"
@@ -20,7 +20,7 @@ class Role(StrEnum):
 
 
 class Scope(StrEnum):
-    """What a build's token may do."""
+    """The rights of a build's token."""
 
     SPEC_READ = "spec:read"
     LIST_READ = "list:read"
@@ -30,10 +30,10 @@ class Scope(StrEnum):
 
 
 class AddressProof(StrEnum):
-    """How it was shown that an account's holder reads its address."""
+    """How the address of an account was verified."""
 
     MAIL = "mail"  # by a link that was sent there and shown nowhere else
-    OPERATOR = "operator"  # by a link that whoever runs the server read on its command line and handed over
+    OPERATOR = "operator"  # by a link that the operator read on the command line and handed over
 
 
 PROOF_WORDS: Mapping[AddressProof | None, str] = {
@@ -46,13 +46,13 @@ MAX_PASSWORD_LENGTH = 200
 MEASURED_LENGTH = 40  # estimating 72 characters can take more than a second
 WEAKEST_SCORE = 3  # of zxcvbn's 0 to 4: 10^8 guesses or more
 PRODUCT_WORDS = ("soundlist", "sound", "studio", "password")
-WEAK_BECAUSE = {
-    "passwords": "it is, or holds, one of the commonest passwords",
-    "user_inputs": "it holds your address, your name or this product's name",
+WEAKNESS_MESSAGES = {
+    "passwords": "it is, or contains, one of the most common passwords",
+    "user_inputs": "it contains your email, your name or the name of this product",
     "spatial": "it follows neighbouring keys",
     "repeat": "it repeats itself",
     "sequence": "it is a sequence such as abcd or 6543",
-    "date": "it is, or holds, a date",
+    "date": "it is, or contains, a date",
 }
 MAX_ADDRESS_LENGTH = 254  # RFC 5321, 4.5.3.1.3, without its angle brackets
 # Browsers name those that they descend from too, so the most particular mark comes first.
@@ -88,12 +88,12 @@ def ensure_address(address: str) -> str:
     """Return the normalised form of a mail address, or raise BadAddress."""
     normalised = normalised_email(address)
     if len(normalised) > MAX_ADDRESS_LENGTH or not ADDRESS.fullmatch(normalised):
-        message = "give a mail address such as name@studio.example"
+        message = "enter an email such as name@studio.example"
         raise BadAddress(message, errors=[{"where": "email", "message": message}])
     return normalised
 
 
-def ensure_good_password(password: str | None, address: str, *names: str) -> str:
+def ensure_strong_password(password: str | None, address: str, *names: str) -> str:
     """Return the password, or raise PasswordTooWeak; `names` are words that others know of its owner."""
     message = None
     if not password or len(password) < MIN_PASSWORD_LENGTH:
@@ -116,7 +116,9 @@ def _why_weak(password: str, address: str, names: Collection[str]) -> str | None
     if found["score"] >= WEAKEST_SCORE:
         return None
     longest = max(found["sequence"], key=lambda match: len(match["token"]))
-    return WEAK_BECAUSE.get(longest.get("dictionary_name") or longest["pattern"], "it is made of common words or names")
+    return WEAKNESS_MESSAGES.get(
+        longest.get("dictionary_name") or longest["pattern"], "it is made of common words or names"
+    )
 
 
 def mailbox_of(address: str) -> str:
@@ -135,12 +137,12 @@ def device_of(user_agent: str) -> str:
 def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "frozenset[Role]") -> None:
     """Raise LastProducer when a change would leave a studio without a producer."""
     if Role.PRODUCER not in wanted and not any(Role.PRODUCER in roles for roles in others):
-        raise LastProducer("a studio always has a producer; make somebody else a producer first")
+        raise LastProducer("a studio needs a producer; make someone else a producer first")
 
 
 @dataclass(frozen=True)
 class Actor:
-    """Who asks: a person with the roles held in each studio, or a build with its token."""
+    """The caller: a person with the roles held in each studio, or a build with its token."""
 
     person_id: UUID | None = None
     roles: Mapping[UUID, frozenset[Role]] = field(default_factory=dict)  # by studio
@@ -161,7 +163,7 @@ class Actor:
 
     @property
     def person(self) -> UUID:
-        """The person who asks; only for endpoints whose policy wants one."""
+        """The calling person; only for endpoints whose policy requires one."""
         if self.person_id is None:
             raise PersonNeeded("a build's token cannot do this; sign in as a person")
         return self.person_id
@@ -171,23 +173,23 @@ class Actor:
         return self.roles.get(studio_id, frozenset())
 
 
-class Sight(StrEnum):
-    """Who may use an endpoint; every endpoint declares one."""
+class Audience(StrEnum):
+    """The audience of an endpoint; every endpoint declares one."""
 
     ANYONE = "anyone"  # without credentials
     PERSON = "person"  # anyone signed in: their own things
     STUDIO = "studio"  # members of the studio
-    PRODUCER = "producer"  # producers of the studio; other members are told 403
+    PRODUCER = "producer"  # producers of the studio; other members receive 403
     PROJECT = "project"  # the team, and designers engaged on the project
-    TEAM = "team"  # the team; engaged designers are told 403
-    DECIDER = "decider"  # the project's decider; everyone else with sight is told 403
-    DESIGNER = "designer"  # engaged designers; the team is told 403
-    OPERATOR = "operator"  # who runs the server; everyone else is told 403
+    TEAM = "team"  # the team; engaged designers receive 403
+    APPROVER = "approver"  # the project's approver; everyone else with sight receives 403
+    DESIGNER = "designer"  # engaged designers; the team receives 403
+    OPERATOR = "operator"  # everyone else receives 403
 
 
 @dataclass(frozen=True)
 class Policy:
-    """What an endpoint declares: who may use it, and the scope by which a build may."""
+    """The policy of an endpoint: its audience, and the scope that admits a build."""
 
-    sight: Sight
+    audience: Audience
     build: Scope | None = None

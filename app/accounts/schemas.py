@@ -1,4 +1,4 @@
-"""What accounts are asked and answer."""
+"""Bodies and answers of accounts."""
 
 from datetime import datetime
 from typing import Annotated
@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field, StringConstraints
 from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, Role
 from app.kit.http import Schema
 
-# One line, without control characters or marks that turn the direction of writing: it stands in mails and lists.
+# One line, without control characters or marks that turn the direction of writing: it appears in mails and lists.
 Line = Annotated[
     str,
     StringConstraints(
@@ -25,7 +25,7 @@ Password = Annotated[str, StringConstraints(max_length=MAX_PASSWORD_LENGTH)]
 
 
 class PersonBrief(Schema):
-    """Somebody, by name."""
+    """A person's id and name."""
 
     id: UUID
     name: str
@@ -50,7 +50,7 @@ class StudioBrief(Schema):
 
 
 class SessionRead(Schema):
-    """Whether somebody is signed in, and whether this is the demo, which needs no sign-in."""
+    """Whether the caller is signed in, and whether this is the demo, which needs no sign-in."""
 
     signed_in: bool
     demo: bool
@@ -58,7 +58,7 @@ class SessionRead(Schema):
 
 
 class DemoPart(Schema):
-    """Whom the demo's visitor plays, of those that can be played."""
+    """The role that the demo's visitor plays, and the others on offer."""
 
     part: str
     parts: list[str]
@@ -77,7 +77,7 @@ class SignUpAdd(_WithPassword):
     studio_name: Line
 
 
-class SignUpAsk(Schema):
+class SignUpRequest(Schema):
     """The address of a new account, on a server that mails a link first."""
 
     email: Email
@@ -97,10 +97,10 @@ class SignUpShown(Schema):
     email: str
 
 
-class SignUpWay(Schema):
-    """How one comes to have an account here."""
+class SignUpMode(Schema):
+    """How a person can get an account here."""
 
-    open: bool = Field(description="Whether anybody may sign up now; otherwise people are invited.")
+    open: bool = Field(description="Whether anyone may sign up now; otherwise people are invited.")
     by_mail: bool = Field(description="Whether the address is verified by a mailed link first.")
 
 
@@ -108,7 +108,7 @@ class SignInRead(Schema):
     """One browser in which the caller is signed in."""
 
     id: UUID
-    device: str = Field(description="Browser and system, as the browser names them; empty where it said nothing.")
+    device: str = Field(description="Browser and system, as the browser names them; empty if unknown.")
     place: str = Field(description="Network address that it signed in from.")
     is_current: bool
     created_at: datetime
@@ -155,7 +155,7 @@ class StudioAdd(Schema):
 
 
 class MemberRead(Schema):
-    """Somebody of the studio."""
+    """A member of the studio."""
 
     person: PersonBrief
     email: str
@@ -164,13 +164,13 @@ class MemberRead(Schema):
 
 
 class RolesChange(Schema):
-    """What a member does from now on."""
+    """A member's new role."""
 
     roles: list[Role] = Field(min_length=1)
 
 
 class StudioInvitationAdd(Schema):
-    """Whom to invite, to do what."""
+    """The address to invite, and the role."""
 
     email: Email
     roles: list[Role] = Field(min_length=1)
@@ -182,13 +182,14 @@ class StudioInvitationRead(Schema):
     id: UUID
     email: str
     roles: list[Role]
+    approves_project_id: UUID | None = Field(description="The project that they become the approver of on joining.")
     inviter: PersonBrief
     created_at: datetime
     expires_at: datetime
 
 
 class StudioInvitationShown(Schema):
-    """What the holder of a link is invited to."""
+    """The invitation of a link's holder."""
 
     studio_name: str
     email: str
@@ -206,7 +207,7 @@ class InvitationAccept(_WithPassword):
 
 
 class JoinedStudio(Schema):
-    """Who joined which studio."""
+    """A person who joined a studio."""
 
     person: PersonRead
     studio: StudioBrief

@@ -7,7 +7,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts import addresses, people, queries
-from app.accounts.doors import new_secret, sha256_of
+from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import (
     AlreadyMember,
     MemberNotFound,
@@ -18,44 +18,45 @@ from app.accounts.errors import (
     StudioNotFound,
 )
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
-from app.accounts.quotas import QuotaKind, ensure_room, people_in, tokens_of
+from app.accounts.quota_queries import people_in, tokens_of
+from app.accounts.quotas import QuotaKind, ensure_room
 from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_producer_remains
 from app.kit import clock
-from app.kit.db import beyond_reach
+from app.kit.db import bypass_row_policies
 from app.kit.events import publish
 from app.settings import Settings
 
-INVITATION_LASTS = timedelta(days=30)
+INVITATION_LIFETIME = timedelta(days=30)
 TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
 
 
 def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str) -> Person:
     """Make an account and the studio it produces for."""
     person = people.create_person(session, email=email, name=name, password=password)
-    open_studio(session, studio_name, person)
+    create_studio(session, studio_name, person)
     return person
 
 
-def ensure_may_sign_up(session: Session, settings: Settings) -> None:
+def ensure_sign_up_allowed(session: Session, settings: Settings) -> None:
     """Raise SignUpClosed where people come by invitation only; the first person of a server may always sign up."""
     if settings.sign_up == "invited" and queries.has_people(session):
         raise SignUpClosed(
-            "this server takes new people by invitation only",
-            fix="ask a studio for an invitation, or whoever runs the server to set SOUNDLIST_SIGN_UP=open",
+            "sign-up on this server is by invitation only",
+            fix="ask a studio for an invitation, or the operator of this server to set SOUNDLIST_SIGN_UP=open",
         )
 
 
-def ask_sign_up(session: Session, email: str) -> None:
-    """Have a link mailed that opens an account, or says that the address has one; to find out is left to the job."""
+def request_sign_up(session: Session, email: str) -> None:
+    """Schedule a mail with a sign-up link, or a note that the address has an account; the job finds out which."""
     publish(session, "sign_up.asked", studio_id=None, recipient=ensure_address(email))
 
 
 def sign_up_by_secret(session: Session, secret: str, *, lock: bool = False) -> SignUp:
     """Return what a mailed link opens; raise SignUpNotFound when it is past use."""
-    with beyond_reach(session):  # the secret is all that says whose link it is
+    with bypass_row_policies(session):  # only the secret identifies the link
         begun = queries.open_sign_up(session, sha256_of(secret), lock=lock)
     if begun is None:
-        raise SignUpNotFound("this link is used or older than a day", fix="sign up again for a new one")
+        raise SignUpNotFound("this link was used already or is older than a day", fix="sign up again for a new one")
     return begun
 
 
@@ -63,17 +64,17 @@ def finish_sign_up(session: Session, secret: str, *, name: str, password: str, s
     """Make the account that a mailed link opens, its address verified by the link, with its studio."""
     begun = sign_up_by_secret(session, secret, lock=True)
     person = sign_up(session, email=begun.email, name=name, password=password, studio_name=studio_name)
-    with beyond_reach(session):  # the row is nobody's
+    with bypass_row_policies(session):  # the row has no owner yet
         begun.used_at = clock.now()
         session.flush()
     addresses.verify(session, person, addresses.account_proof(begun))
     return person
 
 
-def open_studio(session: Session, name: str, person: Person, *, is_demo: bool = False) -> Studio:
+def create_studio(session: Session, name: str, person: Person, *, is_demo: bool = False) -> Studio:
     """Make a studio with its first producer."""
     studio = Studio(name=name, is_demo=is_demo)
-    with beyond_reach(session):  # nobody is in a studio yet that is not there
+    with bypass_row_policies(session):  # the new studio has no members yet
         session.add(studio)
         session.flush()
         add_member(session, studio.id, person.id, [Role.PRODUCER])
@@ -112,7 +113,7 @@ def people_of(session: Session, actor: Actor, studio_id: UUID) -> Sequence[Membe
 def change_roles(
     session: Session, actor: Actor, studio_id: UUID, person_id: UUID, roles: Collection[Role]
 ) -> Membership:
-    """Change what a member does; raise LastProducer when nobody would produce."""
+    """Change a member's role; raise LastProducer if no producer would be left."""
     membership = _membership_to_change(session, actor, studio_id, person_id, frozenset(roles))
     membership.roles = sorted(set(roles))
     return membership
@@ -137,15 +138,21 @@ def _membership_to_change(
 
 
 def invite_member(
-    session: Session, actor: Actor, studio_id: UUID, *, email: str, roles: Collection[Role]
+    session: Session,
+    actor: Actor,
+    studio_id: UUID,
+    *,
+    email: str,
+    roles: Collection[Role],
+    approves_project_id: UUID | None = None,
 ) -> StudioInvitation:
     """Mail a link into the studio; an earlier one to the same address loses its worth."""
     studio = ensure_producer_of(session, actor, studio_id)
     address = ensure_address(email)
-    if queries.is_member_address(session, studio_id, address):
+    if queries.member_at_address(session, studio_id, address) is not None:
         raise AlreadyMember(
-            f"{address} is in this studio already",
-            errors=[{"where": "email", "message": "this person is in the studio already"}],
+            f"{address} is already in this studio",
+            errors=[{"where": "email", "message": "this person is already in the studio"}],
         )
     ensure_room(session, studio_id, QuotaKind.PEOPLE, people_in)
     for earlier in queries.studio_invitations(session, studio_id):
@@ -156,8 +163,9 @@ def invite_member(
         studio_id=studio_id,
         email=address,
         roles=sorted(set(roles)),
+        approves_project_id=approves_project_id,
         inviter=inviter,
-        expires_at=clock.now() + INVITATION_LASTS,
+        expires_at=clock.now() + INVITATION_LIFETIME,
     )
     session.add(invitation)
     session.flush()
@@ -180,7 +188,7 @@ def open_invitations(session: Session, actor: Actor, studio_id: UUID) -> Sequenc
 
 
 def revoke_studio_invitation(session: Session, actor: Actor, studio_id: UUID, invitation_id: UUID) -> None:
-    """Make an invitation's link worthless."""
+    """Revoke an invitation's link."""
     for invitation in open_invitations(session, actor, studio_id):
         if invitation.id == invitation_id:
             invitation.revoked_at = clock.now()
@@ -190,11 +198,11 @@ def revoke_studio_invitation(session: Session, actor: Actor, studio_id: UUID, in
 
 def studio_invitation_by_secret(session: Session, secret: str) -> StudioInvitation:
     """Return the invitation behind a link, with its studio; raise StudioInvitationNotFound when it is past use."""
-    with beyond_reach(session):  # the secret is all that says whose invitation it is
+    with bypass_row_policies(session):  # only the secret identifies the invitation
         invitation = queries.studio_invitation_by_secret(session, sha256_of(secret))
     if invitation is None:
         raise StudioInvitationNotFound(
-            "this invitation is unknown, used, withdrawn or too old", fix="ask the studio for a new one"
+            "this invitation is unknown, used, withdrawn or expired", fix="ask the studio for a new one"
         )
     return invitation
 
@@ -204,8 +212,8 @@ def accept_studio_invitation(
 ) -> tuple[Person, Studio]:
     """Join the studio that a link invites to, with the account of its address, made now if there is none."""
     invitation = studio_invitation_by_secret(session, secret)
-    person = people.person_for_link(session, actor, invitation.email, invitation, name=name, password=password)
-    with beyond_reach(session):  # the studio is not in sight of whoever joins it now
+    person = people.person_by_link(session, actor, invitation.email, invitation, name=name, password=password)
+    with bypass_row_policies(session):  # the joining person cannot see the studio yet
         invitation.accepted_at = clock.now()
         invitation.accepted_by = person.id
         roles = {Role(role) for role in invitation.roles}
@@ -214,6 +222,15 @@ def accept_studio_invitation(
             add_member(session, invitation.studio_id, person.id, roles)
         else:
             place.roles = sorted(roles | {Role(role) for role in place.roles})
+        if invitation.approves_project_id is not None:
+            publish(
+                session,
+                "approver.joined",
+                studio_id=invitation.studio_id,
+                project_id=invitation.approves_project_id,
+                person_id=person.id,
+                invited_by=invitation.invited_by,
+            )
     return person, invitation.studio
 
 

@@ -7,15 +7,15 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts import queries
-from app.accounts.doors import new_secret, sha256_of
+from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import SignInNotFound
 from app.accounts.models import SignIn
 from app.accounts.rules import Actor
 from app.kit import clock
-from app.kit.db import beyond_reach, reach_further
+from app.kit.db import bypass_row_policies, widen_reach
 from app.kit.reach import Reach
 
-SIGN_IN_LASTS = timedelta(days=30)
+SIGN_IN_LIFETIME = timedelta(days=30)
 
 
 def start_sign_in(
@@ -23,9 +23,9 @@ def start_sign_in(
 ) -> str:
     """Sign a person in, and return the secret for the cookie; the browser's sign-in before this one ends."""
     if replaces is not None:
-        with beyond_reach(session):  # it may be another person's
+        with bypass_row_policies(session):  # it may be another person's
             queries.end_sign_in(session, sha256_of(replaces))
-    reach_further(session, Reach(person_id=person_id))
+    widen_reach(session, Reach(person_id=person_id))
     queries.drop_old_sign_ins(session, person_id)
     secret = new_secret()
     session.add(
@@ -34,7 +34,7 @@ def start_sign_in(
             secret_sha256=sha256_of(secret),
             device=device,
             place=place,
-            expires_at=clock.now() + SIGN_IN_LASTS,
+            expires_at=clock.now() + SIGN_IN_LIFETIME,
         )
     )
     session.flush()

@@ -6,16 +6,8 @@ from uuid import UUID
 from fastapi import APIRouter, Request, Response
 
 from app.accounts import queries, service
-from app.accounts.doors import sha256_of
-from app.accounts.endpoints import (
-    LateSession,
-    PatientRoute,
-    SecretRoute,
-    allows,
-    ensure_may_guess,
-    ensure_may_invite_more,
-    sign_in_browser,
-)
+from app.accounts.authentication import sha256_of
+from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     AlreadyMember,
     BadAddress,
@@ -28,10 +20,18 @@ from app.accounts.errors import (
     SignInNeeded,
     StudioInvitationNotFound,
     StudioNotFound,
-    TooManyTries,
+    TooManyAttempts,
 )
 from app.accounts.models import Membership, Person, Studio, StudioInvitation
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.request_limits import (
+    DeferredSession,
+    RateLimitedRoute,
+    UnsavedResponseRoute,
+    ensure_invitation_allowed,
+    ensure_sign_in_allowed,
+)
+from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import (
     InvitationAccept,
     JoinedStudio,
@@ -47,17 +47,17 @@ from app.accounts.schemas import (
 )
 from app.kit.http import CurrentRuntime, DbSession, Router, problems
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=PatientRoute)
-_secret_router = APIRouter(route_class=SecretRoute)
+router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
+_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
 @router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo))
-def open_studio(body: StudioAdd, session: DbSession, actor: Actor = allows(Sight.PERSON)) -> Studio:
+def create_studio(body: StudioAdd, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> Studio:
     """Open a further studio, with the caller as its producer."""
     person = session.get_one(Person, actor.person)
     if person.demo_part is not None:
         raise NotInDemo("the people of the demo have the demo's studio only")
-    return service.open_studio(session, body.name, person)
+    return service.create_studio(session, body.name, person)
 
 
 def _member(membership: Membership) -> MemberRead:
@@ -72,7 +72,7 @@ def _member(membership: Membership) -> MemberRead:
 
 
 @router.get("/studios/{studio_id}/people", responses=problems(StudioNotFound))
-def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.STUDIO)) -> list[MemberRead]:
+def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.STUDIO)) -> list[MemberRead]:
     """Return the people of the studio."""
     return [_member(membership) for membership in service.people_of(session, actor, studio_id)]
 
@@ -82,9 +82,9 @@ def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight
     responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
 )
 def change_member_roles(
-    studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> MemberRead:
-    """Change what somebody does in the studio; it always keeps a producer."""
+    """Change a member's role in the studio; it always keeps a producer."""
     return _member(service.change_roles(session, actor, studio_id, person_id, body.roles))
 
 
@@ -93,8 +93,10 @@ def change_member_roles(
     status_code=204,
     responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
 )
-def remove_member(studio_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> None:
-    """Take somebody's place in the studio away; it always keeps a producer."""
+def remove_member(
+    studio_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> None:
+    """Remove a member from the studio; it always keeps a producer."""
     service.remove_member(session, actor, studio_id, person_id)
 
 
@@ -102,17 +104,17 @@ def remove_member(studio_id: UUID, person_id: UUID, session: DbSession, actor: A
     "/studios/{studio_id}/invitations",
     status_code=201,
     response_model=StudioInvitationRead,
-    responses=problems(StudioNotFound, ProducerNeeded, AlreadyMember, BadAddress, TooManyTries),
+    responses=problems(StudioNotFound, ProducerNeeded, AlreadyMember, BadAddress, TooManyAttempts),
 )
 def invite_member(
     studio_id: UUID,
     body: StudioInvitationAdd,
     session: DbSession,
-    actor: Actor = allows(Sight.PRODUCER),
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> StudioInvitation:
-    """Mail somebody a link into the studio; whether the address has an account is not said."""
+    """Mail an invitation to the studio; the answer does not reveal whether the address has an account."""
     service.ensure_producer_of(session, actor, studio_id)
-    ensure_may_invite_more(session, actor)
+    ensure_invitation_allowed(session, actor)
     return service.invite_member(session, actor, studio_id, email=body.email, roles=body.roles)
 
 
@@ -122,7 +124,7 @@ def invite_member(
     responses=problems(StudioNotFound, ProducerNeeded),
 )
 def list_studio_invitations(
-    studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> Sequence[StudioInvitation]:
     """Return the invitations that wait for an answer."""
     return service.open_invitations(session, actor, studio_id)
@@ -134,7 +136,7 @@ def list_studio_invitations(
     responses=problems(StudioNotFound, ProducerNeeded, StudioInvitationNotFound),
 )
 def revoke_studio_invitation(
-    studio_id: UUID, studio_invitation_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, studio_invitation_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> None:
     """Withdraw an invitation into the studio."""
     service.revoke_studio_invitation(session, actor, studio_id, studio_invitation_id)
@@ -142,7 +144,7 @@ def revoke_studio_invitation(
 
 @router.get("/studio-invitations/{secret}", responses=problems(StudioInvitationNotFound))
 def read_studio_invitation(
-    secret: str, session: DbSession, _actor: Actor = allows(Sight.ANYONE)
+    secret: str, session: DbSession, _actor: Actor = allows(Audience.ANYONE)
 ) -> StudioInvitationShown:
     """Show the holder of a link what they are invited to."""
     invitation = service.studio_invitation_by_secret(session, secret)
@@ -158,9 +160,9 @@ def read_studio_invitation(
     )
 
 
-@_secret_router.post(
+@_unsaved_router.post(
     "/studio-invitations/{secret}/accept",
-    responses=problems(StudioInvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyTries),
+    responses=problems(StudioInvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyAttempts),
 )
 def accept_studio_invitation(
     secret: str,
@@ -168,11 +170,11 @@ def accept_studio_invitation(
     request: Request,
     response: Response,
     runtime: CurrentRuntime,
-    begin: LateSession,
-    actor: Actor = allows(Sight.ANYONE),
+    begin: DeferredSession,
+    actor: Actor = allows(Audience.ANYONE),
 ) -> JoinedStudio:
     """Join the studio with the invited address's account, made now if there is none, and sign in."""
-    ensure_may_guess(request, sha256_of(secret))
+    ensure_sign_in_allowed(request, sha256_of(secret))
     with begin() as session:
         person, studio = service.accept_studio_invitation(
             session, actor, secret, name=body.name, password=body.password
@@ -182,4 +184,4 @@ def accept_studio_invitation(
     return JoinedStudio(person=PersonRead.model_validate(person), studio=StudioBrief.model_validate(studio))
 
 
-router.include_router(_secret_router)
+router.include_router(_unsaved_router)

@@ -1,1 +1,1 @@
-"""What the game gets and says: approved packs, documentation keys, reports of the game's own CI."""
+"""Deliverables for the game and its reports: approved packs, documentation keys, reports of the game's CI."""

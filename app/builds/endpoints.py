@@ -8,8 +8,8 @@ from uuid import UUID
 from fastapi import Query, Response
 from fastapi.responses import StreamingResponse
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
 from app.builds import packs, placeholders, sealing, service, targets
 from app.builds.documentation_key import key_csv, key_xlsx
 from app.builds.errors import (
@@ -42,6 +42,7 @@ from app.builds.schemas import (
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
 from app.kit.bodies import REPORT_BODY_BYTES
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
@@ -61,10 +62,10 @@ def get_pack(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> PackRead:
-    """Say what the approved pack of a target holds, and what it lacks."""
-    return packs.pack_read(packs.pack_in_sight(session, actor, project_id, target))
+    """Return the content of the approved pack of a target, and what is missing."""
+    return packs.pack_read(packs.visible_pack(session, actor, project_id, target))
 
 
 @router.get(
@@ -79,6 +80,8 @@ def get_pack(
             PackIncomplete,
             PlaceholderAccepted,
             BlobDamaged,
+            DocumentTooLarge,
+            TypesettingBusy,
         ),
         200: {"content": {"application/zip": BINARY}},
     },
@@ -93,14 +96,17 @@ def download_pack(
         bool, Query(description="Leave out accepted sounds that have no game file; the key says why.")
     ] = False,
     with_placeholders: Annotated[
-        bool, Query(alias="placeholders", description="Put marked stand-ins in for the sounds that are not accepted.")
+        bool,
+        Query(
+            alias="placeholders", description="Put marked placeholder files in for the sounds that are not accepted."
+        ),
     ] = False,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> StreamingResponse:
     """Stream the approved pack; an answer shorter than its Content-Length is a broken one."""
-    pack = packs.pack_in_sight(session, actor, project_id, target)
+    pack = packs.visible_pack(session, actor, project_id, target)
     if with_placeholders:
-        pack = placeholders.with_stand_ins(session, pack)
+        pack = placeholders.with_placeholder_files(session, pack)
     files = packs.pack_files(
         runtime.store, pack, masters=masters, allow_missing=allow_missing, placeholders=with_placeholders
     )
@@ -128,10 +134,10 @@ def get_documentation_key_csv(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
     """Return what each file of the pack is and what it is for, as CSV."""
-    rows = packs.key_rows(packs.pack_in_sight(session, actor, project_id, target), masters=False)
+    rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_CSV}"'}
     return Response(key_csv(rows), media_type="text/csv; charset=utf-8", headers=headers)
 
@@ -145,10 +151,10 @@ def get_documentation_key_xlsx(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
     """Return what each file of the pack is and what it is for, as a workbook."""
-    rows = packs.key_rows(packs.pack_in_sight(session, actor, project_id, target), masters=False)
+    rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_XLSX}"'}
     return Response(key_xlsx(rows), media_type=XLSX, headers=headers)
 
@@ -157,7 +163,7 @@ def get_documentation_key_xlsx(
     "/projects/{project_id}/documentation-key.pdf",
     response_class=Response,
     responses={
-        **problems(ProjectNotFound, TeamNeeded, TargetUnknown),
+        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, DocumentTooLarge, TypesettingBusy),
         200: {"content": {"application/pdf": BINARY}},
     },
 )
@@ -165,10 +171,10 @@ def get_documentation_key_pdf(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
     """Return what each file of the pack is and what it is for, to read and to print."""
-    pack = packs.pack_in_sight(session, actor, project_id, target)
+    pack = packs.visible_pack(session, actor, project_id, target)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_PDF}"'}
     content = key_pdf(packs.key_rows(pack, masters=False), title=packs.title_of(pack))
     return Response(content, media_type="application/pdf", headers=headers)
@@ -178,10 +184,10 @@ def get_documentation_key_pdf(
     "/projects/{project_id}/targets", response_model=TargetsRead, responses=problems(ProjectNotFound, TeamNeeded)
 )
 def get_targets(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ)
 ) -> TargetsRead:
     """Return what game files are made to, what they take in memory, and what the whole list will take."""
-    return targets.targets_in_sight(session, actor, project_id)
+    return targets.visible_targets(session, actor, project_id)
 
 
 @router.get(
@@ -193,9 +199,9 @@ def get_placeholders(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> PlaceholderRegister:
-    """Return what the game has no accepted sound for yet, and which of it has a stand-in."""
+    """Return what the game has no accepted sound for yet, and which of it has a placeholder file."""
     return placeholders.register(session, actor, project_id, target)
 
 
@@ -208,7 +214,7 @@ def get_placeholders_countdown(
     project_id: UUID,
     session: DbSession,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> PlaceholderCountdown:
     """Return how much is still a placeholder, by category, and what to record next."""
     return placeholders.countdown(session, actor, project_id, target)
@@ -221,10 +227,10 @@ def get_placeholders_countdown(
     responses=problems(ProjectNotFound, TeamNeeded, TargetUnknown),
 )
 def make_placeholders(
-    project_id: UUID, body: PlaceholdersAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID, body: PlaceholdersAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> Response:
-    """Have a stand-in made for everything that a target's pack lacks: to spec, by name, and marked."""
-    placeholders.ask_for_stand_ins(session, actor, project_id, body.target)
+    """Have a placeholder file made for everything that a target's pack lacks: to spec, by name, and marked."""
+    placeholders.request_placeholder_files(session, actor, project_id, body.target)
     return Response(status_code=202)
 
 
@@ -237,10 +243,10 @@ def make_placeholders(
     ),
 )
 def add_pack(
-    project_id: UUID, body: PackAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID, body: PackAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> SealedPackSummary:
     """Seal what is accepted now as a numbered pack, which never changes; the worker puts it together."""
-    pack = sealing.ask_for_pack(session, actor, project_id, body)
+    pack = sealing.request_pack(session, actor, project_id, body)
     (summary,) = sealing.summaries(session, [pack])
     return summary
 
@@ -255,7 +261,7 @@ def list_packs(
     session: DbSession,
     target: Annotated[str | None, Query(description="Of one target only.")] = None,
     cursor: str | None = None,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Page[SealedPackSummary]:
     """Return the packs that were handed out, the newest first."""
     found = sealing.packs_in(session, actor, project_id, target=target, before=uuid_cursor(cursor), limit=PAGE + 1)
@@ -267,10 +273,10 @@ def list_packs(
 
 @router.get("/packs/{pack_id}", response_model=SealedPackRead, responses=problems(PackNotFound, TeamNeeded))
 def get_sealed_pack(
-    pack_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ)
+    pack_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ)
 ) -> SealedPackRead:
     """Return a pack that was handed out, and what is not as it was in the one before."""
-    return sealing.sealed_read(session, sealing.sealed_in_sight(session, actor, pack_id))
+    return sealing.sealed_read(session, sealing.visible_sealed(session, actor, pack_id))
 
 
 @router.get(
@@ -285,10 +291,10 @@ def download_sealed_pack(
     pack_id: UUID,
     session: DbSession,
     runtime: CurrentRuntime,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> StreamingResponse:
     """Stream a pack that was handed out, the same bytes each time."""
-    pack = sealing.sealed_in_sight(session, actor, pack_id)
+    pack = sealing.visible_sealed(session, actor, pack_id)
     return _zip(f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack))
 
 
@@ -303,10 +309,10 @@ def post_build(
     project_id: UUID,
     body: BuildAdd,
     session: DbSession,
-    actor: Actor = allows(Sight.TEAM, build=Scope.CHECKS_WRITE),
+    actor: Actor = allows(Audience.TEAM, build=Scope.CHECKS_WRITE),
 ) -> BuildSummary:
-    """Keep what audio-checks said of one build of the game."""
-    build = service.keep_report(
+    """Store the report of audio-checks on one build of the game."""
+    build = service.save_report(
         session,
         actor,
         project_id,
@@ -324,7 +330,7 @@ def post_build(
     responses=problems(ProjectNotFound, TeamNeeded),
 )
 def list_builds(
-    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.TEAM)
 ) -> Page[BuildSummary]:
     """Return the project's builds, the newest first."""
     found = service.builds_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
@@ -335,16 +341,16 @@ def list_builds(
 
 
 @router.get("/builds/{build_id}", response_model=BuildRead, responses=problems(BuildNotFound, TeamNeeded))
-def get_build(build_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> BuildRead:
+def get_build(build_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> BuildRead:
     """Return one build with its whole report."""
-    return BuildRead.model_validate(service.build_in_sight(session, actor, build_id))
+    return BuildRead.model_validate(service.visible_build(session, actor, build_id))
 
 
 @router.get("/projects/{project_id}/baseline.json", response_model=Baseline, responses=problems(ProjectNotFound))
 def get_baseline(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Baseline:
-    """Return what the decider let through, for `audio-checks check --baseline`."""
+    """Return what the approver let through, for `audio-checks check --baseline`."""
     return Baseline(waived=service.waived_sounds(session, actor, project_id))
 
 
@@ -358,8 +364,8 @@ def get_ci_lines(
     session: DbSession,
     runtime: CurrentRuntime,
     target: Target = None,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
 ) -> CiLines:
     """Return the shell lines by which the game's CI checks its audio and posts the report."""
-    pack = packs.pack_in_sight(session, actor, project_id, target)
+    pack = packs.visible_pack(session, actor, project_id, target)
     return CiLines(lines=ci_lines(runtime.settings.base_url, str(project_id), pack.target))

@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Invalid, NotFound, Refused
 
@@ -22,7 +22,7 @@ class BlobDamaged(Refused):
 
 
 class ReportInvalid(Invalid):
-    """What was sent is no report of audio-checks."""
+    """The body is no report of audio-checks."""
 
 
 class PackNotFound(NotFound):
@@ -34,7 +34,7 @@ class PackNotSealed(Conflict):
 
 
 class PlaceholderAccepted(Conflict):
-    """An accepted sound is a stand-in, and nobody asked for a pack with stand-ins."""
+    """An accepted sound is a placeholder file, and the pack was requested without placeholder files."""
 
 
 class ManifestNotReady(Conflict):

@@ -1,4 +1,4 @@
-"""The jobs of this room: packs put together, stand-ins made, game files listened to."""
+"""The jobs of this room: packs put together, placeholder files made, game files listened to."""
 
 import tempfile
 from collections.abc import Mapping
@@ -10,24 +10,31 @@ import structlog
 from app.builds import manifests, packs, placeholders, queries, sealing
 from app.builds.rules import FileKind, PackState
 from app.conformance import checking
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.errors import Refused
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing
 from app.projects.models import Project
-from audio_checks import Heard, RenderRefused, SandboxFailed, listen_to, make_placeholder, manifest_entry
+from audio_checks import (
+    FingerprintedFile,
+    RenderRefused,
+    SandboxFailed,
+    fingerprint_files,
+    make_placeholder,
+    manifest_entry,
+)
 
 log = structlog.get_logger(__name__)
 
 
-class SoundUnheard(Exception):
+class FingerprintFailed(Exception):
     """A game file could not be listened to, though we made it ourselves."""
 
 
 @job("builds.seal_pack")
 def seal_pack(runtime: Runtime, payload: Payload) -> None:
-    """Put a pack together of what is accepted now, and store its key, so that it can be fetched for ever."""
+    """Assemble a pack of the sounds accepted now, and store its key, so that it can always be fetched."""
     pack_id = UUID(payload["pack_id"])
     with runtime.database.reading() as session:
         asked = queries.pack_by_id(session, pack_id)
@@ -35,7 +42,7 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
             return
         pack = packs.pack_of(session, session.get_one(Project, asked.project_id), asked.target)
         if asked.placeholders:
-            pack = placeholders.with_stand_ins(session, pack)
+            pack = placeholders.with_placeholder_files(session, pack)
     try:
         files = packs.pack_files(
             runtime.store,
@@ -52,13 +59,13 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
         if file.kind is FileKind.KEY:
             with file.entry.opened() as content:
                 runtime.store.put(asked.studio_id, [content.read()])
-    kill.point("builds.before_seal")
+    kill_points.point("builds.before_seal")
     with runtime.database.writing() as session:
         sealing.seal(session, pack_id, files)
 
 
-@job("builds.make_stand_ins")
-def make_stand_ins(runtime: Runtime, payload: Payload) -> None:
+@job("builds.make_placeholder_files")
+def make_placeholder_files(runtime: Runtime, payload: Payload) -> None:
     """Make what the pack of a target lacks, each on record before the next."""
     target = payload["target"]
     with runtime.database.reading() as session:
@@ -67,57 +74,57 @@ def make_stand_ins(runtime: Runtime, payload: Payload) -> None:
         blob, is_spoken, refusal = None, False, ""
         with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
             try:
-                made = make_placeholder(slot.facts, slot.variation, slot.view, Path(folder, "stand_in.wav"))
+                made = make_placeholder(slot.facts, slot.variation, slot.view, Path(folder, "placeholder_file.wav"))
                 blob, is_spoken = runtime.store.put_file(project.studio_id, made.path), made.is_spoken
             except RenderRefused as error:
                 refusal = f"{error}; {error.fix}"
-        kill.point("builds.before_stand_in")
+        kill_points.point("builds.before_placeholder_file")
         with runtime.database.writing() as session:
             placeholders.keep(session, project, target, slot, blob, is_spoken=is_spoken, refusal=refusal)
 
 
-@job("builds.hear_take")
-def hear_take(runtime: Runtime, payload: Payload) -> None:
+@job("builds.fingerprint_take")
+def fingerprint_take(runtime: Runtime, payload: Payload) -> None:
     """Listen to the game files of an approved take, for manifests."""
     with runtime.database.reading() as session:
-        unheard = manifests.unheard_of_take(session, UUID(payload["take_id"]))
-    _hear(runtime, UUID(payload["studio_id"]), unheard)
+        unheard = manifests.take_sounds_to_fingerprint(session, UUID(payload["take_id"]))
+    _fingerprint(runtime, UUID(payload["studio_id"]), unheard)
 
 
-@job("builds.hear_pack")
-def hear_pack(runtime: Runtime, payload: Payload) -> None:
-    """Listen to what a manifest was asked for and lacks, each on record before the next."""
+@job("builds.fingerprint_pack")
+def fingerprint_pack(runtime: Runtime, payload: Payload) -> None:
+    """Fingerprint the sounds that a manifest lacks, each recorded before the next."""
     pack_id = UUID(payload["pack_id"]) if payload["pack_id"] else None
     with runtime.database.reading() as session:
-        unheard = manifests.unheard_of_pack(session, UUID(payload["project_id"]), payload["target"], pack_id)
-    _hear(runtime, UUID(payload["studio_id"]), unheard)
+        unheard = manifests.pack_sounds_to_fingerprint(session, UUID(payload["project_id"]), payload["target"], pack_id)
+    _fingerprint(runtime, UUID(payload["studio_id"]), unheard)
 
 
-def _hear(runtime: Runtime, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> None:
-    """Listen to sounds, each in a child of its own; one that fails holds up no other, and fails the job at its end."""
+def _fingerprint(runtime: Runtime, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> None:
+    """Fingerprint sounds, each in a separate child; a failure delays no other sound, and fails the job at its end."""
     failure: Exception | None = None
     for sha256, size_bytes in sizes_bytes.items():
         with runtime.database.reading() as session:
-            if manifests.is_heard(session, studio_id, sha256):  # by another job, meanwhile
+            if manifests.has_fingerprint(session, studio_id, sha256):  # by another job, meanwhile
                 continue
         try:
-            heard = _heard(runtime, studio_id, sha256, size_bytes)
-        except (SandboxFailed, SoundUnheard, BlobAltered, BlobMissing) as error:
+            heard = _fingerprinted(runtime, studio_id, sha256, size_bytes)
+        except (SandboxFailed, FingerprintFailed, BlobAltered, BlobMissing) as error:
             log.warning("a game file could not be listened to", sha256=sha256, error=str(error))
             failure = error
             continue
         with runtime.database.writing() as session:
-            manifests.keep_heard(session, studio_id, sha256, manifest_entry(heard))
+            manifests.save_fingerprint(session, studio_id, sha256, manifest_entry(heard))
     if failure is not None:
         raise failure
 
 
-def _heard(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> Heard:
+def _fingerprinted(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> FingerprintedFile:
     with (
         runtime.store.local_copy(studio_id, sha256) as path,
         checking.sandbox().child(timeout_s=checking.time_for(size_bytes), reads=[path]) as child,
     ):
-        (heard,) = child.call(listen_to, [(str(path), sha256)])
+        (heard,) = child.call(fingerprint_files, [(str(path), sha256)])
     if heard.trouble:
-        raise SoundUnheard(heard.trouble)
+        raise FingerprintFailed(heard.trouble)
     return heard

@@ -4,12 +4,10 @@ import json
 import re
 from collections.abc import Sequence
 
-import typst
-
 from app.builds.documentation_key import KeyRow
+from app.kit.typesetting import typeset
 
-# What people wrote comes in as data and is never read as markup. The fonts that come with typst and no others,
-# and no date: both would make other bytes of the same key.
+# What people wrote comes in as data and is never read as markup.
 LOOK = """
 #let key = json(bytes(sys.inputs.key))
 #set document(title: "Documentation key: " + key.title, date: none)
@@ -42,15 +40,15 @@ LOOK = """
 
 
 def key_pdf(rows: Sequence[KeyRow], *, title: str) -> bytes:
-    """Return the key as a PDF, the same bytes for the same rows."""
+    """Return the key as a PDF, the same bytes for the same rows; see `typeset` for what is raised."""
     files = sum(bool(row.file) for row in rows)
-    told = {
+    content = {
         "title": title,
         "sums": f"{files} of {len(rows)} accepted sounds have a file; SHA256SUMS has their sums.",
         "rows": [_entry(row) for row in rows],
     }
-    inputs = {"key": json.dumps(told, ensure_ascii=False)}
-    return bytes(typst.compile(LOOK.encode(), format="pdf", sys_inputs=inputs, ignore_system_fonts=True))
+    inputs = {"key": json.dumps(content, ensure_ascii=False)}
+    return typeset(LOOK, inputs)
 
 
 def _entry(row: KeyRow) -> dict[str, object]:

@@ -6,8 +6,8 @@ from uuid import UUID
 from fastapi import Query
 from sqlalchemy.orm import Session
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
 from app.builds import manifests, packs, sealing
 from app.builds.endpoints import Target
 from app.builds.errors import (
@@ -40,13 +40,13 @@ def get_manifest(
     allow_missing: Annotated[
         bool, Query(description="Leave out accepted sounds that have no game file, as the pack does.")
     ] = False,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Manifest:
-    """Return what the files of the approved pack are known by, for `audio-checks audit`; 409 until all are listened to.
+    """Return fingerprints of the approved pack's files, for `audio-checks audit`; 409 until all are computed.
 
-    Nothing is in it where nothing is accepted. An accepted stand-in is: the audit tells it from a sound.
+    It is empty if nothing is accepted. It includes accepted placeholder files: the audit reports them as such.
     """
-    pack = packs.pack_in_sight(session, actor, project_id, target)
+    pack = packs.visible_pack(session, actor, project_id, target)
     if pack.sounds:
         packs.ensure_packable(pack, allow_missing=allow_missing, placeholders=True)
     return _manifest(runtime, session, actor, manifests.approved_now(pack))
@@ -61,12 +61,12 @@ def get_sealed_manifest(
     pack_id: UUID,
     session: DbSession,
     runtime: CurrentRuntime,
-    actor: Actor = allows(Sight.TEAM, build=Scope.MANIFEST_READ),
+    actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Manifest:
     """Return what the game files of a pack that was handed out are known by, for `audio-checks audit`."""
-    pack = sealing.sealed_in_sight(session, actor, pack_id)
+    pack = sealing.visible_sealed(session, actor, pack_id)
     sealing.ensure_sealed(pack)
-    return _manifest(runtime, session, actor, manifests.approved_then(session, pack))
+    return _manifest(runtime, session, actor, manifests.approved_in_pack(session, pack))
 
 
 def _manifest(runtime: Runtime, session: Session, actor: Actor, approved: Approved) -> Manifest:
@@ -75,5 +75,5 @@ def _manifest(runtime: Runtime, session: Session, actor: Actor, approved: Approv
     except ManifestNotReady:
         session.close()  # two connections for one request might be one too many
         with runtime.database.writing(actor.reach) as asking:
-            manifests.ask_to_listen(asking, approved)
+            manifests.request_fingerprints(asking, approved)
         raise

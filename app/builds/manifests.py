@@ -21,7 +21,7 @@ from app.builds.schemas import Manifest
 from app.deliveries.queries import take_with_cue
 from app.deliveries.rules import TakeState
 from app.kit import clock
-from app.kit.db import insert_unless_there
+from app.kit.db import insert_if_absent
 from app.kit.events import publish
 from app.kit.storage import Store
 from app.projects.models import Project
@@ -31,7 +31,9 @@ from app.renders.queries import current_renders
 from app.renders.rules import RenderState
 from audio_checks import FINGERPRINT_VERSION, manifest_of
 
-ASKED_AGAIN_S = 300  # so long two askers wait for one job; whoever asks later, after that one failed, starts another
+REQUEST_AGAIN_AFTER_S = (
+    300  # within this time requests share one job; a later one starts another, in case the first failed
+)
 
 
 @dataclass(frozen=True)
@@ -77,8 +79,8 @@ def approved_now(pack: Pack) -> Approved:
     return Approved(pack.project.studio_id, pack.project.id, pack.target, None, files)
 
 
-def approved_then(session: Session, pack: SealedPack) -> Approved:
-    """Return the game files of a sealed pack; stand-ins were not approved, and are none of them."""
+def approved_in_pack(session: Session, pack: SealedPack) -> Approved:
+    """Return the game files of a sealed pack; placeholder files were not approved, and are none of them."""
     files = [
         ApprovedFile(
             path=row.path,
@@ -98,7 +100,7 @@ def manifest_read(session: Session, store: Store, approved: Approved) -> Manifes
     Raises ManifestNotReady where sounds have not been listened to, BlobDamaged where the store has lost one of those.
     """
     sizes_bytes = approved.sizes_bytes
-    unheard = sizes_bytes.keys() - queries.heard_sounds(session, approved.studio_id, sizes_bytes)
+    unheard = sizes_bytes.keys() - queries.fingerprinted_sounds(session, approved.studio_id, sizes_bytes)
     if unheard:
         entries = [
             stored_entry(store, approved.studio_id, file.path, file.sha256, file.size_bytes)
@@ -116,11 +118,11 @@ def manifest_read(session: Session, store: Store, approved: Approved) -> Manifes
     return Manifest.model_validate(manifest_of(files))
 
 
-def ask_to_listen(session: Session, approved: Approved) -> None:
-    """Have the sounds of a pack listened to: by one job, however many ask for the same within some minutes."""
+def request_fingerprints(session: Session, approved: Approved) -> None:
+    """Schedule fingerprints of a pack's sounds: one job for all requests within some minutes."""
     asked = [str(FINGERPRINT_VERSION), approved.target, str(approved.pack_id), *sorted(approved.sizes_bytes)]
     digest = hashlib.sha256("\0".join(asked).encode()).hexdigest()
-    turn = int(clock.now().timestamp()) // ASKED_AGAIN_S
+    turn = int(clock.now().timestamp()) // REQUEST_AGAIN_AFTER_S
     publish(
         session,
         "manifest.asked",
@@ -132,22 +134,24 @@ def ask_to_listen(session: Session, approved: Approved) -> None:
     )
 
 
-def unheard_of_pack(session: Session, project_id: UUID, target: str, pack_id: UUID | None) -> Mapping[str, int]:
+def pack_sounds_to_fingerprint(
+    session: Session, project_id: UUID, target: str, pack_id: UUID | None
+) -> Mapping[str, int]:
     """Return the size of each sound of a pack that has not been listened to, by its hash."""
     if pack_id is not None:
         pack = queries.pack_by_id(session, pack_id)
         if pack is None or pack.state is not PackState.SEALED:
             return {}
-        approved = approved_then(session, pack)
+        approved = approved_in_pack(session, pack)
     else:
         try:
             approved = approved_now(pack_of(session, session.get_one(Project, project_id), target))
         except TargetUnknown:  # a newer spec has no such target
             return {}
-    return _unheard(session, approved.studio_id, approved.sizes_bytes)
+    return _without_fingerprint(session, approved.studio_id, approved.sizes_bytes)
 
 
-def unheard_of_take(session: Session, take_id: UUID) -> Mapping[str, int]:
+def take_sounds_to_fingerprint(session: Session, take_id: UUID) -> Mapping[str, int]:
     """Return the size of each game file of an approved take that has not been listened to, by its hash."""
     take = take_with_cue(session, take_id)
     if take is None or take.state is not TakeState.APPROVED:
@@ -158,21 +162,21 @@ def unheard_of_take(session: Session, take_id: UUID) -> Mapping[str, int]:
         for render in renders.values()
         if render and render.state is RenderState.MADE
     }
-    return _unheard(session, take.studio_id, sizes_bytes)
+    return _without_fingerprint(session, take.studio_id, sizes_bytes)
 
 
-def _unheard(session: Session, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> Mapping[str, int]:
-    heard = queries.heard_sounds(session, studio_id, sizes_bytes)
+def _without_fingerprint(session: Session, studio_id: UUID, sizes_bytes: Mapping[str, int]) -> Mapping[str, int]:
+    heard = queries.fingerprinted_sounds(session, studio_id, sizes_bytes)
     return {sha256: size_bytes for sha256, size_bytes in sizes_bytes.items() if sha256 not in heard}
 
 
-def is_heard(session: Session, studio_id: UUID, sha256: str) -> bool:
+def has_fingerprint(session: Session, studio_id: UUID, sha256: str) -> bool:
     """Whether a stored sound has been listened to."""
-    return bool(queries.heard_sounds(session, studio_id, [sha256]))
+    return bool(queries.fingerprinted_sounds(session, studio_id, [sha256]))
 
 
-def keep_heard(session: Session, studio_id: UUID, sha256: str, entry: Mapping[str, Any]) -> None:
-    """Put what a sound is known by on record, once, in the place of what another version heard."""
+def save_fingerprint(session: Session, studio_id: UUID, sha256: str, entry: Mapping[str, Any]) -> None:
+    """Record a sound's fingerprint once, in place of one made by another version."""
     session.execute(
         delete(Fingerprint).where(
             Fingerprint.studio_id == studio_id,
@@ -180,6 +184,6 @@ def keep_heard(session: Session, studio_id: UUID, sha256: str, entry: Mapping[st
             Fingerprint.fingerprint_version != FINGERPRINT_VERSION,
         )
     )
-    row = {"fingerprint_version": FINGERPRINT_VERSION, "entry": {**entry}, "heard_at": clock.now()}
+    row = {"fingerprint_version": FINGERPRINT_VERSION, "entry": {**entry}, "fingerprinted_at": clock.now()}
     known_by = {"studio_id": studio_id, "sound_sha256": sha256}
-    insert_unless_there(session, Fingerprint, known_by | row, unique=tuple(known_by))
+    insert_if_absent(session, Fingerprint, known_by | row, unique=tuple(known_by))

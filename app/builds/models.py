@@ -49,7 +49,9 @@ class SealedPack(Base):
     note: Mapped[str] = mapped_column(default="")
     with_masters: Mapped[bool] = mapped_column(default=False)
     allow_missing: Mapped[bool] = mapped_column(default=False)
-    placeholders: Mapped[bool] = mapped_column(default=False)  # stand-ins are in it, because somebody asked for them
+    placeholders: Mapped[bool] = mapped_column(
+        default=False
+    )  # placeholder files are in it, because the request asked for them
     state: Mapped[PackState] = mapped_column(default=PackState.SEALING)
     refusal: Mapped[str] = mapped_column(default="")
     sealed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
@@ -84,21 +86,21 @@ class PackedFile(Base):
 
 
 class Fingerprint(Base):
-    """What audits of game builds know a stored game file by."""
+    """The fingerprint by which audits of game builds recognise a stored game file."""
 
     __tablename__ = "builds_fingerprints"
 
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
     sound_sha256: Mapped[str] = mapped_column(primary_key=True)
-    fingerprint_version: Mapped[int]  # of audio_checks: what an earlier one heard is no longer of use
+    fingerprint_version: Mapped[int]  # of audio_checks: fingerprints of earlier versions are not used
     entry: Mapped[dict[str, Any]]  # of a manifest, but for path, cue and take
-    heard_at: Mapped[datetime] = mapped_column(default=clock.now)
+    fingerprinted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class StandIn(Base):
+class PlaceholderFile(Base):
     """A placeholder that was made for one variation of a cue and one target, marked as such in the file."""
 
-    __tablename__ = "builds_stand_ins"
+    __tablename__ = "builds_placeholder_files"
     __table_args__ = (
         UniqueConstraint("cue_id", "variation", "target"),
         CheckConstraint("(refusal is null) = (sha256 is not null)", name="made_or_refused"),
@@ -110,7 +112,7 @@ class StandIn(Base):
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     variation: Mapped[int]
     target: Mapped[str]
-    key: Mapped[str]  # of the cue's facts and the spec: another key wants another stand-in
+    key: Mapped[str]  # of the cue's facts and the spec: another key wants another placeholder file
     sha256: Mapped[str | None]
     file_bytes: Mapped[int | None] = mapped_column(BigInteger)
     is_spoken: Mapped[bool] = mapped_column(default=False)

@@ -23,7 +23,7 @@ from app.deliveries.models import Take
 from app.kit.storage import Store
 from app.projects.models import Project
 from app.projects.queries import current_spec
-from app.projects.service import Standing, standing_in
+from app.projects.service import ProjectAccess, project_access
 from app.renders.errors import TargetUnknown
 from app.renders.models import Render
 from app.renders.queries import current_renders, parsed_spec
@@ -65,17 +65,17 @@ class PackedSound:
     def why_missing(self) -> str:
         """Why there is no game file."""
         if self.render is None:
-            return "its game file is not made yet"
+            return "its game file is not rendered yet"
         return self.render.refusal or "its game file was refused"
 
     @property
     def master_name(self) -> str:
-        """Where the master stands in the pack, under the name that the game file has."""
+        """The master's path in the pack, under the name of its game file."""
         return f"masters/{PurePosixPath(self.file_name).stem}{PurePosixPath(self.take.file_name).suffix.lower()}"
 
 
 @dataclass(frozen=True)
-class PackedStandIn:
+class PackedPlaceholder:
     """A marked placeholder in the place of a sound that is not accepted yet."""
 
     cue: Cue
@@ -87,7 +87,7 @@ class PackedStandIn:
 
 @dataclass(frozen=True)
 class Pack:
-    """What a pack of a target holds."""
+    """The content of a target's pack."""
 
     project: Project
     target: str
@@ -95,30 +95,30 @@ class Pack:
     sounds: list[PackedSound]
     cues_wanted: int
     last_number: int | None  # of the target's newest sealed pack
-    last_marks: dict[str, str]  # what its game files sounded like, by path
-    marked: set[UUID]  # takes that say of themselves that they are stand-ins
-    stand_ins: list[PackedStandIn] = field(default_factory=list)  # only where somebody asked for them
+    last_marks: dict[str, str]  # fingerprints of its game files, by path
+    marked: set[UUID]  # takes whose files are marked as placeholder files
+    placeholder_files: list[PackedPlaceholder] = field(default_factory=list)  # only if requested
 
     @property
     def marks(self) -> dict[str, str]:
-        """What each game file sounds like, by path."""
+        """The fingerprint of each game file, by path."""
         return {sound.path: mark_of(sound.made) for sound in self.sounds if sound.made}
 
 
 def mark_of(render: Render) -> str:
-    """Return what two game files share that sound the same and loop the same, whatever else stands in them."""
+    """Return a mark that is equal for two game files with the same sound and loop, whatever their metadata."""
     return "|".join([render.pcm_sha256 or "", *(str(render.facts.get(fact)) for fact in SAME_SOUND)])
 
 
-def pack_in_sight(session: Session, actor: Actor, project_id: UUID, target: str | None) -> Pack:
+def visible_pack(session: Session, actor: Actor, project_id: UUID, target: str | None) -> Pack:
     """Return what the pack of a target holds; without a target, of the spec's first."""
-    standing = standing_in(session, actor, project_id)
-    ensure_team_or_build(standing)
-    return pack_of(session, standing.project, target)
+    access = project_access(session, actor, project_id)
+    ensure_team_or_build(access)
+    return pack_of(session, access.project, target)
 
 
 def pack_of(session: Session, project: Project, target: str | None) -> Pack:
-    """Return what the pack of a target holds, without asking who looks.
+    """Return what the pack of a target holds, without a check of the caller.
 
     A file that sounds as it did in the last pack is that very file, so that the game's depot sees no change.
     """
@@ -157,10 +157,10 @@ def pack_of(session: Session, project: Project, target: str | None) -> Pack:
     )
 
 
-def ensure_team_or_build(standing: Standing) -> None:
+def ensure_team_or_build(access: ProjectAccess) -> None:
     """Raise TeamNeeded for a designer; a build's token was let in by its scope."""
-    if not standing.actor.is_build:
-        standing.ensure_team()
+    if not access.actor.is_build:
+        access.ensure_team()
 
 
 def pack_read(pack: Pack) -> PackRead:
@@ -209,10 +209,10 @@ def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[st
 def key_rows(pack: Pack, *, masters: bool) -> list[KeyRow]:
     """Return the rows of the documentation key."""
     rows = [_key_row(pack, sound, masters=masters) for sound in pack.sounds]
-    return rows + [_stand_in_row(pack, one) for one in pack.stand_ins]
+    return rows + [_placeholder_file_row(pack, one) for one in pack.placeholder_files]
 
 
-def _stand_in_row(pack: Pack, one: PackedStandIn) -> KeyRow:
+def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
     return KeyRow(
         file=one.path,
         cue=label(pack.project.cue_prefix, one.cue.number),
@@ -230,7 +230,7 @@ def _stand_in_row(pack: Pack, one: PackedStandIn) -> KeyRow:
         channels=None,
         attenuation_db=None,
         version=None,
-        note="PLACEHOLDER: a stand-in, not the sound; it must not ship",
+        note="PLACEHOLDER: not the final sound; it must not ship",
         master="",
         file_sha256=one.sha256,
         master_sha256="",
@@ -296,7 +296,7 @@ def pack_files(
     ]
     files += [
         Packed(stored_entry(store, studio_id, one.path, one.sha256, one.file_bytes), FileKind.PLACEHOLDER)
-        for one in pack.stand_ins
+        for one in pack.placeholder_files
     ]
     if masters:
         files += [
@@ -320,15 +320,15 @@ def title_of(pack: Pack) -> str:
 
 
 def ensure_packable(pack: Pack, *, allow_missing: bool, placeholders: bool) -> None:
-    """Raise NothingAccepted, PackIncomplete, or PlaceholderAccepted where a stand-in would ship unnoticed."""
-    if not pack.sounds and not pack.stand_ins:
-        raise NothingAccepted("no cue is accepted yet; approve every variation of one first")
+    """Raise NothingAccepted, PackIncomplete, or PlaceholderAccepted where a placeholder file would ship unnoticed."""
+    if not pack.sounds and not pack.placeholder_files:
+        raise NothingAccepted("no cue is accepted yet; approve every variation of at least one cue first")
     if disguised := [sound for sound in pack.sounds if sound.take.id in pack.marked and not placeholders]:
         named = ", ".join(sound.path for sound in disguised[:NAMES_SHOWN])
         raise PlaceholderAccepted(
-            f"{named}: the accepted version is marked as a stand-in, not the sound itself; {len(disguised)} in all",
-            errors=[{"where": sound.path, "message": "its master is marked as a stand-in"} for sound in disguised],
-            fix="have the real sound delivered, or ask for a pack with placeholders (placeholders=true)",
+            f"{named}: the accepted version is marked as a placeholder, not the final sound; {len(disguised)} in all",
+            errors=[{"where": sound.path, "message": "its master is marked as a placeholder"} for sound in disguised],
+            fix="have the final sound delivered, or ask for a pack with placeholders (placeholders=true)",
         )
     missing = [sound for sound in pack.sounds if not sound.made]
     if missing and not allow_missing:
@@ -337,7 +337,7 @@ def ensure_packable(pack: Pack, *, allow_missing: bool, placeholders: bool) -> N
         raise PackIncomplete(
             f"{named}{more} cannot be packed for {pack.target}: {missing[0].why_missing}",
             errors=[{"where": sound.path, "message": sound.why_missing} for sound in missing],
-            fix="take the pack without them (allow_missing=true), or have them made first",
+            fix="seal the pack without them (allow_missing=true), or have them rendered first",
         )
 
 

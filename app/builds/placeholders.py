@@ -1,4 +1,4 @@
-"""Placeholders: what the game has no accepted sound for, and the marked stand-ins that are made for it."""
+"""Placeholders: what the game has no accepted sound for, and the marked placeholder files that are made for it."""
 
 import hashlib
 import json
@@ -12,15 +12,15 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.builds import queries
-from app.builds.models import StandIn
-from app.builds.packs import Pack, PackedStandIn, pack_in_sight, pack_of
+from app.builds.models import PlaceholderFile
+from app.builds.packs import Pack, PackedPlaceholder, pack_of, visible_pack
 from app.builds.schemas import CategoryCountdown, PlaceholderCountdown, PlaceholderRead, PlaceholderRegister
 from app.kit.events import publish
 from app.kit.queue import BULK
 from app.kit.storage import StoredBlob
 from app.projects.models import Project
 from app.projects.queries import current_spec
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.renders.queries import parsed_spec
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of
@@ -40,7 +40,7 @@ class Slot:
     path: str
     facts: CueFacts
     view: DeliverySpec
-    key: str  # of everything that its stand-in is made from
+    key: str  # of everything that its placeholder file is made from
 
 
 def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
@@ -62,15 +62,15 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
 
 
 def _key(facts: CueFacts, variation: int, view: DeliverySpec) -> str:
-    told = {name: value for name, value in asdict(facts).items() if name != "more"}
-    made_of = [TOOL_VERSION, told, variation, view.sha256, view.category, view.target and view.target.name]
+    inputs = {name: value for name, value in asdict(facts).items() if name != "more"}
+    made_of = [TOOL_VERSION, inputs, variation, view.sha256, view.category, view.target and view.target.name]
     return hashlib.sha256(json.dumps(made_of, sort_keys=True, default=str).encode()).hexdigest()
 
 
 def register(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderRegister:
     """Return what is still a placeholder for a target."""
-    pack = pack_in_sight(session, actor, project_id, target)
-    made = queries.stand_ins_of(session, project_id, pack.target)
+    pack = visible_pack(session, actor, project_id, target)
+    made = queries.placeholder_files_of(session, project_id, pack.target)
     prefix = pack.project.cue_prefix
     items = [_item(prefix, slot, made.get((slot.cue.id, slot.variation))) for slot in open_slots(session, pack)]
     replaced = sum(sound.made is not None for sound in pack.sounds)
@@ -87,7 +87,7 @@ def register(session: Session, actor: Actor, project_id: UUID, target: str | Non
 
 def countdown(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderCountdown:
     """Return how much is still a placeholder for a target, by category, and what to record next."""
-    pack = pack_in_sight(session, actor, project_id, target)
+    pack = visible_pack(session, actor, project_id, target)
     left = list(open_slots(session, pack))
     there = [sound for sound in pack.sounds if sound.made]
     files = Counter(sound.cue.category for sound in there) + Counter(slot.cue.category for slot in left)
@@ -113,11 +113,11 @@ def _next_to_record(session: Session, pack: Pack, left: list[Slot]) -> Placehold
     if not to_record:
         return None
     first = min(to_record, key=lambda slot: SETTLED_FIRST[slot.cue.state])
-    made = queries.stand_in(session, first.cue.id, first.variation, pack.target)
+    made = queries.placeholder_file(session, first.cue.id, first.variation, pack.target)
     return _item(pack.project.cue_prefix, first, made)
 
 
-def _item(prefix: str, slot: Slot, made: StandIn | None) -> PlaceholderRead:
+def _item(prefix: str, slot: Slot, made: PlaceholderFile | None) -> PlaceholderRead:
     return PlaceholderRead(
         cue_id=slot.cue.id,
         cue=label(prefix, slot.cue.number),
@@ -131,7 +131,7 @@ def _item(prefix: str, slot: Slot, made: StandIn | None) -> PlaceholderRead:
     )
 
 
-def _state(slot: Slot, made: StandIn | None) -> Literal["missing", "made", "outdated", "refused"]:
+def _state(slot: Slot, made: PlaceholderFile | None) -> Literal["missing", "made", "outdated", "refused"]:
     if made is None:
         return "missing"
     if made.key != slot.key:
@@ -139,11 +139,11 @@ def _state(slot: Slot, made: StandIn | None) -> Literal["missing", "made", "outd
     return "refused" if made.sha256 is None else "made"
 
 
-def ask_for_stand_ins(session: Session, actor: Actor, project_id: UUID, target: str) -> None:
-    """Have a stand-in made for everything that the pack of a target lacks."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_team()
-    pack = pack_of(session, standing.project, target)
+def request_placeholder_files(session: Session, actor: Actor, project_id: UUID, target: str) -> None:
+    """Have a placeholder file made for everything that the pack of a target lacks."""
+    access = project_access(session, actor, project_id)
+    access.ensure_team()
+    pack = pack_of(session, access.project, target)
     studio_id = pack.project.studio_id
     publish(
         session, "placeholders.asked", studio_id=studio_id, priority=BULK, project_id=project_id, target=pack.target
@@ -151,9 +151,9 @@ def ask_for_stand_ins(session: Session, actor: Actor, project_id: UUID, target: 
 
 
 def slots_to_make(session: Session, project_id: UUID, target: str) -> tuple[Project, list[Slot]]:
-    """Return the slots whose stand-in is not there, or is not what it should be."""
+    """Return the slots whose placeholder file is not there, or is not what it should be."""
     pack = pack_of(session, session.get_one(Project, project_id), target)
-    made = queries.stand_ins_of(session, project_id, target)
+    made = queries.placeholder_files_of(session, project_id, target)
     return pack.project, [
         slot
         for slot in open_slots(session, pack)
@@ -171,10 +171,10 @@ def keep(
     is_spoken: bool,
     refusal: str,
 ) -> None:
-    """Put a stand-in on record, or why there is none."""
-    row = queries.stand_in(session, slot.cue.id, slot.variation, target)
+    """Put a placeholder file on record, or why there is none."""
+    row = queries.placeholder_file(session, slot.cue.id, slot.variation, target)
     if row is None:
-        row = StandIn(
+        row = PlaceholderFile(
             studio_id=project.studio_id,
             project_id=project.id,
             cue_id=slot.cue.id,
@@ -187,12 +187,12 @@ def keep(
     row.refusal = None if blob else refusal
 
 
-def with_stand_ins(session: Session, pack: Pack) -> Pack:
-    """Return a pack with stand-ins for what it lacks, those that were made for cue and spec as they are now."""
-    made = queries.stand_ins_of(session, pack.project.id, pack.target)
+def with_placeholder_files(session: Session, pack: Pack) -> Pack:
+    """Return a pack with placeholder files for what it lacks, those that were made for cue and spec as they are now."""
+    made = queries.placeholder_files_of(session, pack.project.id, pack.target)
     filled = [
-        PackedStandIn(slot.cue, slot.variation, slot.path, known.sha256, known.file_bytes or 0)
+        PackedPlaceholder(slot.cue, slot.variation, slot.path, known.sha256, known.file_bytes or 0)
         for slot in open_slots(session, pack)
         if (known := made.get((slot.cue.id, slot.variation))) and known.key == slot.key and known.sha256
     ]
-    return replace(pack, stand_ins=filled)
+    return replace(pack, placeholder_files=filled)

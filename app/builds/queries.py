@@ -1,4 +1,4 @@
-"""Builds and what packs are made of, read from the database; callers have checked who looks."""
+"""Builds and what packs are made of, read from the database; callers have checked access."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
@@ -8,11 +8,11 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
-from app.builds.models import Build, Fingerprint, PackedFile, SealedPack, StandIn
+from app.builds.models import Build, Fingerprint, PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind, PackState
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
@@ -63,14 +63,14 @@ def render_hashes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, li
 
 
 def pack_by_id(session: Session, pack_id: UUID) -> SealedPack | None:
-    """Return a pack with whoever sealed it, without asking who looks."""
+    """Return a pack with the person who sealed it, without a check of the caller."""
     return session.scalar(select(SealedPack).where(SealedPack.id == pack_id).options(joinedload(SealedPack.sealer)))
 
 
 def packs_of(
     session: Session, project_id: UUID, *, target: str | None, before: UUID | None, limit: int
 ) -> Sequence[SealedPack]:
-    """Return packs with whoever sealed them, the newest first."""
+    """Return packs with the people who sealed them, the newest first."""
     query = select(SealedPack).where(SealedPack.project_id == project_id)
     if target is not None:
         query = query.where(SealedPack.target == target)
@@ -103,10 +103,10 @@ def files_of(session: Session, pack_id: UUID) -> Sequence[PackedFile]:
 
 
 class PackSums(NamedTuple):
-    """How much a pack holds."""
+    """The size of a pack."""
 
     files: int = 0  # game files
-    stand_ins: int = 0
+    placeholder_files: int = 0
     size_bytes: int = 0  # of all files, masters and key included
 
 
@@ -122,7 +122,10 @@ def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, PackSu
         .where(PackedFile.pack_id.in_(pack_ids))
         .group_by(PackedFile.pack_id)
     )
-    return {pack_id: PackSums(files, stand_ins, int(size_bytes)) for pack_id, files, stand_ins, size_bytes in rows}
+    return {
+        pack_id: PackSums(files, placeholder_files, int(size_bytes))
+        for pack_id, files, placeholder_files, size_bytes in rows
+    }
 
 
 def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
@@ -159,21 +162,23 @@ def packed_sounds_of(session: Session, pack_id: UUID) -> list[PackedSoundRow]:
     return [PackedSoundRow._make(row) for row in rows]
 
 
-def heard_sounds(session: Session, studio_id: UUID, sha256s: Collection[str]) -> set[str]:
+def fingerprinted_sounds(session: Session, studio_id: UUID, sha256s: Collection[str]) -> set[str]:
     """Return which stored sounds have been listened to as this version does."""
-    return set(session.scalars(select(Fingerprint.sound_sha256).where(*_heard(studio_id, sha256s))))
+    return set(session.scalars(select(Fingerprint.sound_sha256).where(*_fingerprinted(studio_id, sha256s))))
 
 
 def manifest_entries(session: Session, studio_id: UUID, sha256s: Collection[str]) -> dict[str, dict[str, Any]]:
     """Return what stored sounds are known by, by their hashes."""
-    rows = session.execute(select(Fingerprint.sound_sha256, Fingerprint.entry).where(*_heard(studio_id, sha256s)))
+    rows = session.execute(
+        select(Fingerprint.sound_sha256, Fingerprint.entry).where(*_fingerprinted(studio_id, sha256s))
+    )
     return dict(rows.all())
 
 
-def _heard(studio_id: UUID, sha256s: Collection[str]) -> tuple[ColumnElement[bool], ...]:
+def _fingerprinted(studio_id: UUID, sha256s: Collection[str]) -> tuple[ColumnElement[bool], ...]:
     return (
         Fingerprint.studio_id == studio_id,
-        among(Fingerprint.sound_sha256, sha256s),
+        in_array(Fingerprint.sound_sha256, sha256s),
         Fingerprint.fingerprint_version == FINGERPRINT_VERSION,
     )
 
@@ -186,14 +191,18 @@ def slots_under_way(session: Session, project_id: UUID) -> set[tuple[UUID, int]]
     return {(cue_id, variation) for cue_id, variation in rows if cue_id is not None}
 
 
-def stand_ins_of(session: Session, project_id: UUID, target: str) -> dict[tuple[UUID, int], StandIn]:
+def placeholder_files_of(session: Session, project_id: UUID, target: str) -> dict[tuple[UUID, int], PlaceholderFile]:
     """Return the placeholders that were made for a target, by cue and variation."""
-    found = session.scalars(select(StandIn).where(StandIn.project_id == project_id, StandIn.target == target))
+    found = session.scalars(
+        select(PlaceholderFile).where(PlaceholderFile.project_id == project_id, PlaceholderFile.target == target)
+    )
     return {(one.cue_id, one.variation): one for one in found}
 
 
-def stand_in(session: Session, cue_id: UUID, variation: int, target: str) -> StandIn | None:
+def placeholder_file(session: Session, cue_id: UUID, variation: int, target: str) -> PlaceholderFile | None:
     """Return the placeholder of one variation of a cue for a target."""
     return session.scalar(
-        select(StandIn).where(StandIn.cue_id == cue_id, StandIn.variation == variation, StandIn.target == target)
+        select(PlaceholderFile).where(
+            PlaceholderFile.cue_id == cue_id, PlaceholderFile.variation == variation, PlaceholderFile.target == target
+        )
     )

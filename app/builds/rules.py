@@ -1,4 +1,4 @@
-"""What a report says of a build, and how CI speaks to us: without a database."""
+"""Rules of build reports and of the commands for CI, stated without a database."""
 
 import json
 import shlex
@@ -27,7 +27,7 @@ class PackState(StrEnum):
 
 
 class FileKind(StrEnum):
-    """What a file of a pack is."""
+    """The kind of a file in a pack."""
 
     GAME = "game"
     PLACEHOLDER = "placeholder"
@@ -37,7 +37,7 @@ class FileKind(StrEnum):
 
 @dataclass(frozen=True)
 class Changes:
-    """What differs between two packs of a target, by path, each in order."""
+    """The differences of two packs of a target, by path, each in order."""
 
     new: list[str]
     changed: list[str]
@@ -100,7 +100,7 @@ def ci_lines(base_url: str, project_id: str, target: str) -> list[str]:
         "--format text --format json:report.json assets/ || status=$?",
         f'python3 -c \'{COMPOSE}\' "${{BUILD:-unnamed}}" "${{COMMIT:-}}" {quoted} < report.json | '
         f"curl -fsS {auth} -H 'Content-Type: application/json' --data-binary @- -o posted.json {project}/builds",
-        # Refused with 409 while sounds that were approved just now are listened to.
+        # Refused with 409 while newly approved sounds are fingerprinted.
         f"curl -fsS --retry 5 --retry-all-errors {auth} -o manifest.json {shlex.quote(manifest)}",
         "audio-checks audit --manifest manifest.json --allow unknown assets/ || drifted=$?",
         'exit "${status:-${drifted:-0}}"',

@@ -28,7 +28,7 @@ class ChangedPath(Schema):
 
 
 class PackChanges(Schema):
-    """What became of the game files since an earlier pack of the target; same: what sounds and loops as it did."""
+    """Changes of the game files since an earlier pack of the target; same: the same sound and loop."""
 
     since: int | None = Field(description="The number of that pack; null where there was none.")
     new: int
@@ -39,7 +39,7 @@ class PackChanges(Schema):
 
 
 class PackRead(Schema):
-    """What the approved pack of a target holds."""
+    """The content of the approved pack of a target."""
 
     target: str
     targets: list[str]
@@ -53,13 +53,15 @@ class PackRead(Schema):
 
 
 class PackAdd(Schema):
-    """What is to be sealed."""
+    """The pack to seal."""
 
     target: str = Field(min_length=1, max_length=100)
     note: str = Field("", max_length=2_000)
     masters: bool = False
     allow_missing: bool = Field(False, description="Leave out accepted sounds that have no game file.")
-    placeholders: bool = Field(False, description="Put marked stand-ins in for the sounds that are not accepted.")
+    placeholders: bool = Field(
+        False, description="Put marked placeholder files in for the sounds that are not accepted."
+    )
 
 
 class SealedPackSummary(Schema):
@@ -77,7 +79,7 @@ class SealedPackSummary(Schema):
     created_at: datetime
     sealed_at: datetime | None
     files: int = Field(description="Game files.")
-    placeholder_files: int = Field(description="Stand-ins beside them.")
+    placeholder_files: int = Field(description="Placeholder files in addition.")
     bytes: int
 
 
@@ -88,7 +90,7 @@ class SealedPackRead(SealedPackSummary):
 
 
 class ReportTool(BaseModel):
-    """What wrote the report."""
+    """The tool that wrote the report."""
 
     model_config = ConfigDict(extra="allow")
 
@@ -117,7 +119,7 @@ class ReportFinding(BaseModel):
 
 
 class ReportFile(BaseModel):
-    """What is said of one file."""
+    """The report on one file."""
 
     model_config = ConfigDict(extra="allow")
 
@@ -139,7 +141,7 @@ class CheckReport(BaseModel):
 
 
 class BuildAdd(Schema):
-    """What a game's CI found in one build."""
+    """The report of a game's CI on one build."""
 
     label: str = Field(min_length=1, max_length=200)
     commit: str = Field("", max_length=200)
@@ -167,7 +169,7 @@ class BuildRead(BuildSummary):
 
 
 class WaivedSound(Schema):
-    """Codes that the decider let through for one sound, found by the hash of its samples."""
+    """Codes that the approver let through for one sound, found by the hash of its samples."""
 
     pcm_sha256: str
     codes: list[str]
@@ -177,14 +179,14 @@ class WaivedSound(Schema):
 
 
 class Baseline(Schema):
-    """What `audio-checks check --baseline` reads."""
+    """The baseline for `audio-checks check --baseline`."""
 
     format: Literal[1] = 1
     waived: list[WaivedSound]
 
 
 class ManifestTool(Schema):
-    """What made the manifest."""
+    """The tool that made the manifest."""
 
     name: Literal["audio-checks"]
     version: str
@@ -207,7 +209,7 @@ class ManifestSound(Schema):
 
 
 class Manifest(Schema):
-    """What `audio-checks audit --manifest` reads."""
+    """The manifest for `audio-checks audit --manifest`."""
 
     schema_version: Literal[1]
     tool: ManifestTool
@@ -231,26 +233,26 @@ class PlaceholderRead(Schema):
     path: str
     category: str
     state: Literal["missing", "made", "outdated", "refused"] = Field(
-        description="Whether a stand-in is there; outdated: cue or spec changed since it was made."
+        description="Whether a placeholder file is there; outdated: cue or spec changed since it was made."
     )
     spoken: bool
     refusal: str | None
 
 
 class PlaceholderRegister(Schema):
-    """What is still a placeholder, counted down as sounds are accepted."""
+    """The remaining placeholders, counted down as sounds are accepted."""
 
     target: str
     targets: list[str]
     files: int = Field(description="Files that the list asks for.")
     replaced: int = Field(description="Those with an accepted sound.")
     left: int
-    made: int = Field(description="Those left that have a stand-in to spec.")
+    made: int = Field(description="Those left that have a placeholder file to spec.")
     items: list[PlaceholderRead]
 
 
 class CategoryCountdown(Schema):
-    """How many files of one category are still a placeholder."""
+    """The number of files of one category that are still placeholders."""
 
     category: str
     files: int
@@ -258,7 +260,7 @@ class CategoryCountdown(Schema):
 
 
 class PlaceholderCountdown(Schema):
-    """How much is still a placeholder, without naming all of it."""
+    """The number of remaining placeholders, without their names."""
 
     target: str
     cues: int = Field(description="Cues of the list that are not cut.")
@@ -272,17 +274,17 @@ class PlaceholderCountdown(Schema):
 
 
 class PlaceholdersAdd(Schema):
-    """For which target stand-ins are to be made."""
+    """For which target placeholder files are to be made."""
 
     target: str = Field(min_length=1, max_length=100)
 
 
 class MemoryRead(Schema):
-    """What some of a target's files take."""
+    """The memory of some of a target's files."""
 
     category: str | None
     files: int
-    unknown_files: int = Field(description="Left out, because nobody has asked for a length yet.")
+    unknown_files: int = Field(description="Left out, because their cues have no length yet.")
     pcm_bytes: int
     disk_bytes: int
     memory_bytes: int
@@ -291,14 +293,14 @@ class MemoryRead(Schema):
 
 
 class MemoryByCategory(Schema):
-    """What a target takes, all of it and by category."""
+    """The memory of a target, in total and by category."""
 
     total: MemoryRead
     categories: list[MemoryRead]
 
 
 class TargetMemory(Schema):
-    """What game files are made to, and what they take in the game's memory."""
+    """The format of a target's game files, and their memory in the game."""
 
     name: str
     engine: str | None = Field(description="Whose preset bears this name.")

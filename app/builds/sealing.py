@@ -1,4 +1,4 @@
-"""Packs that are handed out: put together by the worker, numbered for their target, the same bytes for ever."""
+"""Released packs: assembled by the worker, numbered for their target, the same bytes at every download."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -21,7 +21,7 @@ from app.builds.packs import (
     pack_of,
     stored_entry,
 )
-from app.builds.placeholders import with_stand_ins
+from app.builds.placeholders import with_placeholder_files
 from app.builds.rules import PackState
 from app.builds.schemas import PackAdd, SealedPackRead, SealedPackSummary
 from app.builds.zip_stream import Entry
@@ -30,20 +30,20 @@ from app.kit.events import publish
 from app.kit.storage import Store
 from app.projects.errors import ProjectNotFound
 from app.projects.queries import lock_project
-from app.projects.service import standing_in
+from app.projects.service import project_access
 
 
-def ask_for_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackAdd) -> SealedPack:
-    """Begin a numbered pack of what is accepted now, for the worker to put together; raise what stands in its way."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_team()
-    pack_now = pack_of(session, standing.project, wanted.target)
+def request_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackAdd) -> SealedPack:
+    """Begin a numbered pack of the sounds accepted now, for the worker to assemble; raise what prevents it."""
+    access = project_access(session, actor, project_id)
+    access.ensure_team()
+    pack_now = pack_of(session, access.project, wanted.target)
     if wanted.placeholders:
-        pack_now = with_stand_ins(session, pack_now)
+        pack_now = with_placeholder_files(session, pack_now)
     ensure_packable(pack_now, allow_missing=wanted.allow_missing, placeholders=wanted.placeholders)
     lock_project(session, project_id)
     pack = SealedPack(
-        studio_id=standing.project.studio_id,
+        studio_id=access.project.studio_id,
         project_id=project_id,
         target=wanted.target,
         number=queries.last_pack_number(session, project_id, wanted.target) + 1,
@@ -83,22 +83,22 @@ def seal(session: Session, pack_id: UUID, files: Sequence[Packed]) -> None:
 
 
 def refuse(session: Session, pack_id: UUID, refusal: str) -> None:
-    """Say why a pack could not be put together."""
+    """Record why a pack could not be assembled."""
     pack = queries.pack_by_id(session, pack_id)
     if pack is not None and pack.state is PackState.SEALING:
         pack.state, pack.refusal = PackState.REFUSED, refusal
 
 
-def sealed_in_sight(session: Session, actor: Actor, pack_id: UUID) -> SealedPack:
+def visible_sealed(session: Session, actor: Actor, pack_id: UUID) -> SealedPack:
     """Return a pack; raise PackNotFound without sight of its project."""
     pack = queries.pack_by_id(session, pack_id)
     if pack is None:
         raise PackNotFound(f"no pack {pack_id}")
     try:
-        standing = standing_in(session, actor, pack.project_id)
+        access = project_access(session, actor, pack.project_id)
     except ProjectNotFound:
         raise PackNotFound(f"no pack {pack_id}") from None
-    ensure_team_or_build(standing)
+    ensure_team_or_build(access)
     return pack
 
 
@@ -106,7 +106,7 @@ def packs_in(
     session: Session, actor: Actor, project_id: UUID, *, target: str | None, before: UUID | None, limit: int
 ) -> Sequence[SealedPack]:
     """Return the packs of a project that were handed out, the newest first."""
-    ensure_team_or_build(standing_in(session, actor, project_id))
+    ensure_team_or_build(project_access(session, actor, project_id))
     return queries.packs_of(session, project_id, target=target, before=before, limit=limit)
 
 
@@ -124,8 +124,8 @@ def sealed_entries(session: Session, store: Store, pack: SealedPack) -> list[Ent
 def ensure_sealed(pack: SealedPack) -> None:
     """Raise PackNotSealed for a pack that is being put together, or could not be."""
     if pack.state is not PackState.SEALED:
-        told = pack.refusal or "it is being put together; try again in a moment"
-        raise PackNotSealed(f"pack {pack.number} for {pack.target} cannot be fetched: {told}")
+        reason = pack.refusal or "it is being built; try again in a moment"
+        raise PackNotSealed(f"pack {pack.number} for {pack.target} cannot be fetched: {reason}")
 
 
 def summaries(session: Session, packs: Sequence[SealedPack]) -> list[SealedPackSummary]:
@@ -148,7 +148,7 @@ def _summary(pack: SealedPack, sums: queries.PackSums) -> dict[str, object]:
         "created_at": pack.created_at,
         "sealed_at": pack.sealed_at,
         "files": sums.files,
-        "placeholder_files": sums.stand_ins,
+        "placeholder_files": sums.placeholder_files,
         "bytes": sums.size_bytes,
     }
 

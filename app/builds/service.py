@@ -1,4 +1,4 @@
-"""Builds: reports of the game's CI are kept, and what the decider waived is told to it."""
+"""Stores the reports of the game's CI, and answers them with the approver's waivers."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -16,19 +16,19 @@ from app.builds.schemas import WaivedSound
 from app.conformance.queries import waivers_in
 from app.kit.events import publish
 from app.projects.errors import ProjectNotFound
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.sound_lists.rules import label
 
 
-def keep_report(
+def save_report(
     session: Session, actor: Actor, project_id: UUID, *, label: str, commit: str, target: str, report: dict[str, Any]
 ) -> Build:
     """Keep the report of one build, counted by us."""
-    standing = standing_in(session, actor, project_id)
-    ensure_team_or_build(standing)
+    access = project_access(session, actor, project_id)
+    ensure_team_or_build(access)
     ensure_storable(report)
     build = Build(
-        studio_id=standing.project.studio_id,
+        studio_id=access.project.studio_id,
         project_id=project_id,
         label=label,
         commit=commit,
@@ -47,27 +47,27 @@ def keep_report(
 
 def builds_in(session: Session, actor: Actor, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Build]:
     """Return builds of a project without their reports, the newest first."""
-    standing_in(session, actor, project_id).ensure_team()
+    project_access(session, actor, project_id).ensure_team()
     return queries.builds_of(session, project_id, before=before, limit=limit)
 
 
-def build_in_sight(session: Session, actor: Actor, build_id: UUID) -> Build:
+def visible_build(session: Session, actor: Actor, build_id: UUID) -> Build:
     """Return a build with its report; raise BuildNotFound without sight of it."""
     build = queries.build_by_id(session, build_id)
     if build is None:
         raise BuildNotFound(f"no build {build_id}")
     try:
-        standing = standing_in(session, actor, build.project_id)
+        access = project_access(session, actor, build.project_id)
     except ProjectNotFound:
         raise BuildNotFound(f"no build {build_id}") from None
-    standing.ensure_team()
+    access.ensure_team()
     return build
 
 
 def waived_sounds(session: Session, actor: Actor, project_id: UUID) -> list[WaivedSound]:
-    """Return what the decider let through, by the samples of each master and of each game file made of it."""
-    standing = standing_in(session, actor, project_id)
-    only = standing.only_designer_id
+    """Return what the approver let through, by the samples of each master and of each game file made of it."""
+    access = project_access(session, actor, project_id)
+    only = access.only_designer_id
     waivers = [row for row in waivers_in(session, project_id) if only in (None, row[2].designer_id)]
     renders = queries.render_hashes(session, {take.id for _, _, take in waivers})
     return [
@@ -75,7 +75,7 @@ def waived_sounds(session: Session, actor: Actor, project_id: UUID) -> list[Waiv
             pcm_sha256=pcm_sha256,
             codes=sorted(waiver.codes),
             reason=waiver.reason,
-            cue=label(standing.project.cue_prefix, take.cue.number) if take.cue else None,
+            cue=label(access.project.cue_prefix, take.cue.number) if take.cue else None,
             file_name=take.file_name,
         )
         for waiver, run, take in waivers

@@ -1,4 +1,4 @@
-"""What each target takes in the game's memory: as the accepted sounds are, and as the whole list would be."""
+"""The memory of each target in the game: of the accepted sounds, and of the whole list."""
 
 from collections.abc import Iterator
 from uuid import UUID
@@ -9,20 +9,20 @@ from app.accounts.rules import Actor
 from app.builds.packs import Pack, ensure_team_or_build, pack_of
 from app.builds.schemas import MemoryByCategory, PresetRead, TargetMemory, TargetsRead
 from app.projects.queries import current_spec
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.renders.queries import parsed_spec
 from app.sound_lists.queries import cues_of
 from app.sound_lists.rules import CueState
 from audio_checks import TARGET_PRESETS, DeliverySpec, SoundSize, memory_use
 
 
-def targets_in_sight(session: Session, actor: Actor, project_id: UUID) -> TargetsRead:
+def visible_targets(session: Session, actor: Actor, project_id: UUID) -> TargetsRead:
     """Return the targets of the newest spec, and what there is to start from."""
-    standing = standing_in(session, actor, project_id)
-    ensure_team_or_build(standing)
+    access = project_access(session, actor, project_id)
+    ensure_team_or_build(access)
     spec = parsed_spec(current_spec(session, project_id).toml)
     return TargetsRead(
-        targets=[_target_read(session, spec, pack_of(session, standing.project, name)) for name in spec.targets],
+        targets=[_target_read(session, spec, pack_of(session, access.project, name)) for name in spec.targets],
         presets=[
             PresetRead(name=one.name, engine=one.engine, accepts=one.accepts, why=one.why, toml=one.to_toml())
             for one in TARGET_PRESETS.values()
@@ -66,7 +66,7 @@ def _sizes_there(pack: Pack) -> Iterator[SoundSize]:
 
 
 def _sizes_to_come(session: Session, pack: Pack) -> Iterator[SoundSize]:
-    """Yield what the list asks for and the pack does not have."""
+    """Yield the sounds of the list that the pack does not have."""
     there = {sound.cue.id for sound in pack.sounds if sound.made}
     for cue in cues_of(session, pack.project.id):
         if cue.state is not CueState.CUT and cue.id not in there:

@@ -1,6 +1,6 @@
 """A ZIP written while it is sent: stored, in the given order, byte-identical again, its length known beforehand.
 
-Python's zipfile, on a stream, cannot tell sizes before the data; readers that stream too refuse such files.
+Python's zipfile, on a stream, cannot write sizes before the data; readers that stream too refuse such files.
 """
 
 import hashlib
@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from app.kit import kill
+from app.kit import kill_points
 
 READ_BYTES = 1 << 20
 UTF8_NAMES = 0x800
@@ -74,7 +74,7 @@ def zip_bytes(entries: Sequence[Entry]) -> Iterator[bytes]:
         )
         yield header + entry.name + extra
         yield from _content(entry, crc)
-        kill.point("builds.entry_packed")
+        kill_points.point("builds.entry_packed")
         offset += len(header) + len(entry.name) + len(extra) + entry.size_bytes
     central = sum(map(len, directory))
     yield from directory

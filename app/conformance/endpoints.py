@@ -5,26 +5,26 @@ from uuid import UUID
 
 from fastapi import Response
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Sight
-from app.conformance import mends, service
-from app.conformance.errors import CheckNotFound, MendNotMade, NothingToMend, NothingToWaive
-from app.conformance.schemas import CheckRead, MendOffer, MendRead, WaiverAdd
-from app.deliveries.errors import MakerNeeded, TakeNotFound, WrongState
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.conformance import fixes, service
+from app.conformance.errors import CheckNotFound, FixNotReady, NothingToFix, NothingToWaive
+from app.conformance.schemas import CheckRead, FixOffer, FixRead, WaiverAdd
+from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
 from app.kit.http import DbSession, Route, Router, problems
-from app.projects.errors import DeciderNeeded, ProjectNotFound
+from app.projects.errors import ApproverNeeded, ProjectNotFound
 
 router = Router(prefix="/v1", tags=["conformance"], route_class=Route)
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
-    200: {"model": TakeRead, "description": "The mend was used before; this is its take."}
+    200: {"model": TakeRead, "description": "The fix was used before; this is its take."}
 }
 
 
 @router.get("/takes/{take_id}/check", response_model=CheckRead, responses=problems(TakeNotFound, CheckNotFound))
-def see_check(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CheckRead:
-    """Show what the newest check says of a take."""
+def see_check(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CheckRead:
+    """Return the newest check of a take."""
     return service.check_for(session, actor, take_id)
 
 
@@ -32,10 +32,10 @@ def see_check(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRO
     "/takes/{take_id}/waiver",
     status_code=201,
     response_model=CheckRead,
-    responses=problems(TakeNotFound, DeciderNeeded, NothingToWaive),
+    responses=problems(TakeNotFound, ApproverNeeded, NothingToWaive),
 )
 def waive_findings(
-    take_id: UUID, body: WaiverAdd, session: DbSession, actor: Actor = allows(Sight.DECIDER)
+    take_id: UUID, body: WaiverAdd, session: DbSession, actor: Actor = allows(Audience.APPROVER)
 ) -> CheckRead:
     """Let a returned take through with its findings, for a reason."""
     return service.waive(session, actor, take_id, body.reason)
@@ -47,44 +47,46 @@ def waive_findings(
     response_model=TakeRead,
     responses=problems(TakeNotFound, WrongState),
 )
-def recheck_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> TakeRead:
+def recheck_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeRead:
     """Have a take that is not decided upon checked again."""
     take = service.recheck(session, actor, take_id)
-    _, standing = take_for(session, actor, take_id)
-    return read_take(session, standing.project, take)
+    _, access = take_for(session, actor, take_id)
+    return read_take(session, access.project, take)
 
 
-@router.get("/projects/{project_id}/mends", response_model=list[MendOffer], responses=problems(ProjectNotFound))
-def list_mends(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[MendOffer]:
-    """List the takes of which a mend would be enough, longest waiting first; a designer's own."""
-    return mends.mends_offered(session, actor, project_id)
+@router.get("/projects/{project_id}/fixes", response_model=list[FixOffer], responses=problems(ProjectNotFound))
+def list_fixes(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[FixOffer]:
+    """List the takes of which a fix would be enough, longest waiting first; a designer's own."""
+    return fixes.fixes_offered(session, actor, project_id)
 
 
-@router.get("/takes/{take_id}/mend", response_model=MendRead, responses=problems(TakeNotFound))
-def see_mend(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> MendRead:
-    """Show what a mend can do, or did, about a take."""
-    return mends.mend_for(session, actor, take_id)
+@router.get("/takes/{take_id}/fix", response_model=FixRead, responses=problems(TakeNotFound))
+def see_fix(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> FixRead:
+    """Show what a fix can do, or did, about a take."""
+    return fixes.fix_for(session, actor, take_id)
 
 
 @router.post(
-    "/takes/{take_id}/mend",
+    "/takes/{take_id}/fix",
     status_code=202,
-    response_model=MendRead,
-    responses=problems(TakeNotFound, MakerNeeded, NothingToMend),
+    response_model=FixRead,
+    responses=problems(TakeNotFound, OwnDesignerNeeded, NothingToFix),
 )
-def ask_for_mend(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> MendRead:
-    """Have a mended copy made, to see and to hear before it is used."""
-    return mends.ask_for_mend(session, actor, take_id)
+def request_fix(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> FixRead:
+    """Request a fixed copy, to see and play before it is used."""
+    return fixes.request_fix(session, actor, take_id)
 
 
 @router.post(
-    "/takes/{take_id}/mend/use",
+    "/takes/{take_id}/fix/use",
     status_code=201,
     response_model=TakeRead,
-    responses=SAME_TAKE | problems(TakeNotFound, MakerNeeded, NothingToMend, MendNotMade),
+    responses=SAME_TAKE | problems(TakeNotFound, OwnDesignerNeeded, NothingToFix, FixNotReady),
 )
-def use_mend(take_id: UUID, response: Response, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> TakeRead:
-    """Make the mended copy a new version, with the consent of its designer; no round counts."""
-    made, already_here, standing = mends.use_mend(session, actor, take_id)
+def use_fix(
+    take_id: UUID, response: Response, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> TakeRead:
+    """Make the fixed copy a new version, with the consent of its designer; no round counts."""
+    made, already_here, access = fixes.use_fix(session, actor, take_id)
     response.status_code = 200 if already_here else 201
-    return read_take(session, standing.project, made).model_copy(update={"already_here": already_here})
+    return read_take(session, access.project, made).model_copy(update={"already_here": already_here})

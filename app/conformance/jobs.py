@@ -1,4 +1,4 @@
-"""The jobs of this room, but for the check itself: `renders` goes on with its take, in the same job."""
+"""The jobs of this room, without the check itself: `renders` continues with its take in the same job."""
 
 import tempfile
 from pathlib import Path
@@ -8,37 +8,37 @@ from uuid import UUID
 import structlog
 
 import audio_checks
-from app.conformance import checking, mending, mends, queries, service
+from app.conformance import checking, fixes, fixing, queries, service
 from app.conformance.rules import TRIES
 from app.deliveries import queries as deliveries
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.queue import NORMAL, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobAltered, BlobMissing, StoredBlob
 
 log = structlog.get_logger(__name__)
-MEND_PASSES = 4  # a mend checks the master, writes the copy and checks that; now and then twice
+FIX_PASSES = 4  # a fix checks the master, writes the copy and checks that; now and then twice
 
 
-@job("conformance.make_mend")
-def make_mend(runtime: Runtime, payload: Payload) -> None:
-    """Make the mended copy of a master, and say so once."""
-    mend_id = UUID(payload["mend_id"])
+@job("conformance.make_fix")
+def make_fix(runtime: Runtime, payload: Payload) -> None:
+    """Make the fixed copy of a master, and publish it once."""
+    fix_id = UUID(payload["fix_id"])
     with runtime.database.reading() as session:
-        order = mends.order_mend(session, mend_id)
+        order = fixes.order_fix(session, fix_id)
     if order is None:
         return
-    kill.point("conformance.before_mend")
+    kill_points.point("conformance.before_fix")
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
-        made = _mended(runtime, order, folder)
+        made = _fixed(runtime, order, folder)
         if made is None:
             with runtime.database.writing() as session:
-                mends.give_up(session, mend_id)
+                fixes.give_up(session, fix_id)
             return
         stored = _stored(runtime, order, Path(folder), made)
-    kill.point("conformance.after_mend")
+    kill_points.point("conformance.after_fix")
     with runtime.database.writing() as session:
-        mends.record_mend(session, mend_id, made, (stored.sha256, stored.size_bytes) if stored else None)
+        fixes.record_fix(session, fix_id, made, (stored.sha256, stored.size_bytes) if stored else None)
 
 
 @job("conformance.recheck_takes")
@@ -65,29 +65,30 @@ def compare_takes(runtime: Runtime, payload: Payload) -> None:
             service.recheck_if_changed(session, take_id, by=by, priority=NORMAL)
 
 
-def _stored(runtime: Runtime, order: mends.MendOrder, folder: Path, made: dict[str, Any]) -> StoredBlob | None:
-    """Store the file that a child says it made, which lies in its folder whatever it says."""
+def _stored(runtime: Runtime, order: fixes.FixOrder, folder: Path, made: dict[str, Any]) -> StoredBlob | None:
+    """Store the file that a child reports; only files inside its folder are accepted."""
     return runtime.store.put_file(order.studio_id, folder / Path(made["file"]).name) if made["file"] else None
 
 
-def _mended(runtime: Runtime, order: mends.MendOrder, folder: str) -> dict[str, Any] | None:
+def _fixed(runtime: Runtime, order: fixes.FixOrder, folder: str) -> dict[str, Any] | None:
     """Return what a child made of a master; None after three failures."""
     for _ in range(TRIES):
         try:
             with (
                 runtime.store.local_copy(order.studio_id, order.master_sha256) as path,
                 checking.sandbox().child(
-                    timeout_s=MEND_PASSES * checking.time_for(order.master_bytes), reads=[path], writes=[folder]
+                    timeout_s=FIX_PASSES * checking.time_for(order.master_bytes), reads=[path], writes=[folder]
                 ) as child,
             ):
-                return child.call(mending.mend, str(path), folder, order.spec, cue=order.cue, name=order.name)
-        except audio_checks.MendRefused as refusal:
+                made = child.call(fixing.fix, str(path), folder, order.spec, cue=order.cue, name=order.name)
+            return fixing.as_record(made)
+        except audio_checks.FixRefused as refusal:
             return _refused(order, refusal)
         except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
-            log.warning("a mend failed", mend_id=str(order.mend_id), error=str(error))
+            log.warning("a fix failed", fix_id=str(order.fix_id), error=str(error))
     return None
 
 
-def _refused(order: mends.MendOrder, refusal: audio_checks.MendRefused) -> dict[str, Any]:
+def _refused(order: fixes.FixOrder, refusal: audio_checks.FixRefused) -> dict[str, Any]:
     left = {"code": refusal.code, "severity": "error", "message": str(refusal), "why": f"{refusal}; {refusal.fix}."}
     return {"file": None, "name": order.name, "conforms": False, "repairs": [], "left": [left]}

@@ -8,13 +8,13 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.conformance.rules import MendState
+from app.conformance.rules import FixState
 from app.kit import clock
 from app.kit.db import Base, new_id
 
 
 class CheckRun(Base):
-    """What the checks said of one master against one spec, as one cue."""
+    """The result of the checks of one master against one spec, as one cue."""
 
     __tablename__ = "conformance_check_runs"
     __table_args__ = (
@@ -26,10 +26,10 @@ class CheckRun(Base):
             postgresql_where=text("is_current"),
         ),
         Index(
-            "ix_conformance_check_runs_untold",
+            "ix_conformance_check_runs_unnotified",
             "project_id",
-            sqlite_where=text("is_untold"),
-            postgresql_where=text("is_untold"),
+            sqlite_where=text("needs_notification"),
+            postgresql_where=text("needs_notification"),
         ),
     )
 
@@ -40,7 +40,9 @@ class CheckRun(Base):
     spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
     key: Mapped[str] = mapped_column(index=True)  # hash of master, resolved spec, cue facts and tool version
     is_current: Mapped[bool] = mapped_column(default=True)
-    is_untold: Mapped[bool] = mapped_column(default=False, server_default=false())  # those whom it concerns do not know
+    needs_notification: Mapped[bool] = mapped_column(
+        default=False, server_default=false()
+    )  # those whom it concerns do not know
     verdict: Mapped[str]  # conforming, rejected, unreadable, unjudged
     pcm_sha256: Mapped[str | None]
     report: Mapped[dict[str, Any]]  # the file object of the report: facts, measurements, judgements, findings
@@ -49,7 +51,7 @@ class CheckRun(Base):
 
 
 class Waiver(Base):
-    """The decider let a returned take through, with a reason; its findings stay."""
+    """The approver let a returned take through, with a reason; its findings stay."""
 
     __tablename__ = "conformance_waivers"
 
@@ -63,13 +65,13 @@ class Waiver(Base):
     reason: Mapped[str]
     waived_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    decider: Mapped[Person] = relationship(lazy="raise")
+    approver: Mapped[Person] = relationship(lazy="raise")
 
 
-class Mend(Base):
-    """A mended copy of a take's master, to see and to hear; its designer's consent makes it a take."""
+class Fix(Base):
+    """A fixed copy of a take's master, to see and play; its designer's consent makes it a take."""
 
-    __tablename__ = "conformance_mends"
+    __tablename__ = "conformance_fixes"
     __table_args__ = (
         UniqueConstraint("take_id", "key"),
         CheckConstraint("(state = 'made') = (sha256 is not null)", name="made_has_file"),
@@ -81,13 +83,13 @@ class Mend(Base):
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
     key: Mapped[str]  # of the check that it answers: master, resolved spec, cue facts and tool version
-    state: Mapped[MendState] = mapped_column(default=MendState.MAKING)
+    state: Mapped[FixState] = mapped_column(default=FixState.MAKING)
     asked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: made ready by the check
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     made_at: Mapped[datetime | None]
     refusal: Mapped[str | None]  # in words, with what the designer can do
     sha256: Mapped[str | None] = mapped_column(index=True)
-    mended_bytes: Mapped[int | None] = mapped_column(BigInteger)
+    fixed_bytes: Mapped[int | None] = mapped_column(BigInteger)
     made: Mapped[dict[str, Any]] = mapped_column(default=dict)  # repairs, what is left, figures and spots
     used_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     used_at: Mapped[datetime | None]

@@ -1,4 +1,4 @@
-"""Check runs and waivers, read from the database; callers have checked who looks."""
+"""Check runs and waivers, read from the database; callers have checked access."""
 
 from collections.abc import Collection, Sequence
 from datetime import datetime
@@ -26,11 +26,11 @@ from sqlalchemy.orm import Session, aliased, joinedload
 from sqlalchemy.sql.functions import aggregate_strings
 
 import audio_checks
-from app.conformance.models import CheckRun, Mend, Waiver
-from app.conformance.rules import MENDABLE_STATES
+from app.conformance.models import CheckRun, Fix, Waiver
+from app.conformance.rules import FIXABLE_STATES
 from app.deliveries.models import DryStem, Take
 from app.deliveries.rules import CHECKABLE, TakeState
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.projects.models import Spec
 from app.sound_lists.models import Cue, Stem
 
@@ -45,7 +45,7 @@ def current_run(session: Session, take_id: UUID) -> CheckRun | None:
 
 
 def run_with_key(session: Session, studio_id: UUID, key: str) -> CheckRun | None:
-    """Return a check of the studio that says what a new one with this key would say."""
+    """Return a check of the studio whose result a new one with this key would have."""
     return session.scalar(_run_with_key(), {"studio_id": studio_id, "key": key})
 
 
@@ -86,9 +86,9 @@ def _to_check() -> Select[Take, Spec, str, bool]:
 
 
 def take_to_judge(session: Session, take_id: UUID) -> tuple[Take, bool] | None:
-    """Return a take by itself, locked, and whether it was checked before.
+    """Return a locked take, and whether it was checked before.
 
-    Whoever checked it while we waited for the lock has changed its state or its edition too.
+    A check that ran while this one waited for the lock has changed the state or the edition too.
     """
     row = session.execute(_to_judge(), {"take_id": take_id}).one_or_none()
     return (row[0], row[1]) if row else None
@@ -112,22 +112,22 @@ def _retired() -> Update:
     return update(CheckRun).where(*current).values(is_current=False)
 
 
-def tell_runs(session: Session, project_id: UUID) -> Sequence[UUID]:
-    """Mark what checks of a project said as told, and return the takes of which that is the newest."""
-    told = (
+def mark_notified(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Mark a project's checks as notified, and return the takes of which they are the newest."""
+    notified = (
         update(CheckRun)
-        .where(CheckRun.project_id == project_id, text("is_untold"))  # as its index says it
-        .values(is_untold=False)
+        .where(CheckRun.project_id == project_id, text("needs_notification"))  # as its index says it
+        .values(needs_notification=False)
         .returning(CheckRun.take_id, CheckRun.is_current)
     )
-    rows = session.execute(told, execution_options={"synchronize_session": False})
+    rows = session.execute(notified, execution_options={"synchronize_session": False})
     return [take_id for take_id, is_current in rows if is_current]
 
 
-def untold_projects(session: Session, before: datetime) -> Sequence[UUID]:
-    """Return the projects of which something was not told that checks said before an instant."""
-    untold = select(CheckRun.project_id).where(text("is_untold"), CheckRun.created_at < before)
-    return session.scalars(untold.distinct()).all()
+def projects_to_notify(session: Session, before: datetime) -> Sequence[UUID]:
+    """Return the projects that have checks made before an instant and not notified yet."""
+    unnotified = select(CheckRun.project_id).where(text("needs_notification"), CheckRun.created_at < before)
+    return session.scalars(unnotified.distinct()).all()
 
 
 def runs_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[CheckRun, Take, Cue | None]]:
@@ -136,7 +136,7 @@ def runs_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[CheckR
         select(CheckRun, Take, Cue)
         .join(Take, Take.id == CheckRun.take_id)
         .outerjoin(Cue, Cue.id == Take.cue_id)
-        .where(among(CheckRun.take_id, take_ids), CheckRun.is_current)
+        .where(in_array(CheckRun.take_id, take_ids), CheckRun.is_current)
         .order_by(CheckRun.id)
     ).all()
 
@@ -146,7 +146,7 @@ def waiver_of(session: Session, take_id: UUID) -> Waiver | None:
     return session.scalar(
         select(Waiver)
         .where(Waiver.take_id == take_id)
-        .options(joinedload(Waiver.decider))
+        .options(joinedload(Waiver.approver))
         .order_by(Waiver.id.desc())
         .limit(1)
     )
@@ -183,11 +183,11 @@ def checkable_takes(session: Session, project_id: UUID, cue_ids: Sequence[UUID] 
     """Return the takes that are not yet decided upon; those of some cues where they are given."""
     query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(CHECKABLE))
     if cue_ids is not None:
-        query = query.where(among(Take.cue_id, cue_ids))
+        query = query.where(in_array(Take.cue_id, cue_ids))
     return session.scalars(query.order_by(Take.id)).all()
 
 
-class HeardTake(NamedTuple):
+class AnalysedTake(NamedTuple):
     """A take with what checks over files together read of its newest report."""
 
     id: UUID
@@ -219,7 +219,7 @@ class HeardTake(NamedTuple):
         )
 
 
-def _heard_takes(session: Session, *where: ColumnElement[bool]) -> list[HeardTake]:
+def _analysed_takes(session: Session, *where: ColumnElement[bool]) -> list[AnalysedTake]:
     """Return takes in the order in which they came; a few columns, for a page of the queue reads hundreds of them."""
     told = CheckRun.report
     query = (
@@ -238,19 +238,19 @@ def _heard_takes(session: Session, *where: ColumnElement[bool]) -> list[HeardTak
         .where(*where)
         .order_by(Take.received_at, Take.id)
     )
-    return [HeardTake._make(row) for row in session.execute(query)]
+    return [AnalysedTake._make(row) for row in session.execute(query)]
 
 
-def heard_takes(session: Session, take_ids: Collection[UUID]) -> list[HeardTake]:
+def analysed_takes(session: Session, take_ids: Collection[UUID]) -> list[AnalysedTake]:
     """Return some takes with what checks over files together read."""
-    return _heard_takes(session, among(Take.id, take_ids)) if take_ids else []
+    return _analysed_takes(session, in_array(Take.id, take_ids)) if take_ids else []
 
 
 def sets_of_takes(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> dict[UUID, str]:
-    """Return the checked takes that stand in the sets of some cues by all that may change of them, in a text a cue.
+    """Return, for each cue, a text that identifies the checked takes of its sets and all that may change of them.
 
-    A take is another as soon as it has a newer check: a report stays as it was written. The database joins what
-    stands together, since a page of the list asks for a thousand takes, and nearly always for the same as before.
+    A newer check changes the text; reports never change. The database joins the parts, since a page of the list
+    asks for a thousand takes, and nearly always for the same as before.
     """
     given = {"cue_ids": cue_ids, "designer_id": designer_id}
     rows = session.execute(_sets_of_takes(designer_id is not None), given)
@@ -267,21 +267,21 @@ def _sets_of_takes(is_own: bool) -> Select[UUID | None, str]:
     said: ColumnElement[str] = cast(Take.id, String)
     for fact in (Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id):
         said = said + " " + func.coalesce(cast(fact, String), "")
-    standing = (
+    access = (
         select(Take.cue_id, said.label("said"))
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .where(among(Take.cue_id, "cue_ids"), Take.state.in_(STANDING))
+        .where(in_array(Take.cue_id, "cue_ids"), Take.state.in_(STANDING))
         .order_by(Take.cue_id, Take.id)
     )
     if is_own:
-        standing = standing.where(Take.designer_id == bindparam("designer_id"))
-    each = standing.subquery()
+        access = access.where(Take.designer_id == bindparam("designer_id"))
+    each = access.subquery()
     return select(each.c.cue_id, aggregate_strings(each.c.said, ",")).group_by(each.c.cue_id)
 
 
-def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[HeardTake]:
+def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[AnalysedTake]:
     """Return a take after those of its delivery that came before with the same samples, and are for another place."""
-    found = _heard_takes(
+    found = _analysed_takes(
         session,
         Take.delivery_id == take.delivery_id,
         CheckRun.pcm_sha256 == pcm_sha256,
@@ -314,7 +314,7 @@ def takes_with_findings(
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(
             Take.project_id == project_id,
-            Take.state.in_(MENDABLE_STATES),
+            Take.state.in_(FIXABLE_STATES),
             Take.cue_id.is_not(None),
             ~exists().where(newer.cue_id == Take.cue_id, newer.variation == Take.variation, newer.number > Take.number),
         )
@@ -327,32 +327,32 @@ def takes_with_findings(
     return [(take, run) for take, run in session.execute(query) if run.report["findings"]]
 
 
-def mends_of(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str], Mend]:
-    """Return the mends of takes, by take and by the check that they answer."""
-    found = session.scalars(select(Mend).where(among(Mend.take_id, take_ids)))
-    return {(mend.take_id, mend.key): mend for mend in found}
+def fixes_of(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str], Fix]:
+    """Return the fixes of takes, by take and by the check that they answer."""
+    found = session.scalars(select(Fix).where(in_array(Fix.take_id, take_ids)))
+    return {(fix.take_id, fix.key): fix for fix in found}
 
 
-def mend_with_key(session: Session, take_id: UUID, key: str) -> Mend | None:
-    """Return the mend of a take that answers one check."""
-    return session.scalar(select(Mend).where(Mend.take_id == take_id, Mend.key == key))
+def fix_with_key(session: Session, take_id: UUID, key: str) -> Fix | None:
+    """Return the fix of a take that answers one check."""
+    return session.scalar(select(Fix).where(Fix.take_id == take_id, Fix.key == key))
 
 
-def mend_by_id(session: Session, mend_id: UUID, *, locked: bool = False) -> Mend | None:
-    """Return a mend; locked where it is going to change."""
-    query = select(Mend).where(Mend.id == mend_id)
+def fix_by_id(session: Session, fix_id: UUID, *, locked: bool = False) -> Fix | None:
+    """Return a fix; locked where it is going to change."""
+    query = select(Fix).where(Fix.id == fix_id)
     return session.scalar(query.with_for_update() if locked else query)
 
 
-def mend_that_made(session: Session, take_id: UUID) -> Mend | None:
-    """Return the mend that a take came from."""
-    return session.scalar(select(Mend).where(Mend.new_take_id == take_id).order_by(Mend.id.desc()).limit(1))
+def fix_that_made(session: Session, take_id: UUID) -> Fix | None:
+    """Return the fix that a take came from."""
+    return session.scalar(select(Fix).where(Fix.new_take_id == take_id).order_by(Fix.id.desc()).limit(1))
 
 
-def made_mend_of(session: Session, take_id: UUID) -> Mend | None:
-    """Return the newest mended copy of a take."""
+def made_fix_of(session: Session, take_id: UUID) -> Fix | None:
+    """Return the newest fixed copy of a take."""
     return session.scalar(
-        select(Mend).where(Mend.take_id == take_id, Mend.sha256.is_not(None)).order_by(Mend.id.desc()).limit(1)
+        select(Fix).where(Fix.take_id == take_id, Fix.sha256.is_not(None)).order_by(Fix.id.desc()).limit(1)
     )
 
 

@@ -1,4 +1,4 @@
-"""What a verdict makes of a take, and when two checks are the same check: without a database."""
+"""The state that a verdict gives a take, and the key of a check: without a database."""
 
 import dataclasses
 import hashlib
@@ -18,11 +18,11 @@ COMPARISON_FAILED = "failed"
 Report = dict[str, Any]  # the file object of the report
 
 
-MENDABLE_STATES = frozenset({TakeState.RETURNED, TakeState.CONFORMING})  # not yet decided upon, and judged
+FIXABLE_STATES = frozenset({TakeState.RETURNED, TakeState.CONFORMING})  # not yet decided upon, and judged
 
 
-class MendState(StrEnum):
-    """Where a mended copy stands."""
+class FixState(StrEnum):
+    """The state of a fixed copy."""
 
     MAKING = "making"
     MADE = "made"
@@ -31,7 +31,7 @@ class MendState(StrEnum):
 
 @lru_cache(maxsize=64)
 def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
-    """Return what a stored spec says."""
+    """Return the spec from its stored form."""
     return audio_checks.parse_spec(toml)
 
 
@@ -47,7 +47,7 @@ def run_key(
     name: str,
     stem_sha256: str | None = None,
 ) -> str:
-    """Return what a check run is known by: two runs with one key say the same."""
+    """Return the key of a check run: two runs with one key have the same result."""
     facts = None if cue is None else {k: v for k, v in dataclasses.asdict(cue).items() if k != "more"}
     said = [master_sha256, asked_of(spec), spec.category, facts, name, audio_checks.TOOL_VERSION]
     if stem_sha256 is not None:
@@ -71,7 +71,7 @@ def state_after(report: Mapping[str, Any], waived: Collection[str]) -> TakeState
 
 
 def with_reverb_before(report: Report, before: Mapping[str, Any] | None) -> Report:
-    """Return a report with what its reverb is beside an earlier take; a known report loses that of another take."""
+    """Return a report with its reverb compared with an earlier take, in place of any earlier comparison."""
     judgements = report["judgements"]
     if "reverb" not in judgements:
         return report
@@ -80,7 +80,7 @@ def with_reverb_before(report: Report, before: Mapping[str, Any] | None) -> Repo
 
 
 def with_stem(report: Report, sha256: str, *, failed: bool = False) -> Report:
-    """Return a report that says which dry stem it heeds; with what it lacks where our comparison failed."""
+    """Return a report with the dry stem that it used; with the reason if our comparison failed."""
     heeding = {**report, "stem_sha256": sha256}
     judgements = report["judgements"]
     if not failed or "reverb" not in judgements:
@@ -96,26 +96,26 @@ def has_failed_comparison(report: Report) -> bool:
 
 
 def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str]) -> list[dict[str, Any]]:
-    """Return findings with those marked that the decider let through."""
+    """Return findings with those marked that the approver let through."""
     return [{**finding, "waived": finding["code"] in codes} for finding in findings]
 
 
-def mend_offers(report: Mapping[str, Any], spec: audio_checks.DeliverySpec) -> list[audio_checks.Offer]:
-    """Return what a mend does about each finding of a report, or why none can, in the report's order."""
+def fix_offers(report: Mapping[str, Any], spec: audio_checks.DeliverySpec) -> list[audio_checks.Offer]:
+    """Return what a fix does about each finding of a report, or why none can, in the report's order."""
     entry = audio_checks.FileReport.from_dict(report)
-    return [audio_checks.mendable(finding, entry, spec) for finding in entry.findings]
+    return [audio_checks.fix_offer(finding, entry, spec) for finding in entry.findings]
 
 
 def with_offers(findings: Sequence[Mapping[str, Any]], offers: Sequence[audio_checks.Offer]) -> list[dict[str, Any]]:
-    """Return findings with what a mend does about each, or why none can."""
+    """Return findings with what a fix does about each, or why none can."""
     return [
-        {**finding, "mend": offer.words if offer else None, "no_mend": None if offer else offer.words}
+        {**finding, "auto_fix": offer.words if offer else None, "no_auto_fix": None if offer else offer.words}
         for finding, offer in zip(findings, offers, strict=True)
     ]
 
 
 def is_enough(report: Mapping[str, Any], offers: Sequence[audio_checks.Offer]) -> bool:
-    """Whether a mend does anything, and answers every finding for which the take would come back again."""
+    """Whether a fix does anything, and answers every finding for which the take would come back again."""
     errors = [offer for one, offer in zip(report["findings"], offers, strict=True) if one["severity"] == "error"]
     return report["verdict"] != "unjudged" and any(offers) and all(errors)
 
@@ -126,8 +126,8 @@ def unjudged(name: str, category: str | None, why: str) -> Report:
         "check": "audio-checks",
         "code": "audio-checks:failed",
         "severity": "error",
-        "message": f"our checker failed {TRIES} times on this file ({why}); nothing is known to be wrong with it",
-        "fix": "this is our fault and not yours: ask for another check, or tell whoever runs this server",
+        "message": f"the check failed {TRIES} times on this file ({why}); that is not the file's fault",
+        "fix": "this is our fault and not yours: ask for another check, or contact the operator of this server",
         "measured": None,
         "limit": None,
         "unit": None,
@@ -148,7 +148,7 @@ def unjudged(name: str, category: str | None, why: str) -> Report:
 
 
 class MemberFact(NamedTuple):
-    """What decides whether a take stands in its set."""
+    """The facts that decide whether a take belongs to its set."""
 
     take_id: UUID
     variation: int
@@ -158,13 +158,13 @@ class MemberFact(NamedTuple):
 
 
 def members_of_set(takes: Iterable[MemberFact]) -> list[UUID]:
-    """Return the takes that stand in a set: of each variation the approved one, else the newest of each alternate."""
+    """Return the takes of a set: of each variation the approved one, else the newest of each alternate."""
     by_variation: dict[int, list[MemberFact]] = defaultdict(list)
     for take in takes:
         by_variation[take.variation].append(take)
-    standing: list[UUID] = []
+    access: list[UUID] = []
     for _, here in sorted(by_variation.items()):
         approved = [take for take in here if take.approved]
         newest = {take.alternate: take for take in sorted(approved or here, key=lambda take: take.number)}
-        standing += [take.take_id for take in newest.values()]
-    return standing
+        access += [take.take_id for take in newest.values()]
+    return access

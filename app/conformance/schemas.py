@@ -28,8 +28,8 @@ class FindingRead(Schema):
     start_s: float | None
     end_s: float | None
     waived: bool
-    mend: str | None = Field(None, description="What a mend does about it; null where none can.")
-    no_mend: str | None = Field(None, description="Why no mend can, and who can put it right.")
+    auto_fix: str | None = Field(None, description="What a fix does about it; null where none can.")
+    no_auto_fix: str | None = Field(None, description="Why no fix can, and who can put it right.")
 
 
 class WaiverAdd(Schema):
@@ -39,7 +39,7 @@ class WaiverAdd(Schema):
 
 
 class WaiverRead(Schema):
-    """That the decider let a returned take through, and why."""
+    """That the approver let a returned take through, and why."""
 
     id: UUID
     codes: list[str]
@@ -48,8 +48,8 @@ class WaiverRead(Schema):
     created_at: datetime
 
 
-class BesideRead(Schema):
-    """The dry stem that a take has now; `judgements.reverb.stem` says what was found beside it."""
+class ComparedStemRead(Schema):
+    """The dry stem that a take has now; `judgements.reverb.stem` has what was found with it."""
 
     file_name: ShownName
     file_bytes: int
@@ -58,7 +58,7 @@ class BesideRead(Schema):
 
 
 class CheckRead(Schema):
-    """What the newest check says of a take."""
+    """The newest check of a take."""
 
     take_id: UUID
     state: TakeState
@@ -70,14 +70,14 @@ class CheckRead(Schema):
     facts: dict[str, Any] | None
     measurements: dict[str, Any]
     judgements: dict[str, Any]
-    dry_stem: BesideRead | None
+    dry_stem: ComparedStemRead | None
     is_newest_stem: bool = Field(description="This check heeds the dry stem that there is now, or that there is none.")
     findings: list[FindingRead]
     waiver: WaiverRead | None
 
 
 class RepairRead(Schema):
-    """One thing that a mend put right."""
+    """One thing that a fix put right."""
 
     kind: Literal["gain", "head", "tail", "name", "header", "depth"]
     codes: list[str] = Field(description="The findings that it answers.")
@@ -109,7 +109,7 @@ class SpotRead(Schema):
 
 
 class LeftRead(Schema):
-    """What is still found in a mended copy, and why no mend answers it."""
+    """A finding that remains in a fixed copy, and why no fix answers it."""
 
     code: str
     severity: Literal["error", "warning"]
@@ -117,8 +117,8 @@ class LeftRead(Schema):
     why: str
 
 
-class MendedFrom(Schema):
-    """The take that this one is a mend of."""
+class FixedFrom(Schema):
+    """The take that this one is a fix of."""
 
     take_id: UUID
     number: int | None
@@ -127,31 +127,31 @@ class MendedFrom(Schema):
     used_at: datetime
 
 
-class MendRead(Schema):
-    """What a mend can do, or did, about a take."""
+class FixRead(Schema):
+    """The possible or finished fix of a take."""
 
     take_id: UUID
     state: Literal["none", "offered", "making", "made", "refused", "used"]
-    says: str = Field(description="What the mend does, or did; else why there is none.")
+    says: str = Field(description="What the fix does, or did; else why there is none.")
     repairs: list[RepairRead]
     left: list[LeftRead]
-    is_our_fault: bool = Field(description="It could not be made because our mender broke; asking again may help.")
+    is_our_fault: bool = Field(description="It failed because of an error in our code; asking again may help.")
     before: dict[str, Any] = Field(description="Figures of the take, by name.")
-    after: dict[str, Any] = Field(description="The same figures of the mended copy.")
-    cut_head_s: float = Field(description="Taken from the start.")
-    cut_tail_s: float = Field(description="Taken from the end.")
-    duration_s: float | None = Field(description="Of the mended copy.")
+    after: dict[str, Any] = Field(description="The same figures of the fixed copy.")
+    cut_head_s: float = Field(description="Removed from the start.")
+    cut_tail_s: float = Field(description="Removed from the end.")
+    duration_s: float | None = Field(description="Of the fixed copy.")
     file_name: str | None
     spots: list[SpotRead]
     becomes: int | None = Field(description="The version that it would be now, or is.")
     new_take_id: UUID | None
     used_by: PersonBrief | None
     used_at: datetime | None
-    mended_from: MendedFrom | None
+    fixed_from: FixedFrom | None
 
 
-class MendOffer(Schema):
-    """A take of which a mend would be enough."""
+class FixOffer(Schema):
+    """A take of which a fix would be enough."""
 
     take_id: UUID
     cue: CueBrief

@@ -18,20 +18,20 @@ from app.conformance.rules import (
     Report,
     asked_of,
     error_codes,
+    fix_offers,
     has_failed_comparison,
-    mend_offers,
     parsed_spec,
     run_key,
     state_after,
     with_offers,
     with_waived,
 )
-from app.conformance.schemas import BesideRead, CheckRead, FindingRead, WaiverRead
-from app.conformance.sets import same_sounds, with_set_word, words_on_sets
+from app.conformance.schemas import CheckRead, ComparedStemRead, FindingRead, WaiverRead
+from app.conformance.set_findings import findings_of_sets, same_sounds, with_set_finding
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
-from app.deliveries.service import change_state, check_again, name_checked, note_take, take_for
+from app.deliveries.service import change_state, name_checked, note_take, start_recheck, take_for
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK
@@ -39,9 +39,9 @@ from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.sound_lists.service import cue_facts
 
-TOLD_EVERY_S = 5.0
-COMMITTED_WITHIN_S = 1.0  # what its transaction takes longer to commit is told with what comes next, or by the chore
-_asked_for: dict[UUID, int] = {}  # by project: the seconds whose telling this process has asked for, and committed
+NOTIFY_EVERY_S = 5.0
+COMMITTED_WITHIN_S = 1.0  # a check that commits later is notified with the next ones, or by the periodic job
+_asked_for: dict[UUID, int] = {}  # by project: the last window with a notification that this process committed
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class TakeBefore:
 
 
 @dataclass(frozen=True)
-class StemBeside:
+class ComparedStem:
     """The dry stem that a take is compared with."""
 
     name: str
@@ -77,7 +77,7 @@ class CheckOrder:
     spec: audio_checks.DeliverySpec
     cue: audio_checks.CueFacts | None
     before: TakeBefore | None
-    stem: StemBeside | None
+    stem: ComparedStem | None
     key: str
 
 
@@ -100,7 +100,7 @@ def order_check(session: Session, found: ToCheck) -> CheckOrder:
         spec=resolved,
         cue=cue,
         before=_before(session, take),
-        stem=StemBeside(shown_name(base_name(stem.file_name)), stem.sha256, stem.file_bytes) if stem else None,
+        stem=ComparedStem(shown_name(base_name(stem.file_name)), stem.sha256, stem.file_bytes) if stem else None,
         key=run_key(take.master_sha256, resolved, cue, name, stem.sha256 if stem else None),
     )
 
@@ -116,13 +116,13 @@ def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
     """Return what a version of the spec asks of one take."""
     whole = parsed_spec(spec.toml)
     resolved = whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
-    if take.cue is None:  # it will be named for its cue once somebody says which that is
+    if take.cue is None:  # it is named for its cue once it is matched
         return replace(resolved, checks=resolved.checks | {"naming": "off"})
     return resolved
 
 
 def known_report(session: Session, order: CheckOrder) -> Report | None:
-    """Return what an earlier check with the same key said."""
+    """Return the report of an earlier check with the same key."""
     run = queries.run_with_key(session, order.studio_id, order.key)
     return run.report if run and not has_failed_comparison(run.report) else None
 
@@ -145,43 +145,43 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> TakeSta
             pcm_sha256=report["pcm_sha256"],
             report=report,
             tool_version=audio_checks.TOOL_VERSION,
-            is_untold=True,
+            needs_notification=True,
         )
     )
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
     was_returned = take.returned_since is not None
     change_state(session, take, state_after(report, waived))
-    if (take.returned_since is not None) != was_returned:  # the clock of silence stands, or goes on
+    if (take.returned_since is not None) != was_returned:  # the clock of deemed acceptance pauses, or continues
         kind = "conforms_again" if was_returned else "returned"
         version = queries.spec_version_of(session, order.spec_id)
         facts = {"spec_version": version, "verdict": report["verdict"]}
         note_take(session, take, kind, facts, by=take.rechecked_by)
-    ask_to_tell(session, take)
+    schedule_notification(session, take)
     return take.state
 
 
-def ask_to_tell(session: Session, take: Take) -> None:
-    """Have what checks said told together: what is said in the same few seconds of a project is one event."""
+def schedule_notification(session: Session, take: Take) -> None:
+    """Schedule one notification for all checks of a project in the same few seconds."""
     now_s = clock.now().timestamp()
-    window = int(now_s // TOLD_EVERY_S)
+    window = int(now_s // NOTIFY_EVERY_S)
     if _asked_for.get(take.project_id) == window:
         return
     publish(
         session,
         "takes.checked",
         studio_id=take.studio_id,
-        delay_s=(window + 1) * TOLD_EVERY_S + COMMITTED_WITHIN_S - now_s,
+        delay_s=(window + 1) * NOTIFY_EVERY_S + COMMITTED_WITHIN_S - now_s,
         once=f"{take.project_id}@{window}",
         project_id=take.project_id,
     )
-    # Only now is it sure that the event stands: a transaction that is undone takes it along.
+    # The event is certain only after the commit: a rollback removes it.
     event.listen(session, "after_commit", lambda _: _asked_for.update({take.project_id: window}), once=True)
 
 
 def recheck(session: Session, actor: Actor, take_id: UUID) -> Take:
-    """Have a take checked again; what would say the same is not computed anew."""
+    """Have a take checked again; a report that would be the same is not computed again."""
     take, _ = take_for(session, actor, take_id, locked=True)
-    check_again(session, take, by=actor.person)
+    start_recheck(session, take, by=actor.person)
     return take
 
 
@@ -197,16 +197,16 @@ def recheck_if_changed(session: Session, take_id: UUID, *, by: UUID | None, prio
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take
         return
-    check_again(session, take, by=by, priority=priority)
+    start_recheck(session, take, by=by, priority=priority)
 
 
 def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRead:
-    """Let a returned take through with its findings; only the decider may."""
-    take, standing = take_for(session, actor, take_id, locked=True)
-    standing.ensure_decider()
+    """Let a returned take through with its findings; only the approver may."""
+    take, access = take_for(session, actor, take_id, locked=True)
+    access.ensure_approver()
     run = queries.current_run(session, take.id)
     if take.state is not TakeState.RETURNED or run is None:
-        raise NothingToWaive(f"only a returned take can be let through; this one is {take.state}")
+        raise NothingToWaive(f"only a returned version can be waived; this one is {take.state}")
     if run.verdict != "rejected":
         raise NothingToWaive("this file cannot be read, so no game file could be made of it")
     session.add(
@@ -228,13 +228,13 @@ def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRe
 
 
 def check_for(session: Session, actor: Actor, take_id: UUID) -> CheckRead:
-    """Return what the newest check says of a take within the caller's sight."""
-    take, standing = take_for(session, actor, take_id)
-    return read_check(session, take, designer_id=standing.only_designer_id)
+    """Return the newest check of a take that the caller may see."""
+    take, access = take_for(session, actor, take_id)
+    return read_check(session, take, designer_id=access.only_designer_id)
 
 
 def read_check(session: Session, take: Take, *, designer_id: UUID | None = None) -> CheckRead:
-    """Return what the newest check says of a take, and what its set does, by the takes of one designer where given."""
+    """Return the newest check of a take and the findings of its set, among the takes of one designer if given."""
     run = queries.current_run(session, take.id)
     if run is None:
         raise CheckNotFound("this take has not been checked yet", fix="ask again in a few seconds")
@@ -244,10 +244,10 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
     spec, newest = queries.spec_of(session, run), current_spec(session, take.project_id)
     resolved = resolved_spec(spec, take)
     specs = {take.project_id: newest}
-    word = words_on_sets(session, [take.cue] if take.cue else [], specs, designer_id=designer_id).get(take.id)
+    word = findings_of_sets(session, [take.cue] if take.cue else [], specs, designer_id=designer_id).get(take.id)
     same = same_sounds(session, take, run.pcm_sha256, newest)
     stem = deliveries.dry_stem_of(session, take)
-    report = with_set_word(run.report, word.findings if word else (), same)
+    report = with_set_finding(run.report, word.findings if word else (), same)
     return CheckRead(
         take_id=take.id,
         state=take.state,
@@ -260,17 +260,17 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
         facts=run.report["facts"],
         measurements=run.report["measurements"],
         judgements=run.report["judgements"],
-        dry_stem=BesideRead.model_validate(stem) if stem else None,
+        dry_stem=ComparedStemRead.model_validate(stem) if stem else None,
         is_newest_stem=run.report.get("stem_sha256") == (stem.sha256 if stem else None),
-        findings=told_findings(report, resolved, waiver.codes if waiver else []),
+        findings=findings_read(report, resolved, waiver.codes if waiver else []),
         waiver=waiver and _waiver_read(waiver),
     )
 
 
-def told_findings(report: Report, spec: audio_checks.DeliverySpec, codes_waived: Collection[str]) -> list[FindingRead]:
-    """Return a report's findings as they are shown: whether they were let through, and what a mend does about each."""
+def findings_read(report: Report, spec: audio_checks.DeliverySpec, codes_waived: Collection[str]) -> list[FindingRead]:
+    """Return a report's findings as they are shown: whether they were let through, and what a fix does about each."""
     findings = with_waived(report["findings"], codes_waived)
-    return [FindingRead.model_validate(one) for one in with_offers(findings, mend_offers(report, spec))]
+    return [FindingRead.model_validate(one) for one in with_offers(findings, fix_offers(report, spec))]
 
 
 def _waiver_read(waiver: Waiver) -> WaiverRead:
@@ -278,7 +278,7 @@ def _waiver_read(waiver: Waiver) -> WaiverRead:
         id=waiver.id,
         codes=waiver.codes,
         reason=waiver.reason,
-        waived_by=PersonBrief.model_validate(waiver.decider),
+        waived_by=PersonBrief.model_validate(waiver.approver),
         created_at=waiver.created_at,
     )
 

@@ -10,18 +10,19 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Actor
-from app.dashboards import desk_queries, queries, schemas, standing_queries
-from app.dashboards.asked import asked_questions, brief
+from app.dashboards import desk_queries, progress_queries, queries, schemas
+from app.dashboards.progress import counted, preview_url, status_of
+from app.dashboards.progress_queries import CueGroup, ListRow
+from app.dashboards.questions import asked_questions, brief
 from app.dashboards.rules import CueStatus, statuses_of
-from app.dashboards.standing import counted, preview_url, status_of
-from app.dashboards.standing_queries import LikeCues, ListRow
 from app.deliveries.models import Take
+from app.deliveries.queries import unmatched_count
 from app.deliveries.rules import TakeState
 from app.kit.http import Page, cursor_of, instant_cursor, place_cursor
 from app.projects.models import Project
 from app.projects.queries import current_spec
-from app.projects.service import standing_in
-from app.reviews.silence import last_days
+from app.projects.service import project_access
+from app.reviews.deemed_cues import last_days
 from app.sound_lists.models import Cue
 
 UNFINISHED = frozenset(
@@ -38,12 +39,12 @@ class Desk:
     """The desk of one designer in one project, as they themselves see it."""
 
     def __init__(self, session: Session, actor: Actor, project_id: UUID) -> None:
-        standing = standing_in(session, actor, project_id)
-        standing.ensure_designer()
+        access = project_access(session, actor, project_id)
+        access.ensure_designer()
         self._session = session
-        self._project: Project = standing.project
+        self._project: Project = access.project
         self._designer_id = actor.person
-        self._counted: list[LikeCues] | None = None
+        self._counted: list[CueGroup] | None = None
 
     def read(self) -> schemas.Desk:
         """Return what stands there: how much of everything, and the first page of each list."""
@@ -65,14 +66,14 @@ class Desk:
             with_approver_files=takes.get(TakeState.CONFORMING, 0),
             accepted=counts.get(CueStatus.ACCEPTED, 0),
             cues=sum(counts.values()) - counts.get(CueStatus.CUT, 0),
-            unmatched=desk_queries.unmatched_count(session, project_id, designer_id),
+            unmatched=unmatched_count(session, project_id, designer_id),
             checking=takes.get(TakeState.RECEIVED, 0),
             questions=asked_questions(self._project, asked),
         )
 
-    def _likes(self) -> list[LikeCues]:
+    def _likes(self) -> list[CueGroup]:
         if self._counted is None:
-            self._counted = standing_queries.like_cues(self._session, self._project.id, self._designer_id)
+            self._counted = progress_queries.cue_groups(self._session, self._project.id, self._designer_id)
         return self._counted
 
     def came_back(self, cursor: str | None) -> Page[schemas.CameBack]:
@@ -96,7 +97,7 @@ class Desk:
     def with_approver(self, cursor: str | None) -> Page[schemas.WithApprover]:
         """Return the cues that wait for their verdict, in list order."""
         facts = {like.facts for like in self._likes() if status_of(like) in WAITING and like.facts is not None}
-        waits = desk_queries.stands_so(self._project.id, self._designer_id, facts)
+        waits = desk_queries.has_facts(self._project.id, self._designer_id, facts)
         rows, following = self._walked(cursor, WAITING, waits)
         last = last_days(self._session, [row.id for row in rows])
         items = [
@@ -112,7 +113,7 @@ class Desk:
         found: list[ListRow] = []
         after = place_cursor(cursor)
         while len(found) <= CUES:
-            stretch = standing_queries.list_rows(
+            stretch = progress_queries.list_rows(
                 self._session, self._project.id, self._designer_id, after=after, limit=STRETCH, only=only
             )
             found += [row for row in stretch if status_of(row) in wanted]
@@ -129,7 +130,7 @@ class Desk:
             of_cues[cue.id].append((take, cue))
         back = [each for cue_id in cue_ids for each in of_cues[cue_id]]
         ids = [take.id for take, _ in back]
-        pictures = standing_queries.pictures(session, project.studio_id, [take.master_sha256 for take, _ in back])
+        pictures = progress_queries.pictures(session, project.studio_id, [take.master_sha256 for take, _ in back])
         runs = queries.current_runs(session, ids)
         changes: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
         rounds: dict[UUID, int | None] = {}

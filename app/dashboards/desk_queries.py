@@ -1,4 +1,4 @@
-"""What a designer's desk reads; each function is one SELECT, whatever the size of the project."""
+"""Queries of a designer's desk; each function is one SELECT, whatever the size of the project."""
 
 from collections.abc import Collection, Sequence
 from datetime import datetime
@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session, aliased
 from app.deliveries.models import CueSums, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.sum_rules import WITH_DESIGNER
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -25,12 +25,6 @@ def waiting_counts(session: Session, project_id: UUID, designer_id: UUID) -> dic
         .group_by(Take.state)
     )
     return dict(rows.all())
-
-
-def unmatched_count(session: Session, project_id: UUID, designer_id: UUID) -> int:
-    """Return how many takes of a designer have no cue."""
-    unmatched = (Take.project_id == project_id, Take.cue_id.is_(None), Take.designer_id == designer_id)
-    return session.scalar(select(func.count()).where(*unmatched)) or 0
 
 
 class BackCue(NamedTuple):
@@ -67,18 +61,18 @@ def takes_back(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -
     return session.execute(
         select(Take, Cue)
         .join(Cue, Cue.id == Take.cue_id)
-        .where(among(Take.cue_id, cue_ids), Take.designer_id == designer_id)
+        .where(in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id)
         .where(Take.state.in_(WITH_DESIGNER), ~is_followed)
         .order_by(Take.state_since, Take.id)
     ).all()
 
 
-def stands_so(project_id: UUID, designer_id: UUID, facts: Collection[str]) -> ColumnElement[bool]:
+def has_facts(project_id: UUID, designer_id: UUID, facts: Collection[str]) -> ColumnElement[bool]:
     """Say of a cue that a designer's takes add up to one of these facts."""
     of_designer = (CueSums.project_id == project_id, CueSums.viewer_id == designer_id)
-    return Cue.id.in_(select(CueSums.cue_id).where(*of_designer, among(CueSums.facts, facts)))
+    return Cue.id.in_(select(CueSums.cue_id).where(*of_designer, in_array(CueSums.facts, facts)))
 
 
 def cues_by_id(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, Cue]:
     """Return cues without the stems that they own."""
-    return {cue.id: cue for cue in session.scalars(select(Cue).where(among(Cue.id, cue_ids)))}
+    return {cue.id: cue for cue in session.scalars(select(Cue).where(in_array(Cue.id, cue_ids)))}

@@ -5,12 +5,12 @@ from uuid import UUID
 
 from fastapi import Query
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Sight
-from app.contracts.errors import MilestoneNotFound
-from app.dashboards import money, schemas, service, standing
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.dashboards import money, progress, schemas, service
 from app.dashboards.desk import Desk
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
+from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
@@ -19,46 +19,50 @@ router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
 @router.get("/me")
-def read_me(session: DbSession, actor: Actor = allows(Sight.PERSON)) -> schemas.Me:
+def read_me(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     return service.me(session, actor)
 
 
-@router.get("/projects/{project_id}/sound-list/standing", responses=problems(ProjectNotFound, BadCursor))
-def read_list_standing(
+@router.get("/projects/{project_id}/sound-list/progress", responses=problems(ProjectNotFound, BadCursor))
+def read_list_progress(
     project_id: UUID,
     session: DbSession,
     cursor: str | None = None,
     limit: PageLength = PAGE,
-    actor: Actor = allows(Sight.PROJECT),
-) -> schemas.ListStanding:
-    """Return where the cues of one page of the list stand; a designer sees their own takes only.
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ListProgress:
+    """Return the state of the cues of one page of the list; a designer sees their own takes only.
 
     Pages and cursors are those of the sound list itself.
     """
-    return standing.list_standing(session, actor, project_id, cursor=cursor, limit=limit)
+    return progress.list_progress(session, actor, project_id, cursor=cursor, limit=limit)
 
 
 @router.get("/projects/{project_id}/sound-list/counts", responses=problems(ProjectNotFound))
-def read_list_counts(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ListCounts:
-    """Return how many cues of the whole list stand where; a designer's view is of their own takes."""
-    return standing.list_counts(session, actor, project_id)
+def read_list_counts(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ListCounts:
+    """Return the numbers of cues by state, of the whole list; a designer's view is of their own takes."""
+    return progress.list_counts(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/judged-lately", responses=problems(ProjectNotFound, TeamNeeded))
-def read_judged_lately(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> list[schemas.Judged]:
+def read_recent_verdicts(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> list[schemas.RecentVerdict]:
     """Return the cues that were decided upon within a week, the newest first."""
-    return standing.judged_lately(session, actor, project_id)
+    return progress.recent_verdicts(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/today", responses=problems(ProjectNotFound, TeamNeeded))
-def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> schemas.Today:
-    """Return what waits for the team today, beside the review queue."""
+def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> schemas.Today:
+    """Return what waits for the team today, besides the review queue."""
     return service.today(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))
-def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> schemas.Desk:
+def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> schemas.Desk:
     """Return a designer's work in one project: how much of everything, and the first page of each list."""
     return Desk(session, actor, project_id).read()
 
@@ -68,7 +72,7 @@ DESK_PROBLEMS = problems(ProjectNotFound, DesignerNeeded, BadCursor)
 
 @router.get("/projects/{project_id}/desk/came-back", response_model=Page[schemas.CameBack], responses=DESK_PROBLEMS)
 def list_came_back(
-    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.DESIGNER)
 ) -> Page[schemas.CameBack]:
     """Return the takes that are with the designer again, by cue, those that wait longest first."""
     return Desk(session, actor, project_id).came_back(cursor)
@@ -76,7 +80,7 @@ def list_came_back(
 
 @router.get("/projects/{project_id}/desk/to-make", response_model=Page[schemas.ToMake], responses=DESK_PROBLEMS)
 def list_to_make(
-    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.DESIGNER)
 ) -> Page[schemas.ToMake]:
     """Return the cues that wait for a file from the designer, in list order."""
     return Desk(session, actor, project_id).to_make(cursor)
@@ -86,21 +90,21 @@ def list_to_make(
     "/projects/{project_id}/desk/with-approver", response_model=Page[schemas.WithApprover], responses=DESK_PROBLEMS
 )
 def list_with_approver(
-    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.DESIGNER)
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.DESIGNER)
 ) -> Page[schemas.WithApprover]:
     """Return the designer's cues that wait for their verdict, in list order."""
     return Desk(session, actor, project_id).with_approver(cursor)
 
 
 @router.get("/projects/{project_id}/overview", responses=problems(ProjectNotFound))
-def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.Overview:
+def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.Overview:
     """Return a project at one glance."""
     return service.overview(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/money", responses=problems(ProjectNotFound, TeamNeeded))
 def read_project_money(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.ProjectMoney:
     """Return the money of a project; a designer sees that of their own contracts."""
     return money.project_money(session, actor, project_id)
@@ -108,7 +112,7 @@ def read_project_money(
 
 @router.get("/milestones/{milestone_id}", responses=problems(MilestoneNotFound))
 def read_milestone(
-    milestone_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+    milestone_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.MilestoneSheet:
     """Return a milestone with its cues, how late it is, its estimates and its money."""
     return money.milestone_sheet(session, actor, milestone_id)
@@ -119,7 +123,7 @@ def find(
     project_id: UUID,
     q: Annotated[str, Query(min_length=1, max_length=100)],
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> schemas.FindResult:
     """Return the cues, then what was said, that hold the typed words."""
     return service.find(session, actor, project_id, q)

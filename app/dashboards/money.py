@@ -10,31 +10,33 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.contracts import money_queries
-from app.contracts.agreeing import party_of
-from app.contracts.days import day_rate_read
-from app.contracts.errors import MilestoneNotFound
-from app.contracts.estimates import estimates_of
-from app.contracts.invoices import invoice_read
-from app.contracts.ledger import book_of, terms_of
-from app.contracts.models import Contract
-from app.contracts.money import extra_round_read, figures, ledger_lines, milestones_read, priced_by_cue
-from app.contracts.money_schemas import FiguresRead, InvoiceRead, MilestoneRead
-from app.contracts.queries import agreed_in, contract_for
-from app.contracts.slip import Holder, Turn, growth_days, slip_of
+from app.agreements import plan_queries
+from app.agreements.access import party_of
+from app.agreements.models import Contract
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import agreed_in, contract_for
 from app.dashboards import queries, schemas
-from app.dashboards.standing import Statuses
+from app.dashboards.progress import Statuses
 from app.kit import clock
-from app.projects.service import standing_in
+from app.money import queries as money_queries
+from app.money.days import day_rate_read
+from app.money.errors import MilestoneNotFound
+from app.money.estimates import estimates_of
+from app.money.invoices import invoice_read
+from app.money.ledger import load_ledger_book
+from app.money.overview import extra_round_read, figures, ledger_lines, milestones_read, priced_by_cue
+from app.money.schedule_slip import Holder, Turn, growth_days, schedule_slip_of
+from app.money.schemas import FiguresRead, InvoiceRead, MilestoneRead
+from app.projects.service import project_access
 
 
 def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.ProjectMoney:
-    """Return the money of a project: who speaks for the studio sees every agreed contract, a designer their own.
+    """Return the money of a project: those who act for the studio see every agreed contract, a designer their own.
 
-    Raises TeamNeeded for the rest of the team. How late a designer is, the two parties see alone.
+    Raises TeamNeeded for the rest of the team. Only the two parties see how late a designer is.
     """
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_party()
+    access = project_access(session, actor, project_id)
+    access.ensure_party()
     read = [
         _contract_money(session, contract, with_slips=party_of(actor, contract) is not None)
         for contract in agreed_in(session, actor, project_id)
@@ -54,7 +56,7 @@ def _added(figures_of_each: list[FiguresRead]) -> FiguresRead:
 
 
 def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -> schemas.ContractMoney:
-    book, terms = book_of(session, contract), terms_of(session, contract)
+    book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     milestones = milestones_read(session, contract, book)
     rounds, cues = money_queries.extra_rounds_of(session, contract.id), priced_by_cue(session, contract)
     invoices = [invoice_read(session, contract, book, one) for one in money_queries.invoices_of(session, contract.id)]
@@ -85,16 +87,16 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
 
 def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schemas.MilestoneSheet:
     """Return a milestone with its cues, its lateness, its estimates and its money; raise MilestoneNotFound unseen."""
-    found = money_queries.milestone_by_id(session, milestone_id)
+    found = plan_queries.milestone_by_id(session, milestone_id)
     contract = contract_for(session, actor, found.contract_id) if found else None
     if contract is None:
         raise MilestoneNotFound(f"no milestone {milestone_id}")
-    standing = standing_in(session, actor, contract.project_id)
-    book = book_of(session, contract)
+    access = project_access(session, actor, contract.project_id)
+    book = load_ledger_book(session, contract)
     milestones = milestones_read(session, contract, book)
     milestone = next(one for one in milestones if one.id == milestone_id)
-    listed = [one.cue for one in money_queries.cues_of(session, contract.id) if one.milestone_id == milestone_id]
-    status = Statuses(session, standing, listed).status
+    listed = [one.cue for one in plan_queries.cues_of(session, contract.id) if one.milestone_id == milestone_id]
+    status = Statuses(session, access, listed).status
     is_party = party_of(actor, contract) is not None
     slips = _slips(session, contract.project_id, milestones) if is_party and contract.agreed_at else {}
     lines = [line for line in ledger_lines(session, contract) if line.milestone_id == milestone_id]
@@ -142,7 +144,7 @@ def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) 
         if one.due_on is None:
             continue
         of_cues = [_until(turns[cue.cue.id], cue.accepted_at) for cue in one.cues if cue.cut_in is None]
-        slip = slip_of(one.due_on, one.done_at, of_cues, now)
+        slip = schedule_slip_of(one.due_on, one.done_at, of_cues, now)
         slips[one.id] = schemas.MilestoneSlip(milestone_id=one.id, name=one.name, due_on=one.due_on, **asdict(slip))
     return slips
 

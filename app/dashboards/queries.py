@@ -1,4 +1,4 @@
-"""What the joining screens read; each function is one SELECT, whatever the size of the project."""
+"""Queries of the dashboards; each function is one SELECT, whatever the size of the project."""
 
 from collections.abc import Collection, Sequence
 from datetime import datetime
@@ -11,12 +11,13 @@ from app.accounts.models import Membership, Person, Studio
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.deliveries.models import CueSums, Delivery, Take
+from app.deliveries.queries import in_tray
 from app.deliveries.rules import TakeState
-from app.kit.among import among
-from app.kit.holds import holds
+from app.kit.icontains import icontains
+from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
-from app.reviews.models import ChangeRequest, Comment, Round, Sending, Verdict
+from app.reviews.models import ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState
@@ -32,7 +33,7 @@ def my_projects(session: Session, person_id: UUID, studio_ids: Collection[UUID])
     engaged = select(Engagement.project_id).where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
     return session.scalars(
         select(Project)
-        .where(or_(among(Project.studio_id, studio_ids), Project.id.in_(engaged)), Project.archived_at.is_(None))
+        .where(or_(in_array(Project.studio_id, studio_ids), Project.id.in_(engaged)), Project.archived_at.is_(None))
         .options(joinedload(Project.studio))
         .order_by(Project.created_at.desc())
     ).all()
@@ -55,7 +56,7 @@ def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, st
     return session.execute(
         select(Take, Person.name)
         .join(Person, Person.id == Take.designer_id)
-        .where(Take.project_id == project_id, Take.cue_id.is_(None))
+        .where(*in_tray(project_id, None))
         .order_by(Take.state_since, Take.id)
         .limit(WITH_OTHERS)
     ).all()
@@ -85,12 +86,12 @@ def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Tak
 
 def loops(session: Session, cue_ids: Collection[UUID]) -> set[UUID]:
     """Return those of the cues that are played as loops."""
-    return set(session.scalars(select(Cue.id).where(among(Cue.id, cue_ids), Cue.loop)))
+    return set(session.scalars(select(Cue.id).where(in_array(Cue.id, cue_ids), Cue.loop)))
 
 
 def current_runs(session: Session, take_ids: Collection[UUID]) -> dict[UUID, CheckRun]:
     """Return the standing check run of each take."""
-    rows = session.scalars(select(CheckRun).where(among(CheckRun.take_id, take_ids), CheckRun.is_current))
+    rows = session.scalars(select(CheckRun).where(in_array(CheckRun.take_id, take_ids), CheckRun.is_current))
     return {run.take_id: run for run in rows}
 
 
@@ -118,10 +119,10 @@ def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[C
         select(ChangeRequest, Round.number)
         .join(
             Round,
-            and_(Round.sending_id == ChangeRequest.sending_id, Round.cue_id == ChangeRequest.cue_id),
+            and_(Round.feedback_id == ChangeRequest.feedback_id, Round.cue_id == ChangeRequest.cue_id),
             isouter=True,
         )
-        .where(among(ChangeRequest.take_id, take_ids), ChangeRequest.sending_id.is_not(None))
+        .where(in_array(ChangeRequest.take_id, take_ids), ChangeRequest.feedback_id.is_not(None))
         .order_by(ChangeRequest.created_at)
     ).all()
 
@@ -130,7 +131,7 @@ def draft_changes(session: Session, project_id: UUID) -> int:
     """Return how many change requests wait to be sent."""
     return (
         session.scalar(
-            select(func.count()).where(ChangeRequest.project_id == project_id, ChangeRequest.sending_id.is_(None))
+            select(func.count()).where(ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None))
         )
         or 0
     )
@@ -158,14 +159,14 @@ def latest_deliveries(
 ) -> Sequence[Row[Delivery, Person, int, int]]:
     """Return the latest deliveries with their designer, how many files came, and how many have no cue."""
     newest = select(Delivery.id).where(
-        Delivery.project_id == project_id, exists().where(Take.delivery_id == Delivery.id)
+        Delivery.project_id == project_id, exists().where(Take.delivery_id == Delivery.id, Take.discarded_at.is_(None))
     )
     if designer_id is not None:
         newest = newest.where(Delivery.designer_id == designer_id)
     return session.execute(
         select(Delivery, Person, func.count(Take.id), func.count(Take.id).filter(Take.cue_id.is_(None)))
         .join(Person, Person.id == Delivery.designer_id)
-        .join(Take, Take.delivery_id == Delivery.id)
+        .join(Take, and_(Take.delivery_id == Delivery.id, Take.discarded_at.is_(None)))
         .where(Delivery.id.in_(newest.order_by(Delivery.id.desc()).limit(LATELY)))
         .group_by(Delivery.id, Person.id)
         .order_by(Delivery.id.desc())
@@ -212,17 +213,17 @@ def latest_approvals(
     return session.execute(found).all()
 
 
-def latest_sendings(session: Session, project_id: UUID) -> Sequence[Row[Sending, Person, int]]:
+def latest_feedback(session: Session, project_id: UUID) -> Sequence[Row[Feedback, Person, int]]:
     """Return the latest sendings of changes with how many changes they held."""
-    holds_some = exists().where(ChangeRequest.sending_id == Sending.id)
-    newest = select(Sending.id).where(Sending.project_id == project_id, holds_some)
+    holds_some = exists().where(ChangeRequest.feedback_id == Feedback.id)
+    newest = select(Feedback.id).where(Feedback.project_id == project_id, holds_some)
     return session.execute(
-        select(Sending, Person, func.count(ChangeRequest.id))
-        .join(Person, Person.id == Sending.sent_by)
-        .join(ChangeRequest, ChangeRequest.sending_id == Sending.id)
-        .where(Sending.id.in_(newest.order_by(Sending.id.desc()).limit(LATELY)))
-        .group_by(Sending.id, Person.id)
-        .order_by(Sending.id.desc())
+        select(Feedback, Person, func.count(ChangeRequest.id))
+        .join(Person, Person.id == Feedback.sent_by)
+        .join(ChangeRequest, ChangeRequest.feedback_id == Feedback.id)
+        .where(Feedback.id.in_(newest.order_by(Feedback.id.desc()).limit(LATELY)))
+        .group_by(Feedback.id, Person.id)
+        .order_by(Feedback.id.desc())
     ).all()
 
 
@@ -230,7 +231,9 @@ def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Seque
     """Return the cues whose name, use or description holds every word."""
     found = select(Cue).where(Cue.project_id == project_id)
     for word in words:
-        found = found.where(or_(*(holds(text, word) for text in (Cue.name, Cue.use, Cue.description, Cue.category))))
+        found = found.where(
+            or_(*(icontains(text, word) for text in (Cue.name, Cue.use, Cue.description, Cue.category)))
+        )
     return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
 
 
@@ -240,7 +243,7 @@ def find_comments(session: Session, project_id: UUID, phrase: str) -> Sequence[R
         select(Comment, Cue)
         .join(Take, Take.id == Comment.take_id)
         .join(Cue, Cue.id == Take.cue_id)
-        .where(Comment.project_id == project_id, holds(Comment.text, phrase))
+        .where(Comment.project_id == project_id, icontains(Comment.text, phrase))
         .order_by(Comment.id.desc())
         .limit(HITS)
     ).all()
@@ -251,7 +254,7 @@ def find_questions(session: Session, project_id: UUID, phrase: str) -> Sequence[
     return session.execute(
         select(Question, Cue)
         .join(Cue, Cue.id == Question.cue_id)
-        .where(Question.project_id == project_id, holds(Question.text, phrase))
+        .where(Question.project_id == project_id, icontains(Question.text, phrase))
         .order_by(Question.id.desc())
         .limit(HITS)
     ).all()
@@ -264,14 +267,14 @@ def cue_by_number(session: Session, project_id: UUID, number: int) -> Cue | None
 
 def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the names of studios."""
-    return dict(session.execute(select(Studio.id, Studio.name).where(among(Studio.id, ids))).all())
+    return dict(session.execute(select(Studio.id, Studio.name).where(in_array(Studio.id, ids))).all())
 
 
 def conforming_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
     """Return when takes came that the checks let through, by cue."""
     let_through = (TakeState.CONFORMING, TakeState.APPROVED, TakeState.CHANGE_REQUESTED, TakeState.SET_ASIDE)
     rows = session.execute(
-        select(Take.cue_id, Take.received_at).where(among(Take.cue_id, cue_ids), Take.state.in_(let_through))
+        select(Take.cue_id, Take.received_at).where(in_array(Take.cue_id, cue_ids), Take.state.in_(let_through))
     )
     return [(cue_id, at) for cue_id, at in rows if cue_id is not None]
 
@@ -280,7 +283,7 @@ def changes_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUI
     """Return when changes were sent to the designer, by cue."""
     rows = session.execute(
         select(Verdict.cue_id, Verdict.created_at).where(
-            among(Verdict.cue_id, cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
+            in_array(Verdict.cue_id, cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
         )
     )
     return [(cue_id, at) for cue_id, at in rows]
@@ -292,7 +295,7 @@ def questions_since(
     """Return when questions were asked and answered, by cue."""
     rows = session.execute(
         select(Question.cue_id, Question.asked_at, Question.answered_at).where(
-            Question.project_id == project_id, among(Question.cue_id, cue_ids)
+            Question.project_id == project_id, in_array(Question.cue_id, cue_ids)
         )
     )
     return [(cue_id, asked_at, answered_at) for cue_id, asked_at, answered_at in rows]

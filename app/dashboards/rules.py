@@ -1,4 +1,4 @@
-"""Where a cue stands, stated without a database."""
+"""The status of a cue, stated without a database."""
 
 from collections.abc import Sequence
 from enum import StrEnum
@@ -34,8 +34,8 @@ STATUS_OF_TAKE = {
     TakeState.CHANGE_REQUESTED: CueStatus.CHANGE_REQUESTED,
     TakeState.SET_ASIDE: CueStatus.TO_MAKE,
 }
-# What of a set needs somebody soonest speaks for the set.
-MOST_URGENT_FIRST = (
+# A set has the state of its most urgent take.
+MAX_URGENT_FIRST = (
     CueStatus.CHANGE_REQUESTED,
     CueStatus.RETURNED,
     CueStatus.UNJUDGED,
@@ -59,8 +59,8 @@ def variation_status(fact: VariationFact) -> CueStatus:
 def statuses_of(facts: str | None, variations: int) -> tuple[CueStatus, ...]:
     """Return where the variations of a cue stand, from their packed facts in order; the rest is still to make."""
     packed = facts.split(",")[:variations] if facts else []
-    told = [variation_status(VariationFact.unpacked(int(part))) for part in packed]
-    return (*told, *[CueStatus.TO_MAKE] * (variations - len(told)))
+    statuses = [variation_status(VariationFact.unpacked(int(part))) for part in packed]
+    return (*statuses, *[CueStatus.TO_MAKE] * (variations - len(statuses)))
 
 
 def cue_status(state: CueState, variations: Sequence[CueStatus], *, is_asked: bool, placeholder: bool) -> CueStatus:
@@ -69,7 +69,7 @@ def cue_status(state: CueState, variations: Sequence[CueStatus], *, is_asked: bo
         return CueStatus.CUT
     if all(status is CueStatus.ACCEPTED for status in variations):
         return CueStatus.ACCEPTED
-    for status in MOST_URGENT_FIRST:
+    for status in MAX_URGENT_FIRST:
         if status in variations:
             return status
     if is_asked:

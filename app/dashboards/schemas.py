@@ -1,4 +1,4 @@
-"""What the joining screens answer."""
+"""Answers of the dashboards."""
 
 from datetime import date, datetime
 from typing import Any, Literal
@@ -8,7 +8,11 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
-from app.contracts.money_schemas import (
+from app.agreements.rules import ContractState, ReleaseClause
+from app.dashboards.rules import CueStatus
+from app.deliveries.schemas import CueBrief
+from app.kit.http import Schema
+from app.money.schemas import (
     DayRateRead,
     EstimatesRead,
     ExtraRoundRead,
@@ -18,10 +22,6 @@ from app.contracts.money_schemas import (
     MilestoneCueRead,
     MilestoneRead,
 )
-from app.contracts.rules import ContractState, ReleaseClause
-from app.dashboards.rules import CueStatus
-from app.deliveries.schemas import CueBrief
-from app.kit.http import Schema
 from app.projects.rules import EngagementKind
 
 
@@ -44,13 +44,13 @@ class MyProject(Schema):
     part: Literal["team", "designer"]
     is_producer: bool
     is_liaison: bool
-    is_decider: bool
+    is_approver: bool
     engagement_kind: EngagementKind | None
     nda_open: bool = Field(description="Brief, list and spec stay closed to the caller until the NDA is agreed.")
 
 
 class Me(Schema):
-    """Who is signed in, and everything they can open."""
+    """The signed-in person, and everything they can open."""
 
     person: PersonBrief
     email: str
@@ -60,8 +60,8 @@ class Me(Schema):
     projects: list[MyProject]
 
 
-class VariationStanding(Schema):
-    """Where one variation of a cue stands."""
+class VariationProgress(Schema):
+    """The status of one variation of a cue."""
 
     variation: int
     stem: str
@@ -82,8 +82,8 @@ class NewestTake(Schema):
     preview_url: str | None
 
 
-class Standing(Schema):
-    """Where one cue stands."""
+class CueProgress(Schema):
+    """The progress of one cue."""
 
     cue_id: UUID
     status: CueStatus
@@ -93,7 +93,7 @@ class Standing(Schema):
     alternates: int
     versions: int
     rounds: int
-    variations: list[VariationStanding]
+    variations: list[VariationProgress]
     newest_take: NewestTake | None
     worst_finding: dict[str, Any] | None
     open_question: str | None
@@ -101,21 +101,21 @@ class Standing(Schema):
     not_to_spec: bool
 
 
-class ListStanding(Schema):
-    """Where the cues of one page of the list stand; `next` is the cursor of the following page, null at the end."""
+class ListProgress(Schema):
+    """The progress of the cues of one page of the list; `next` is the cursor of the following page, null at the end."""
 
-    cues: list[Standing]
+    cues: list[CueProgress]
     next: str | None
 
 
 class ListCounts(Schema):
-    """How many cues of the whole list stand where."""
+    """The numbers of cues of the whole list by status."""
 
     counts: dict[CueStatus, int]
     files_to_review: int
 
 
-class Judged(Schema):
+class RecentVerdict(Schema):
     """A cue of which a take was approved, or a change requested, within a week."""
 
     cue: CueBrief
@@ -136,7 +136,7 @@ class AskedQuestion(Schema):
 
 
 class WithOthers(Schema):
-    """What waits for somebody else."""
+    """What waits for another person."""
 
     cue: CueBrief | None
     file_name: str
@@ -159,7 +159,7 @@ class BuildBrief(Schema):
 
 
 class Today(Schema):
-    """What waits for the team today, beside the review queue."""
+    """What waits for the team today, besides the review queue."""
 
     questions: list[AskedQuestion]
     with_others: list[WithOthers]
@@ -250,7 +250,7 @@ class PaletteSound(Schema):
     loudness_lufs: float | None
 
 
-class Happening(Schema):
+class Activity(Schema):
     """Something that happened lately."""
 
     at: datetime
@@ -267,7 +267,7 @@ class Overview(Schema):
     counts: dict[CueStatus, int]
     builds: list[BuildBrief]
     palette: list[PaletteSound]
-    lately: list[Happening]
+    lately: list[Activity]
     reviewers: int
 
 
@@ -281,13 +281,13 @@ class Found(Schema):
 
 
 class FindResult(Schema):
-    """What the search found, best first."""
+    """The results of a search, best first."""
 
     hits: list[Found]
 
 
 class MilestoneSlip(Schema):
-    """How late a milestone is or was, in whole days, and with whom they went."""
+    """The delay of a milestone in whole days, split by the party that caused it."""
 
     milestone_id: UUID
     name: str
@@ -345,7 +345,7 @@ class MilestoneSheet(Schema):
 
 
 class CurrencyFigures(Schema):
-    """What all contracts of one currency come to."""
+    """The totals of all contracts of one currency."""
 
     currency: str
     figures: FiguresRead

@@ -14,17 +14,17 @@ from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
 from app.builds.models import Build
 from app.conformance.models import CheckRun
-from app.dashboards import queries, schemas, standing_queries
-from app.dashboards.asked import asked_questions, brief
+from app.dashboards import progress_queries, queries, schemas
+from app.dashboards.progress import counted, preview_url, status_of, viewer_of, worst_in
+from app.dashboards.questions import asked_questions, brief
 from app.dashboards.rules import CueStatus
-from app.dashboards.standing import counted, preview_url, status_of, viewer_of, worst_in
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
 from app.kit.http import number_in
 from app.projects.models import Project
-from app.projects.queries import deciders_of
-from app.projects.service import Standing, standing_in
-from app.projects.sight import nda_is_open
+from app.projects.queries import approvers_of
+from app.projects.service import ProjectAccess, project_access
+from app.projects.visibility import nda_is_pending
 from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -39,7 +39,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     liaisons = queries.my_liaisons(session, person.id)
     projects = queries.my_projects(session, person.id, list(actor.roles))
     studios = {project.studio_id: project.studio.name for project in projects}
-    deciders = deciders_of(session, [project for project in projects if project.studio_id in actor.roles])
+    approvers = approvers_of(session, [project for project in projects if project.studio_id in actor.roles])
     named = queries.studio_names(session, list(actor.roles))
     return schemas.Me(
         person=PersonBrief(id=person.id, name=person.name),
@@ -60,12 +60,12 @@ def me(session: Session, actor: Actor) -> schemas.Me:
                 part="team" if project.studio_id in actor.roles else "designer",
                 is_producer=Role.PRODUCER in actor.roles_in(project.studio_id),
                 is_liaison=project.id in liaisons,
-                is_decider=project.id in deciders and deciders[project.id].id == person.id,
+                is_approver=project.id in approvers and approvers[project.id].id == person.id,
                 engagement_kind=engagements[project.id].kind if project.id in engagements else None,
                 nda_open=(
                     project.studio_id not in actor.roles
                     and project.id in engagements
-                    and nda_is_open(project, engagements[project.id])
+                    and nda_is_pending(project, engagements[project.id])
                 ),
             )
             for project in projects
@@ -74,11 +74,11 @@ def me(session: Session, actor: Actor) -> schemas.Me:
 
 
 def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
-    """Return what waits for the team today, beside the review queue."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_team()
-    project = standing.project
-    likes = standing_queries.like_cues(session, project_id, project.studio_id)
+    """Return what waits for the team today, besides the review queue."""
+    access = project_access(session, actor, project_id)
+    access.ensure_team()
+    project = access.project
+    likes = progress_queries.cue_groups(session, project_id, project.studio_id)
     return schemas.Today(
         questions=asked_questions(project, queries.questions(session, project_id, only_open=True)),
         with_others=_with_others(session, project),
@@ -86,12 +86,12 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
         counts=counted(likes),
         draft_changes=queries.draft_changes(session, project_id),
         placeholders=sum(like.cues for like in likes if like.placeholder and like.state is not CueState.CUT),
-        unsent_mails=queries.unsent_mails(session, project.studio_id) if standing.is_producer else 0,
+        unsent_mails=queries.unsent_mails(session, project.studio_id) if access.is_producer else 0,
     )
 
 
 def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]:
-    """Return what waits for somebody but the decider, the oldest first."""
+    """Return what waits for others than the approver, the oldest first."""
 
     def waits(take: Take, cue: CueBrief | None, status: Any, who: str) -> schemas.WithOthers:
         return schemas.WithOthers(cue=cue, file_name=take.file_name, status=status, who=who, since=take.state_since)
@@ -106,22 +106,22 @@ def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]
 
 def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overview:
     """Return a project at one glance."""
-    standing = standing_in(session, actor, project_id)
-    project, viewer_id = standing.project, viewer_of(standing)
-    counts = counted(standing_queries.like_cues(session, project_id, viewer_id))
-    steps = standing_queries.list_rows(session, project_id, viewer_id, limit=STEPS)
-    palette = standing_queries.list_rows(session, project_id, viewer_id, only=and_(Cue.palette))
-    shown = standing_queries.shown_takes(
+    access = project_access(session, actor, project_id)
+    project, viewer_id = access.project, viewer_of(access)
+    counts = counted(progress_queries.cue_groups(session, project_id, viewer_id))
+    steps = progress_queries.list_rows(session, project_id, viewer_id, limit=STEPS)
+    palette = progress_queries.list_rows(session, project_id, viewer_id, only=and_(Cue.palette))
+    shown = progress_queries.shown_takes(
         session,
         [row.id for row in palette],
         viewer_id,
-        standing.only_designer_id,
+        access.only_designer_id,
         accepted=[row.id for row in palette if status_of(row) is CueStatus.ACCEPTED],
     )
     loops = queries.loops(session, [row.id for row in palette])
     drawn = thumbs(session, [take.picture_id for take in shown.values() if take.picture_id])
     runs = queries.current_runs(session, [take.id for take in shown.values()])
-    builds = queries.builds(session, project_id) if standing.is_team else []
+    builds = queries.builds(session, project_id) if access.is_team else []
     return schemas.Overview(
         steps=[schemas.Step(cue=brief(project, row), palette=row.palette, status=status_of(row)) for row in steps],
         cues=sum(counts.values()),
@@ -138,7 +138,7 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
             for row in palette
             if row.id in shown
         ],
-        lately=_lately(session, standing),
+        lately=_lately(session, access),
         reviewers=queries.team_size(session, project.studio_id),
     )
 
@@ -149,29 +149,29 @@ def _loudness(run: CheckRun | None) -> float | None:
     return value if value is not None else measured.get("short_loudness_lufs")
 
 
-def _lately(session: Session, standing: Standing) -> list[schemas.Happening]:
-    project, designer_id = standing.project, standing.only_designer_id
-    happened: list[schemas.Happening] = []
+def _lately(session: Session, access: ProjectAccess) -> list[schemas.Activity]:
+    project, designer_id = access.project, access.only_designer_id
+    happened: list[schemas.Activity] = []
 
-    def tell(at: datetime, kind: Any, who: str, text: str) -> None:
-        happened.append(schemas.Happening(at=at, kind=kind, who=who, text=text))
+    def add(at: datetime, kind: Any, who: str, text: str) -> None:
+        happened.append(schemas.Activity(at=at, kind=kind, who=who, text=text))
 
     for delivery, designer, files, unmatched in queries.latest_deliveries(session, project.id, designer_id):
         without = f"; {unmatched} without a cue" if unmatched else ""
-        tell(delivery.created_at, "delivery", designer.name, f"delivered {_files(files)}{without}")
+        add(delivery.created_at, "delivery", designer.name, f"delivered {_files(files)}{without}")
     for take, cue, run in queries.latest_returns(session, project.id, designer_id):
         worst = worst_in(run)
         name = cue.name if cue else take.file_name
-        tell(take.state_since, "returned", "The check", f"{name} returned: {worst['message'] if worst else 'unread'}")
-    for verdict, cue, take, decider in queries.latest_approvals(session, project.id, designer_id):
-        tell(verdict.created_at, "approved", decider.name, f"approved {cue.name}, version {take.number}")
-    if standing.is_team:
+        add(take.state_since, "returned", "The check", f"{name} returned: {worst['message'] if worst else 'unread'}")
+    for verdict, cue, take, approver in queries.latest_approvals(session, project.id, designer_id):
+        add(verdict.created_at, "approved", approver.name, f"approved {cue.name}, version {take.number}")
+    if access.is_team:
         for build in queries.builds(session, project.id)[: queries.LATELY]:
             said = f"refused, {_files(build.rejected)}" if build.rejected else "passed"
-            tell(build.created_at, "build", "The game", f"Build {build.label} {said}")
-        for sending, decider, count in queries.latest_sendings(session, project.id):
+            add(build.created_at, "build", "The game", f"Build {build.label} {said}")
+        for sending, approver, count in queries.latest_feedback(session, project.id):
             noun = "change" if count == 1 else "changes"
-            tell(sending.created_at, "changes", decider.name, f"requested {count} {noun}")
+            add(sending.created_at, "changes", approver.name, f"requested {count} {noun}")
     happened.sort(key=lambda each: each.at, reverse=True)
     return happened[: queries.LATELY]
 
@@ -186,8 +186,8 @@ def _files(count: int) -> str:
 
 def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
     """Return the cues, then what was said, that hold the typed words."""
-    standing = standing_in(session, actor, project_id)
-    project = standing.project
+    access = project_access(session, actor, project_id)
+    project = access.project
     words = typed.split()
     if not words:
         return schemas.FindResult(hits=[])
@@ -202,7 +202,7 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
     if len(hits) >= queries.HITS:
         return schemas.FindResult(hits=hits[: queries.HITS])
     phrase = typed.strip()
-    if standing.is_team:
+    if access.is_team:
         hits += [
             schemas.Found(kind="comment", cue=brief(project, cue), text=comment.text, take_id=comment.take_id)
             for comment, cue in queries.find_comments(session, project_id, phrase)

@@ -1,4 +1,4 @@
-"""Dry stems: a sound without its reverb, delivered beside a take, so that its reverb is measured and not guessed."""
+"""Dry stems: a sound without its reverb, delivered with a take, so that its reverb is measured and not estimated."""
 
 from collections.abc import Collection
 from uuid import UUID
@@ -9,22 +9,23 @@ from app.accounts.rules import Actor
 from app.deliveries import queries
 from app.deliveries.errors import DryStemNotFound
 from app.deliveries.models import Delivery, DryStem, Take
-from app.deliveries.rules import dry_stem_for, ensure_undecided, kept_name, stem_of
+from app.deliveries.rules import dry_stem_for, ensure_no_verdict, stem_of, stored_name
 from app.deliveries.schemas import DryStemRead
-from app.deliveries.service import Origin, ensure_maker, own_delivery, slot_named, take_for, uploader
+from app.deliveries.service import Origin, ensure_own_designer, own_delivery, take_for, uploader
+from app.deliveries.slots import slot_of_stem
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.uploads import FinishedUpload, finished_upload
 
 
-def stem_meant(session: Session, delivery: Delivery, file_name: str) -> str | None:
+def stem_for_name(session: Session, delivery: Delivery, file_name: str) -> str | None:
     """Return the stem of the takes that a delivered file is the dry stem of, by its name; None for a take.
 
     A name that a cue of the list owns whole is that cue's.
     """
-    name = kept_name(file_name)
+    name = stored_name(file_name)
     stem = dry_stem_for(name)
-    return stem if stem is not None and slot_named(session, delivery.project_id, name) is None else None
+    return stem if stem is not None and slot_of_stem(session, delivery.project_id, name) is None else None
 
 
 def receive_dry_stem(
@@ -57,7 +58,7 @@ def add_dry_stem(
             upload_id=origin.upload_id,
             archive_id=origin.archive_id,
             archive_entry=origin.archive_entry,
-            file_name=kept_name(file_name),
+            file_name=stored_name(file_name),
             sha256=sha256,
             file_bytes=file_bytes,
         )
@@ -67,11 +68,11 @@ def add_dry_stem(
     return made
 
 
-def give_dry_stem(session: Session, actor: Actor, take_id: UUID, upload_id: UUID) -> DryStem:
+def add_dry_stem_to_take(session: Session, actor: Actor, take_id: UUID, upload_id: UUID) -> DryStem:
     """Give a take the dry stem that an upload into its delivery brought, whatever that is called."""
-    take, standing = take_for(session, actor, take_id, locked=True)
-    ensure_maker(standing, take)
-    ensure_undecided(take.state)
+    take, access = take_for(session, actor, take_id, locked=True)
+    ensure_own_designer(access, take)
+    ensure_no_verdict(take.state)
     upload = finished_upload(session, upload_id, owner_id=uploader(actor), scope=str(take.delivery_id))
     delivery, _ = own_delivery(session, actor, take.delivery_id)
     origin = Origin(upload_id=upload.id)
@@ -81,9 +82,9 @@ def give_dry_stem(session: Session, actor: Actor, take_id: UUID, upload_id: UUID
 
 def withdraw_dry_stem(session: Session, actor: Actor, take_id: UUID) -> None:
     """Have a take judged without its dry stem again; the file stays on record."""
-    take, standing = take_for(session, actor, take_id, locked=True)
-    ensure_maker(standing, take)
-    ensure_undecided(take.state)
+    take, access = take_for(session, actor, take_id, locked=True)
+    ensure_own_designer(access, take)
+    ensure_no_verdict(take.state)
     live = queries.live_stems(session, take.delivery_id, stem_of(take.file_name))
     for stem in live:
         stem.withdrawn_at = clock.now()
@@ -91,7 +92,7 @@ def withdraw_dry_stem(session: Session, actor: Actor, take_id: UUID) -> None:
         _changed(session, live[0])
 
 
-def dry_stem_in_sight(session: Session, actor: Actor, take_id: UUID) -> DryStem:
+def visible_dry_stem(session: Session, actor: Actor, take_id: UUID) -> DryStem:
     """Return the dry stem of a take within the caller's sight; raise DryStemNotFound where it has none."""
     take, _ = take_for(session, actor, take_id)
     stem = queries.dry_stem_of(session, take)
@@ -100,14 +101,14 @@ def dry_stem_in_sight(session: Session, actor: Actor, take_id: UUID) -> DryStem:
     return stem
 
 
-def carry_to_mend(session: Session, take: Take, mended: Take) -> None:
-    """Let the mended copy of a take keep its dry stem, where the mend gave it another name."""
+def copy_to_fix(session: Session, take: Take, fixed: Take) -> None:
+    """Let the fixed copy of a take keep its dry stem, where the fix gave it another name."""
     stem = queries.dry_stem_of(session, take)
-    if stem is None or queries.dry_stem_of(session, mended) is not None:
+    if stem is None or queries.dry_stem_of(session, fixed) is not None:
         return
     copied = ("studio_id", "project_id", "delivery_id", "upload_id", "file_name", "sha256", "file_bytes")
     own = {name: getattr(stem, name) for name in copied}
-    session.add(DryStem(**own, stem=stem_of(mended.file_name)))
+    session.add(DryStem(**own, stem=stem_of(fixed.file_name)))
     session.flush()
 
 
@@ -117,7 +118,7 @@ def read_dry_stem(session: Session, stem: DryStem) -> DryStemRead:
 
 
 def read_dry_stems(session: Session, delivery_id: UUID, takes: Collection[Take]) -> list[DryStemRead]:
-    """Return the dry stems of a delivery as they are shown, beside all its takes."""
+    """Return the dry stems of a delivery as they are shown with its takes."""
     here: dict[str, list[UUID]] = {}
     for take in takes:
         here.setdefault(stem_of(take.file_name), []).append(take.id)

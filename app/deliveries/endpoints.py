@@ -6,19 +6,21 @@ from uuid import UUID
 from fastapi import Query, Request, Response
 from sqlalchemy.orm import Session
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.schemas import PersonBrief
 from app.deliveries import dry_stems, queries, service
 from app.deliveries.errors import (
     DeliveryNotFound,
     DryStemNotFound,
     InHouseDesignerNeeded,
-    MakerNeeded,
+    OwnDesignerNeeded,
     TakeNotFound,
     VariationUnknown,
     WrongState,
 )
+from app.deliveries.file_endpoints import router as files_router
+from app.deliveries.file_endpoints import take_of
 from app.deliveries.models import Archive, Delivery
 from app.deliveries.rules import TakeState, base_name, shown_name
 from app.deliveries.schemas import (
@@ -28,22 +30,23 @@ from app.deliveries.schemas import (
     DeliveryChange,
     DeliveryDetail,
     DeliveryRead,
-    DryStemGive,
     DryStemRead,
+    DryStemUpload,
     TakeAdd,
     TakeAdded,
     TakeMatch,
     TakeRead,
 )
+from app.deliveries.tray_endpoints import router as tray_router
 from app.deliveries.upload_endpoints import router as uploads_router
-from app.kit.blob_answer import blob_answer
+from app.kit.blob_response import blob_response
 from app.kit.http import (
-    BackSession,
     CurrentRuntime,
     DbSession,
     Page,
     Route,
     Router,
+    UploadSession,
     cursor_of,
     problems,
     uuid_cursor,
@@ -51,17 +54,19 @@ from app.kit.http import (
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.projects.errors import DesignerNeeded, ProjectNotFound
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
 
 PAGE = 50
 router = Router(prefix="/v1", tags=["deliveries"], route_class=Route)
 router.include_router(uploads_router)
+router.include_router(tray_router)
+router.include_router(files_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeAdded, "description": "The same file was here before; this is its take."}
 }
-KEPT_BESIDE: dict[int | str, dict[str, Any]] = {
+STORED_ALONGSIDE: dict[int | str, dict[str, Any]] = {
     202: {"model": DryStemRead, "description": "It is named `…__dry`: no take, but the dry stem of the take so named."}
 }
 Cursor = Annotated[str | None, Query(description="`next` of the page before.")]
@@ -78,7 +83,7 @@ def open_delivery(
     project_id: UUID,
     body: DeliveryAdd,
     session: DbSession,
-    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+    actor: Actor = allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> DeliveryRead:
     """Open a delivery to upload into."""
     return _delivery_read(service.open_delivery(session, actor, project_id, body.note), 0)
@@ -88,14 +93,14 @@ def open_delivery(
 def list_deliveries(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT, build=Scope.DELIVERIES_WRITE),
+    actor: Actor = allows(Audience.PROJECT, build=Scope.DELIVERIES_WRITE),
     cursor: Cursor = None,
     limit: Limit = PAGE,
 ) -> Page[DeliveryRead]:
     """List deliveries, the newest first; a designer's own."""
-    standing = standing_in(session, actor, project_id)
+    access = project_access(session, actor, project_id)
     found = queries.deliveries_of(
-        session, project_id, designer_id=standing.only_designer_id, before=uuid_cursor(cursor), limit=limit + 1
+        session, project_id, designer_id=access.only_designer_id, before=uuid_cursor(cursor), limit=limit + 1
     )
     shown = found[:limit]
     counts = queries.takes_counts(session, [delivery.id for delivery in shown])
@@ -109,12 +114,12 @@ def list_deliveries(
 def see_delivery(
     delivery_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT, build=Scope.DELIVERIES_WRITE),
+    actor: Actor = allows(Audience.PROJECT, build=Scope.DELIVERIES_WRITE),
 ) -> DeliveryDetail:
     """Show a delivery with its takes, dry stems and ZIPs."""
-    delivery, standing = service.delivery_for(session, actor, delivery_id)
+    delivery, access = service.delivery_for(session, actor, delivery_id)
     found = queries.takes_in(session, delivery_id)
-    takes = service.read_takes(session, standing.project, found)
+    takes = service.read_takes(session, access.project, found)
     archives = [_archive_read(archive) for archive in queries.archives_in(session, delivery_id)]
     return DeliveryDetail(
         **_delivery_read(delivery, len(takes)).model_dump(exclude={"designer"}),
@@ -133,9 +138,9 @@ def see_delivery(
 def close_delivery(
     delivery_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+    actor: Actor = allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> DeliveryRead:
-    """Say that nothing more is to come."""
+    """Close a delivery."""
     return _counted(session, service.close_delivery(session, actor, delivery_id))
 
 
@@ -145,7 +150,7 @@ def close_delivery(
     responses=problems(DeliveryNotFound, DesignerNeeded),
 )
 def change_delivery(
-    delivery_id: UUID, body: DeliveryChange, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+    delivery_id: UUID, body: DeliveryChange, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> DeliveryRead:
     """Change a delivery's note."""
     return _counted(session, service.change_note(session, actor, delivery_id, body.note))
@@ -156,7 +161,7 @@ def change_delivery(
     status_code=201,
     response_model=TakeAdded,
     responses=SAME_TAKE
-    | KEPT_BESIDE
+    | STORED_ALONGSIDE
     | problems(
         DeliveryNotFound, UploadNotFound, CueNotFound, DesignerNeeded, InHouseDesignerNeeded, UploadUnfinished,
         VariationUnknown,
@@ -165,35 +170,12 @@ def change_delivery(
 def add_take(
     delivery_id: UUID,
     body: TakeAdd,
-    session: BackSession,
-    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+    session: UploadSession,
+    actor: Actor = allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> Response:
     """Turn a finished upload into a take and queue its check; the same upload again is the same take."""
-    status, answer = _take_of(session, actor, delivery_id, body)
+    status, answer = take_of(session, actor, delivery_id, body)
     return Response(answer.model_dump_json(), status, media_type="application/json")
-
-
-def _take_of(session: Session, actor: Actor, delivery_id: UUID, body: TakeAdd) -> tuple[int, TakeAdded | DryStemRead]:
-    delivery, standing = service.own_delivery(session, actor, delivery_id)
-    upload = finished_upload(session, body.upload_id, owner_id=service.uploader(actor), scope=str(delivery_id))
-    stem = dry_stems.stem_meant(session, delivery, body.file_name)
-    if stem is not None:
-        kept = dry_stems.receive_dry_stem(
-            session, actor, delivery_id, upload=upload, file_name=body.file_name, stem=stem
-        )
-        return 202, dry_stems.read_dry_stem(session, kept)
-    take, already_here = service.receive_take(
-        session,
-        standing,
-        delivery,
-        upload=upload,
-        file_name=body.file_name,
-        cue_id=body.cue_id,
-        variation=body.variation,
-        note=body.note,
-    )
-    status = 200 if already_here else 201
-    return status, service.added_take(standing.project, take, already_here=already_here)
 
 
 @router.post(
@@ -205,8 +187,8 @@ def _take_of(session: Session, actor: Actor, delivery_id: UUID, body: TakeAdd) -
 def add_archive(
     delivery_id: UUID,
     body: ArchiveAdd,
-    session: BackSession,
-    actor: Actor = allows(Sight.DESIGNER, build=Scope.DELIVERIES_WRITE),
+    session: UploadSession,
+    actor: Actor = allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE),
 ) -> ArchiveRead:
     """Keep a finished upload as a ZIP and queue its unpacking; each file in it becomes a take."""
     service.own_delivery(session, actor, delivery_id)
@@ -218,37 +200,39 @@ def add_archive(
 def list_takes(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
     state: Annotated[list[TakeState], Query(description="One or several.")] = [],  # noqa: B006  FastAPI copies it
     unmatched: bool | None = None,
+    discarded: Annotated[bool, Query(description="Those taken out of list and tray, in place of the others.")] = False,
     cue_id: UUID | None = None,
     cursor: Cursor = None,
     limit: Limit = PAGE,
 ) -> Page[TakeRead]:
     """List takes, the newest first; a designer's own. `unmatched=true` is the tray."""
-    standing = standing_in(session, actor, project_id)
+    access = project_access(session, actor, project_id)
     found = queries.takes_of(
         session,
         project_id,
-        designer_id=standing.only_designer_id,
+        designer_id=access.only_designer_id,
         states=state,
         unmatched=unmatched,
+        discarded=discarded,
         cue_id=cue_id,
         before=uuid_cursor(cursor),
         limit=limit + 1,
     )
     shown = found[:limit]
     return Page(
-        items=service.read_takes(session, standing.project, shown),
+        items=service.read_takes(session, access.project, shown),
         next=cursor_of(shown[-1].id) if len(found) > limit else None,
     )
 
 
 @router.get("/takes/{take_id}", response_model=TakeRead, responses=problems(TakeNotFound))
-def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> TakeRead:
+def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeRead:
     """Show one take."""
-    take, standing = service.take_for(session, actor, take_id)
-    return service.read_take(session, standing.project, take)
+    take, access = service.take_for(session, actor, take_id)
+    return service.read_take(session, access.project, take)
 
 
 @router.put(
@@ -256,10 +240,10 @@ def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJ
     response_model=TakeRead,
     responses=problems(TakeNotFound, CueNotFound, WrongState, VariationUnknown),
 )
-def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> TakeRead:
-    """Say which cue a take is for; it is checked again as that cue."""
-    take, standing = service.match_take(session, actor, take_id, body.cue_id, body.variation)
-    return service.read_take(session, standing.project, take)
+def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeRead:
+    """Match a take to a cue; it is checked again as that cue."""
+    take, access = service.match_take(session, actor, take_id, body.cue_id, body.variation)
+    return service.read_take(session, access.project, take)
 
 
 @router.get(
@@ -272,14 +256,14 @@ def download_master(
     request: Request,
     session: DbSession,
     runtime: CurrentRuntime,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> Response:
     """Give a take's master exactly as it was delivered; ranges may be asked for."""
-    take, standing = service.take_for(session, actor, take_id)
-    return blob_answer(
+    take, access = service.take_for(session, actor, take_id)
+    return blob_response(
         request,
         runtime.store,
-        standing.project.studio_id,
+        access.project.studio_id,
         take.master_sha256,
         media_type="application/octet-stream",
         file_name=shown_name(base_name(take.file_name)),
@@ -291,17 +275,19 @@ def download_master(
 @router.put(
     "/takes/{take_id}/dry-stem",
     response_model=DryStemRead,
-    responses=problems(TakeNotFound, MakerNeeded, WrongState, UploadNotFound, UploadUnfinished),
+    responses=problems(TakeNotFound, OwnDesignerNeeded, WrongState, UploadNotFound, UploadUnfinished),
 )
-def give_dry_stem(
-    take_id: UUID, body: DryStemGive, session: DbSession, actor: Actor = allows(Sight.DESIGNER)
+def add_dry_stem_to_take(
+    take_id: UUID, body: DryStemUpload, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> DryStemRead:
-    """Give a take its sound without reverb; the take's reverb is then measured beside it."""
-    return dry_stems.read_dry_stem(session, dry_stems.give_dry_stem(session, actor, take_id, body.upload_id))
+    """Add a take's dry stem; the take's reverb is then measured against it."""
+    return dry_stems.read_dry_stem(session, dry_stems.add_dry_stem_to_take(session, actor, take_id, body.upload_id))
 
 
-@router.delete("/takes/{take_id}/dry-stem", status_code=204, responses=problems(TakeNotFound, MakerNeeded, WrongState))
-def withdraw_dry_stem(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DESIGNER)) -> None:
+@router.delete(
+    "/takes/{take_id}/dry-stem", status_code=204, responses=problems(TakeNotFound, OwnDesignerNeeded, WrongState)
+)
+def withdraw_dry_stem(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> None:
     """Withdraw a take's dry stem; the take is judged without it again."""
     dry_stems.withdraw_dry_stem(session, actor, take_id)
 
@@ -317,11 +303,11 @@ def download_dry_stem(
     request: Request,
     session: DbSession,
     runtime: CurrentRuntime,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> Response:
     """Give a take's dry stem exactly as it was delivered; ranges may be asked for."""
-    stem = dry_stems.dry_stem_in_sight(session, actor, take_id)
-    return blob_answer(
+    stem = dry_stems.visible_dry_stem(session, actor, take_id)
+    return blob_response(
         request,
         runtime.store,
         stem.studio_id,

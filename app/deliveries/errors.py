@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Forbidden, Invalid, NotFound, Refused
 
@@ -19,12 +19,20 @@ class DryStemNotFound(NotFound):
     """The take has no dry stem."""
 
 
-class MakerNeeded(Forbidden):
-    """Only the sound's own designer does this: takes a mend, gives a dry stem."""
+class OwnDesignerNeeded(Forbidden):
+    """Only the sound's own designer does this: takes a fix, gives a dry stem."""
 
 
 class WrongState(Conflict):
     """The take is not in a state from which this can be done."""
+
+
+class TakesActNotFound(NotFound):
+    """No act on takes of that id within the caller's sight."""
+
+
+class AlreadyUndone(Conflict):
+    """The act was undone before."""
 
 
 class VariationUnknown(Invalid):
@@ -36,7 +44,7 @@ class InHouseDesignerNeeded(Forbidden):
 
 
 class UnknownTusVersion(Refused):
-    """The sender speaks another version of tus."""
+    """The client uses another version of tus."""
 
     status = 412
 
@@ -48,7 +56,7 @@ class BadUploadHeader(Refused):
 
 
 class LengthRequired(Refused):
-    """The request does not say how long it is."""
+    """The request has no Content-Length."""
 
     status = 411
 

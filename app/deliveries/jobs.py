@@ -8,7 +8,7 @@ from app.deliveries.errors import ArchiveRefused
 from app.deliveries.models import Archive
 from app.deliveries.rules import ArchiveState, shown_name
 from app.deliveries.service import Origin
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.kit.uploads import Upload
@@ -16,7 +16,7 @@ from app.kit.uploads import Upload
 
 @job("deliveries.unpack_archive")
 def unpack_archive(runtime: Runtime, payload: Payload) -> None:
-    """Make each sound in a delivered ZIP a take; a second run goes on where the first was killed."""
+    """Make each sound in a delivered ZIP a take; a second run continues where the first was killed."""
     archive_id = UUID(payload["archive_id"])
     with runtime.database.reading() as session:
         archive = session.get_one(Archive, archive_id)
@@ -31,7 +31,7 @@ def unpack_archive(runtime: Runtime, payload: Payload) -> None:
         ):
             for entry in opened.entries:
                 entries.append(_unpacked(runtime, archive, opened, entry))
-                kill.point("deliveries.entry_unpacked")
+                kill_points.point("deliveries.entry_unpacked")
         state, message = ArchiveState.UNPACKED, ""
     except ArchiveRefused as refusal:
         state, message = ArchiveState.REFUSED, str(refusal)
@@ -42,27 +42,32 @@ def unpack_archive(runtime: Runtime, payload: Payload) -> None:
 
 def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, entry: unzip.Entry) -> dict[str, Any]:
     """Store one file of a ZIP and make it a take, or say why not."""
-    told: dict[str, Any] = {"path": shown_name(entry.path), "taken": False, "take_id": None, "reason": entry.left_out}
+    answer: dict[str, Any] = {
+        "path": shown_name(entry.path),
+        "taken": False,
+        "take_id": None,
+        "reason": entry.left_out,
+    }
     if entry.left_out:
-        return told
+        return answer
     with runtime.database.reading() as session:
         take = queries.take_of_entry(session, archive.id, entry.place)
         if take is not None:
-            return told | {"taken": True, "take_id": str(take.id)}
+            return answer | {"taken": True, "take_id": str(take.id)}
         if (stem := queries.dry_stem_of_entry(session, archive.id, entry.place)) is not None:
-            return told | {"taken": True, "reason": _is_stem_of(stem.stem)}
+            return answer | {"taken": True, "reason": _is_stem_of(stem.stem)}
     try:
         stored = runtime.store.put(archive.studio_id, opened.content(entry))
     except unzip.EntryBroken as error:
-        return told | {"reason": str(error)}
+        return answer | {"reason": str(error)}
     with runtime.database.writing() as session:
         delivery = queries.delivery_by_id(session, archive.delivery_id)
         if delivery is None:
             raise LookupError(f"archive {archive.id} has no delivery")
         origin = Origin(archive_id=archive.id, archive_entry=entry.place)
-        if (name := dry_stems.stem_meant(session, delivery, entry.path)) is not None:
+        if (name := dry_stems.stem_for_name(session, delivery, entry.path)) is not None:
             dry_stems.add_dry_stem(session, delivery, stored.sha256, stored.size_bytes, entry.path, name, origin)
-            return told | {"taken": True, "reason": _is_stem_of(name)}
+            return answer | {"taken": True, "reason": _is_stem_of(name)}
         take, already_here = service.add_take(
             session,
             delivery,
@@ -73,8 +78,8 @@ def _unpacked(runtime: Runtime, archive: Archive, opened: unzip.OpenArchive, ent
             sender_id=session.get_one(Upload, archive.upload_id).owner_id,
         )
         reason = "the same file was here before" if already_here else None
-        return told | {"taken": True, "take_id": str(take.id), "reason": reason}
+        return answer | {"taken": True, "take_id": str(take.id), "reason": reason}
 
 
 def _is_stem_of(stem: str) -> str:
-    return f"no version of its own: the dry stem of {shown_name(stem)}"
+    return f"not a version: the dry stem of {shown_name(stem)}"

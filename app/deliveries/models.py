@@ -8,7 +8,7 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, ForeignKeyConstr
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.deliveries.rules import ArchiveState, TakeState
+from app.deliveries.rules import ArchiveState, TakesActKind, TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.uploads import Upload
@@ -64,7 +64,7 @@ class Take(Base):
     upload_id: Mapped[UUID | None] = mapped_column(ForeignKey(Upload.id), unique=True)  # an upload is one take
     archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
     archive_entry: Mapped[int | None]  # its place in there
-    mend_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # made from it by us
+    fix_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # made from it by us
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # None: unmatched
     variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
     number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on
@@ -77,20 +77,37 @@ class Take(Base):
     master_bytes: Mapped[int] = mapped_column(BigInteger)
     received_at: Mapped[datetime] = mapped_column(default=clock.now)
     state_since: Mapped[datetime] = mapped_column(default=clock.now)
-    conforming_since: Mapped[datetime | None]  # the clock of silence: see ReviewClock; no re-check sets it again
-    returned_since: Mapped[datetime | None]  # the clock stands since then
+    conforming_since: Mapped[datetime | None]  # for deemed acceptance, see ReviewClock; no re-check sets it again
+    returned_since: Mapped[datetime | None]  # the clock is paused since then
     edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
     rechecked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # who asked for the last check
+    discarded_at: Mapped[datetime | None]  # out of the list and the tray, its master kept; has no cue then
     delivery: Mapped[Delivery] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
-class CueSums(Base):
-    """What the takes of a cue add up to: of all for the team, of their own for each designer.
+class TakesAct(Base):
+    """One action on many takes, with the earlier place of each: it can be undone."""
 
-    The facts of the cue stand beside it, so that cues are counted by this table alone: where they change in the list
-    the database changes them here, as it does whatever refers to a key that changes.
+    __tablename__ = "deliveries_takes_acts"
+    __table_args__ = (Index("ix_deliveries_takes_acts_project", "project_id", "id"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    kind: Mapped[TakesActKind]
+    done_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    done_at: Mapped[datetime] = mapped_column(default=clock.now)
+    undone_at: Mapped[datetime | None]
+    takes: Mapped[list[dict[str, Any]]]  # id, edition after the act, and the place before it
+
+
+class CueSums(Base):
+    """Counts of a cue's takes: of all for the team, and of each designer's for that designer.
+
+    The cue's facts are copied here, so that cues are counted by this table alone: when they change in the list,
+    the database updates them here too (ON UPDATE CASCADE).
     """
 
     __tablename__ = "deliveries_cue_sums"

@@ -9,15 +9,17 @@ from sqlalchemy import ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
-from app.deliveries.models import Archive, Delivery, DryStem, Take
+from app.deliveries.models import Archive, Delivery, DryStem, Take, TakesAct
 from app.deliveries.rules import TakeState
 from app.deliveries.rules import stem_of as stem_of_name
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.kit.uploads import Upload
 from app.projects.models import Engagement, Project
-from app.projects.queries import StandingFacts, facts_of_standing
+from app.projects.queries import AccessFacts, access_facts_query
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue, Stem
+
+NAMES_COMPARED = 2_000  # of a tray, for the prefixes that they share
 
 # Asked for by each step of an upload: to build the statement takes as long as to run it.
 _DELIVERY = select(Delivery).where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
@@ -39,19 +41,19 @@ def open_uploads(session: Session, studio_id: UUID) -> int:
 
 
 def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:
-    """Return a delivery with its designer, without asking who looks."""
+    """Return a delivery with its designer, without a check of the caller."""
     return session.scalar(_DELIVERY, {"delivery_id": delivery_id})
 
 
-def delivery_with_facts(session: Session, delivery_id: UUID, person_id: UUID) -> tuple[Delivery, StandingFacts] | None:
+def delivery_with_facts(session: Session, delivery_id: UUID, person_id: UUID) -> tuple[Delivery, AccessFacts] | None:
     """Return a delivery with its designer and what a person's standing in its project depends on, all at once."""
     row = session.execute(_with_facts(), {"delivery_id": delivery_id, "person_id": person_id}).one_or_none()
-    return (row[-1], StandingFacts._make(row[:-1])) if row else None
+    return (row[-1], AccessFacts._make(row[:-1])) if row else None
 
 
 @cache
 def _with_facts() -> Select[*tuple[Any, ...]]:
-    found = facts_of_standing().join(Delivery, Delivery.project_id == Project.id).add_columns(Delivery)
+    found = access_facts_query().join(Delivery, Delivery.project_id == Project.id).add_columns(Delivery)
     return found.where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
 
 
@@ -71,13 +73,15 @@ def deliveries_of(
 def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many takes each delivery has; deliveries without any are left out."""
     rows = session.execute(
-        select(Take.delivery_id, func.count()).where(among(Take.delivery_id, delivery_ids)).group_by(Take.delivery_id)
+        select(Take.delivery_id, func.count())
+        .where(in_array(Take.delivery_id, delivery_ids), Take.discarded_at.is_(None))
+        .group_by(Take.delivery_id)
     )
     return {row[0]: row[1] for row in rows}
 
 
 def next_delivery_number(session: Session, project_id: UUID) -> int:
-    """Return the number of the next delivery; nobody else gets one until the transaction ends."""
+    """Return the number of the next delivery; locked until the transaction ends."""
     session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
     last = session.scalar(select(func.max(Delivery.number)).where(Delivery.project_id == project_id))
     return (last or 0) + 1
@@ -95,7 +99,7 @@ def in_house_designers(session: Session, project_id: UUID) -> Sequence[UUID]:
 
 
 def next_number(session: Session, cue_id: UUID, variation: int) -> int:
-    """Return the number of a cue's next take; nobody else gets one until the transaction ends."""
+    """Return the number of a cue's next take; locked until the transaction ends."""
     session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
     return last_number(session, cue_id, variation) + 1
 
@@ -111,12 +115,6 @@ def filled_variations(session: Session, cue_id: UUID) -> set[int]:
     return set(session.scalars(select(Take.variation).where(Take.cue_id == cue_id).distinct()))
 
 
-def cues_without_takes(session: Session, project_id: UUID) -> set[UUID]:
-    """Return the cues of a project for which nothing has come yet."""
-    taken = select(Take.cue_id).where(Take.project_id == project_id, Take.cue_id.is_not(None))
-    return set(session.scalars(select(Cue.id).where(Cue.project_id == project_id, Cue.id.not_in(taken))))
-
-
 def stem_of(session: Session, take: Take) -> str | None:
     """Return the stem that the list gives to a take; None while unmatched and for a cut cue."""
     if take.cue_id is None:
@@ -130,7 +128,7 @@ def _stem() -> Select[str]:
 
 
 def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take | None:
-    """Return a take with its cue and designer, without asking who looks; locked where it is going to change."""
+    """Return a take with its cue and designer, without a check of the caller; locked where it is going to change."""
     return session.scalar(_by_id(locked=locked), {"take_id": take_id})
 
 
@@ -213,6 +211,23 @@ def takes_beside(session: Session, delivery_id: UUID, stem: str) -> list[UUID]:
     return [take_id for take_id, file_name in rows if stem_of_name(file_name) == stem]
 
 
+def same_bytes(session: Session, delivery: Delivery, sha256: str, *, besides: UUID | None) -> Take | None:
+    """Return the designer's newest take of the same bytes in the project, whatever its name; no discarded one."""
+    facts = {"project_id": delivery.project_id, "designer_id": delivery.designer_id, "sha256": sha256}
+    query = _of_bytes()
+    return session.scalar(query if besides is None else query.where(Take.id != besides), facts)
+
+
+@cache
+def _of_bytes() -> Select[Take]:
+    return _newest(
+        Take.project_id == bindparam("project_id"),
+        Take.designer_id == bindparam("designer_id"),
+        Take.master_sha256 == bindparam("sha256"),
+        Take.discarded_at.is_(None),
+    )
+
+
 def same_take(session: Session, delivery: Delivery, sha256: str, cue_id: UUID | None, variation: int) -> Take | None:
     """Return the designer's take of the same bytes for the same cue and variation, or in the tray."""
     facts = {
@@ -233,6 +248,7 @@ def _same(*, is_matched: bool) -> Select[Take]:
         Take.master_sha256 == bindparam("sha256"),
         Take.cue_id == bindparam("cue_id") if is_matched else Take.cue_id.is_(None),
         Take.variation == bindparam("variation"),
+        Take.discarded_at.is_(None),
     )
 
 
@@ -264,12 +280,14 @@ def takes_of(
     designer_id: UUID | None,
     states: Collection[TakeState] = (),
     unmatched: bool | None = None,
+    discarded: bool = False,
     cue_id: UUID | None = None,
     before: UUID | None = None,
     limit: int,
 ) -> Sequence[Take]:
     """Return takes with their cues and designers, the newest first; of one designer where one is given."""
     query = select(Take).where(Take.project_id == project_id)
+    query = query.where(Take.discarded_at.is_not(None) if discarded else Take.discarded_at.is_(None))
     if designer_id is not None:
         query = query.where(Take.designer_id == designer_id)
     if states:
@@ -284,10 +302,49 @@ def takes_of(
     return session.scalars(query.order_by(Take.id.desc()).limit(limit)).all()
 
 
+def in_tray(project_id: UUID, designer_id: UUID | None) -> tuple[ColumnElement[bool], ...]:
+    """Return the condition that a take waits in the tray: without a cue, and not discarded."""
+    waiting = (Take.project_id == project_id, Take.cue_id.is_(None), Take.discarded_at.is_(None))
+    return waiting if designer_id is None else (*waiting, Take.designer_id == designer_id)
+
+
+def unmatched_count(session: Session, project_id: UUID, designer_id: UUID | None) -> int:
+    """Return how many takes wait in the tray; of one designer where one is given."""
+    return session.scalar(select(func.count()).where(*in_tray(project_id, designer_id))) or 0
+
+
+def tray(session: Session, project_id: UUID, designer_id: UUID | None, *, limit: int) -> list[Take]:
+    """Return the takes of the tray, locked, in the order they came; of one designer where one is given."""
+    query = select(Take).where(*in_tray(project_id, designer_id)).options(*_WITH_CUE_AND_DESIGNER)
+    return list(session.scalars(_locked(query.order_by(Take.id).limit(limit))))
+
+
+def tray_names(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[str]:
+    """Return the newest names of files that wait in the tray; see `tray`."""
+    query = select(Take.file_name).where(*in_tray(project_id, designer_id))
+    return session.scalars(query.order_by(Take.id.desc()).limit(NAMES_COMPARED)).all()
+
+
+def takes_by_id(session: Session, project_id: UUID, take_ids: Collection[UUID], designer_id: UUID | None) -> list[Take]:
+    """Return takes of a project with cues and designers, locked, in the order of their ids; see `tray`."""
+    query = select(Take).where(Take.project_id == project_id, in_array(Take.id, take_ids))
+    if designer_id is not None:
+        query = query.where(Take.designer_id == designer_id)
+    return list(session.scalars(_locked(query.options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id))))
+
+
+def act_by_id(session: Session, act_id: UUID) -> TakesAct | None:
+    """Return an act on many takes, locked."""
+    return session.scalar(select(TakesAct).where(TakesAct.id == act_id).with_for_update())
+
+
 def takes_in(session: Session, delivery_id: UUID) -> Sequence[Take]:
     """Return the takes of a delivery with their cues and designers, in the order they came."""
     return session.scalars(
-        select(Take).where(Take.delivery_id == delivery_id).options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id)
+        select(Take)
+        .where(Take.delivery_id == delivery_id, Take.discarded_at.is_(None))
+        .options(*_WITH_CUE_AND_DESIGNER)
+        .order_by(Take.id)
     ).all()
 
 

@@ -1,4 +1,4 @@
-"""How a take may go from state to state, and what its name says, stated without a database."""
+"""Transitions between states of takes, and the parts of file names, stated without a database."""
 
 import re
 import unicodedata
@@ -17,7 +17,7 @@ _KEPT_END = 24  # of a name that is too long: its end says what kind of file it 
 
 
 class TakeState(StrEnum):
-    """Where a take stands."""
+    """The state of a take."""
 
     RECEIVED = "received"
     CONFORMING = "conforming"
@@ -29,11 +29,20 @@ class TakeState(StrEnum):
 
 
 class ArchiveState(StrEnum):
-    """Where a delivered ZIP stands."""
+    """The state of a delivered ZIP."""
 
     RECEIVED = "received"
     UNPACKED = "unpacked"
     REFUSED = "refused"
+
+
+class TakesActKind(StrEnum):
+    """The actions on many takes at once."""
+
+    MATCHED = "matched"
+    MOVED = "moved"
+    DISCARDED = "discarded"
+    RESTORED = "restored"
 
 
 S = TakeState
@@ -51,7 +60,7 @@ CHECKABLE = frozenset(state for state, following in NEXT_STATES.items() if S.REC
 
 @dataclass(frozen=True)
 class ReviewClock:
-    """How long a take has been fit for a verdict: since its first conforming check, less the time it stood returned."""
+    """How long a take has been ready for a verdict: since its first conforming check, less the time it was returned."""
 
     conforming_since: datetime | None
     returned_since: datetime | None  # only once it has conformed
@@ -81,12 +90,12 @@ def is_archive(file_name: str) -> bool:
     return file_name.lower().endswith(".zip")
 
 
-def most_bytes(file_name: str) -> int:
+def max_bytes(file_name: str) -> int:
     """Return how long a file of this name may be."""
     return MAX_ARCHIVE_BYTES if is_archive(file_name) else MAX_FILE_BYTES
 
 
-def kept_name(given: str) -> str:
+def stored_name(given: str) -> str:
     """Return a file name as it is kept: as given, but of bounded length, and with what no database takes marked."""
     name = re.sub("[\0\ud800-\udfff]", "\ufffd", given)
     if len(name) <= MAX_NAME_CHARS:
@@ -97,6 +106,12 @@ def kept_name(given: str) -> str:
 def shown_name(kept: str) -> str:
     r"""Return a file name as it may be shown on one line: what does not print is escaped, as in `\n` or `\u202e`."""
     return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in kept)
+
+
+def named_for(file_name: str, stem: str) -> str:
+    """Return the name of a file with the list's stem and the file's extension."""
+    _, dot, ending = file_name.rpartition(".")
+    return f"{stem}{dot}{ending}" if dot else stem
 
 
 def base_name(kept: str) -> str:
@@ -113,7 +128,7 @@ def stems_to_try(file_name: str) -> list[tuple[str, int | None]]:
 
 def dry_stem_for(file_name: str) -> str | None:
     """Return the stem of the takes that a file is the dry stem of, by its name; None for any other name."""
-    return audio_checks.dry_stem_for(file_name)
+    return audio_checks.dry_stem_name(file_name)
 
 
 def stem_of(file_name: str) -> str:
@@ -121,10 +136,16 @@ def stem_of(file_name: str) -> str:
     return audio_checks.stem_of_file(file_name)
 
 
-def ensure_undecided(state: TakeState) -> None:
+def ensure_no_verdict(state: TakeState) -> None:
     """Raise WrongState where a take is decided upon: what its verdict went by stays."""
     if state not in CHECKABLE:
-        raise WrongState(f"this version is {state.replace('_', ' ')}; what its verdict went by stays as it was")
+        raise WrongState(f"this version is {state.replace('_', ' ')}; its files can't be changed any more")
+
+
+def ensure_kept(discarded_at: datetime | None) -> None:
+    """Raise WrongState for a take that was discarded."""
+    if discarded_at is not None:
+        raise WrongState("this file was discarded; restore it first")
 
 
 def alternate_of(file_name: str) -> int | None:
@@ -132,7 +153,7 @@ def alternate_of(file_name: str) -> int | None:
     return audio_checks.parse_file_name(file_name).alternate
 
 
-def variation_meant(file_name: str, variations: int, filled: Collection[int]) -> int:
+def variation_for_name(file_name: str, variations: int, filled: Collection[int]) -> int:
     """Return the variation of a set that a file dropped on its cue is for: the one it names, else the first empty."""
     ending = re.search(r"([0-9]{1,4})$", audio_checks.parse_file_name(file_name).stem)
     if ending and 1 <= int(ending[1]) <= variations:

@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import BeforeValidator, Field
 
 from app.accounts.schemas import PersonBrief, Prose
-from app.deliveries.rules import ArchiveState, TakeState, shown_name
+from app.deliveries.rules import ArchiveState, TakesActKind, TakeState, shown_name
 from app.kit.http import Schema, Whole
 
 GivenName = Annotated[str, Field(min_length=1, max_length=100_000, description="Never used as a path.")]
@@ -33,13 +33,13 @@ class PartAsk(Schema):
 
 
 class PartsAsk(Schema):
-    """Which parts of a file are to be sent next."""
+    """The parts of a file to send next."""
 
     parts: list[PartAsk] = Field([], max_length=100)
 
 
 class PartLinkRead(Schema):
-    """Where one part of a file goes: a PUT of exactly these bytes with exactly these headers."""
+    """The target of one part of a file: a PUT of exactly these bytes with exactly these headers."""
 
     number: int
     start: int = Field(description="The part's first byte in the file.")
@@ -49,7 +49,7 @@ class PartLinkRead(Schema):
 
 
 class PartsRead(Schema):
-    """How a file is cut, which parts are in the store, and where the ones asked for go."""
+    """The parts of a file, those in the store, and the targets of the requested ones."""
 
     part_bytes: int = Field(description="How long every part but the last is.")
     parts: int
@@ -65,7 +65,7 @@ class DeliveryAdd(Schema):
 
 
 class DeliveryChange(Schema):
-    """What to change in a delivery."""
+    """Changes of a delivery."""
 
     note: Prose
 
@@ -102,13 +102,15 @@ class CueBrief(Schema):
 
 
 class CueGuess(Schema):
-    """A cue that an unmatched file may be for."""
+    """A cue that an unmatched file is for, or may be for."""
 
     cue_id: UUID
     label: str
     name: str
-    variation: int
+    variation: int | None = Field(description="Null where the name does not say which of the set.")
+    variations: int = Field(description="How many the cue has.")
     reason: str
+    becomes: str | None = Field(description="What the file would be called; null without a variation.")
 
 
 class TakeAdded(Schema):
@@ -126,7 +128,7 @@ class TakeAdded(Schema):
     late: bool = Field(description="It came after its delivery was closed.")
     file_name: ShownName
     note: str
-    mend_of_id: UUID | None = Field(description="The version that this one is a mend of.")
+    fix_of_id: UUID | None = Field(description="The version that this one is a fix of.")
     master_sha256: str
     master_bytes: int
     received_at: datetime
@@ -135,12 +137,14 @@ class TakeAdded(Schema):
 
 
 class TakeRead(TakeAdded):
-    """One delivered file; to guess what an unmatched one is for takes a look at the whole list."""
+    """One delivered file; what an unmatched one is for is read from its name and the whole list."""
 
-    guesses: list[CueGuess] = Field(description="The three likeliest cues of an unmatched file.")
+    discarded_at: datetime | None = Field(description="Out of the list and the tray since then; its master is kept.")
+    sure: CueGuess | None = Field(description="The one cue that an unmatched file is for by its name, if that is sure.")
+    guesses: list[CueGuess] = Field(description="Up to three cues that an unmatched file may be for otherwise.")
 
 
-class DryStemGive(Schema):
+class DryStemUpload(Schema):
     """A finished upload into a take's delivery that is the take's sound without its reverb."""
 
     upload_id: UUID
@@ -167,6 +171,60 @@ class TakeMatch(Schema):
     variation: Whole | None = None
 
 
+MANY = 2_000
+
+
+class TakesNamed(Schema):
+    """Takes that something is done to at once."""
+
+    take_ids: list[UUID] = Field(min_length=1, max_length=MANY)
+
+
+class SureAccept(Schema):
+    """The files of the tray to match if their names are sure."""
+
+    take_ids: list[UUID] | None = Field(None, max_length=MANY, description="Null: all of the tray.")
+
+
+class TakeMove(Schema):
+    """The place of a take."""
+
+    take_id: UUID
+    cue_id: UUID
+    variation: Whole | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
+
+
+class TakesMove(Schema):
+    """The places of takes."""
+
+    moves: list[TakeMove] = Field(min_length=1, max_length=MANY)
+
+
+class TakeRename(Schema):
+    """The name of a file, and its proposed name."""
+
+    take_id: UUID
+    file_name: ShownName
+    becomes: str
+
+
+class TakesActRead(Schema):
+    """One action on many takes at once."""
+
+    id: UUID
+    kind: TakesActKind
+    done_at: datetime
+    undone_at: datetime | None
+    take_ids: list[UUID] = Field(description="The takes that changed.")
+
+
+class TakesActUndone(TakesActRead):
+    """The undone action."""
+
+    return_to_received: int
+    left: int = Field(description="Takes that were changed or decided since; they stay as they are.")
+
+
 class ArchiveAdd(Schema):
     """A finished upload that is a ZIP of takes."""
 
@@ -175,7 +233,7 @@ class ArchiveAdd(Schema):
 
 
 class ArchiveEntry(Schema):
-    """What became of one file in a ZIP."""
+    """The result for one file in a ZIP."""
 
     path: str
     taken: bool

@@ -1,4 +1,4 @@
-"""What the takes of a cue add up to, stated without a database."""
+"""The sums of a cue's takes, stated without a database."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from uuid import UUID
 from app.deliveries.rules import TakeState
 
 WITH_DESIGNER = (TakeState.RETURNED, TakeState.CHANGE_REQUESTED, TakeState.UNJUDGED)
-# The newest take that is not set aside speaks for its variation; 0 is none. Stored, in three bits: never change one.
+# A variation has the rank of its newest take that is not set aside; 0 is none. Stored in three bits: never change one.
 STATE_CODES = {
     TakeState.RECEIVED: 1,
     TakeState.CONFORMING: 2,
@@ -25,7 +25,7 @@ CODE_BASE = 8
 
 @dataclass(frozen=True)
 class VariationFact:
-    """What the standing of one variation depends on."""
+    """The facts that the status of one variation depends on."""
 
     has_approved: bool
     has_waiting: bool
@@ -44,8 +44,8 @@ class VariationFact:
         return cls(flags >= 2, flags % 2 == 1, STATES_BY_CODE.get(code))
 
 
-class SummedTake(NamedTuple):
-    """What of a matched take counts in the sums of its cue."""
+class TakeForSums(NamedTuple):
+    """The facts of a matched take that count in the sums of its cue."""
 
     id: UUID
     designer_id: UUID
@@ -58,7 +58,7 @@ class SummedTake(NamedTuple):
 
 @dataclass(frozen=True)
 class Sums:
-    """What the takes of a cue add up to."""
+    """The sums of a cue's takes."""
 
     facts: str  # of its variations in order, packed: "17,0,10"
     newest_id: UUID  # of the take that came last
@@ -66,9 +66,9 @@ class Sums:
     back_since: datetime | None  # since when the first is with its designer of those that no other followed
 
 
-def sums_of(takes: Sequence[SummedTake]) -> Sums:
+def sums_of(takes: Sequence[TakeForSums]) -> Sums:
     """Sum up the takes of a cue, one or more."""
-    variations: list[list[SummedTake]] = [[] for _ in range(max(take.variation for take in takes))]
+    variations: list[list[TakeForSums]] = [[] for _ in range(max(take.variation for take in takes))]
     for take in sorted(takes, key=lambda take: take.number):
         variations[take.variation - 1].append(take)
     last = max(takes, key=lambda take: (take.received_at, take.id))

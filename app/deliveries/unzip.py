@@ -25,7 +25,7 @@ UNIX = 3
 ARCHIVES = (".zip", ".7z", ".rar", ".tar", ".gz", ".tgz", ".bz2", ".xz")
 SOUNDS = (".wav", ".wave", ".bwf", ".rf64", ".bw64", ".w64", ".flac", ".aif", ".aiff", ".aifc", ".au", ".snd", ".caf",
           ".mp3", ".mp2", ".m4a", ".aac", ".wma", ".ogg", ".oga", ".opus")  # fmt: skip
-LITTER = ("__MACOSX/", "._", ".DS_Store", "Thumbs.db", "desktop.ini")
+IGNORED_ENTRIES = ("__MACOSX/", "._", ".DS_Store", "Thumbs.db", "desktop.ini")
 Broken = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, NotImplementedError, ValueError)
 
 
@@ -117,7 +117,7 @@ def _path(info: zipfile.ZipInfo) -> str:
 def _why_left_out(info: zipfile.ZipInfo) -> str | None:
     path = _path(info)
     name = base_name(path)
-    if any(path.startswith(litter) or name.startswith(litter) for litter in LITTER):
+    if any(path.startswith(litter) or name.startswith(litter) for litter in IGNORED_ENTRIES):
         return "not a sound: written by the system that packed it"
     if info.create_system == UNIX and stat.S_ISLNK(info.external_attr >> 16):
         return "a link to another file; pack the file itself"

@@ -1,7 +1,7 @@
-"""Files on their way into a delivery: tus 1.0 for people on shaky lines, one PUT for scripts, parts for a bucket.
+"""Uploads into a delivery: tus 1.0 for unreliable connections, one PUT for scripts, parts for a bucket.
 
-These endpoints read a body as it comes, so they are `async`, touch the database in a thread, and keep no
-Idempotency-Key: an upload has its own.
+These endpoints stream a body, so they are `async`, use the database in a thread, and keep no
+Idempotency-Key: an upload has an id of its own.
 """
 
 import asyncio
@@ -14,8 +14,8 @@ from uuid import UUID
 from fastapi import APIRouter, Header, Query, Request, Response
 from starlette.requests import ClientDisconnect
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
 from app.deliveries import service
 from app.deliveries.errors import (
     BadUploadHeader,
@@ -26,7 +26,7 @@ from app.deliveries.errors import (
     UnknownTusVersion,
     WrongContentType,
 )
-from app.deliveries.rules import MAX_ARCHIVE_BYTES, kept_name, most_bytes
+from app.deliveries.rules import MAX_ARCHIVE_BYTES, max_bytes, stored_name
 from app.deliveries.schemas import PartsAsk, PartsRead, UploadRead
 from app.deliveries.upload_headers import (
     checksum_of,
@@ -38,14 +38,15 @@ from app.deliveries.upload_headers import (
 )
 from app.deliveries.upload_quotas import ensure_upload_fits
 from app.kit.errors import Refused
-from app.kit.http import BackSeat, CurrentRuntime, problems
+from app.kit.http import CurrentRuntime, UploadSlot, problems
 from app.kit.runtime import Runtime
+from app.kit.single_thread_route import LazyAuthentication, SingleThreadRoute
 from app.kit.storage import StoreUnavailable
-from app.kit.turns import Asking, InOneTurn
 from app.kit.uploads import (
     CHECKSUMS,
     ChecksumMismatch,
     OffsetMismatch,
+    Pace,
     PartsNotTaken,
     PartUnknown,
     SentInParts,
@@ -66,17 +67,19 @@ EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
 PARTS_EXTENSION = "soundlist-parts"  # ours: what was created may be sent to the store in parts
 BODY_TYPE = "application/offset+octet-stream"
 
-UPLOADS = allows(Sight.PERSON, build=Scope.DELIVERIES_WRITE)
+UPLOADS = allows(Audience.PERSON, build=Scope.DELIVERIES_WRITE)
 UploadsActor = Annotated[Actor, UPLOADS]
-UploadsAsking = Annotated[Asking, UPLOADS]  # of what streams: who asks is found out in the thread that it needs anyway
+UploadsAuthentication = Annotated[
+    LazyAuthentication, UPLOADS
+]  # of what streams: the caller is authenticated in the thread that is needed anyway
 Tus = Annotated[str | None, Header(alias="Tus-Resumable", description="1.0.0")]
 BINARY_BODY: dict[str, Any] = {
     "requestBody": {"content": {BODY_TYPE: {"schema": {"type": "string", "format": "binary"}}}}
 }
 
 
-class TusRoute(InOneTurn):
-    """A route whose answers name the version of tus that they speak, refusals included."""
+class TusRoute(SingleThreadRoute):
+    """A route whose answers, refusals included, name their version of tus."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Add the headers to every answer."""
@@ -100,8 +103,8 @@ router = APIRouter(tags=["uploads"], route_class=TusRoute)
 
 
 @router.options("/uploads", status_code=204)
-def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE)) -> Response:  # noqa: ARG001  a policy
-    """Say what this server knows of tus, and whether its store takes parts."""
+def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Audience.ANYONE)) -> Response:  # noqa: ARG001  a policy
+    """Return the tus extensions of this server, and whether its store accepts parts."""
     takes_parts = runtime.store.public_origin is not None
     return Response(
         status_code=204,
@@ -122,14 +125,14 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Sight.ANYONE
     openapi_extra=BINARY_BODY,
     responses=problems(
         BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
-        StoreFull, UnknownTusVersion, UploadTooLong, WrongContentType,
+        StoreFull, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
 async def begin_upload(
     request: Request,
-    seat: BackSeat,
+    slot: UploadSlot,
     runtime: CurrentRuntime,
-    asking: UploadsAsking,
+    lazy_authentication: UploadsAuthentication,
     tus_resumable: Tus = None,
     upload_length: Annotated[str | None, Header(description="How many bytes the whole file has.")] = None,
     upload_metadata: Annotated[
@@ -150,15 +153,15 @@ async def begin_upload(
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
     begin = partial(
-        _permitted, runtime, asking, uuid_in("delivery_id", metadata.get("delivery_id", "")),
+        _permitted, runtime, lazy_authentication, uuid_in("delivery_id", metadata.get("delivery_id", "")),
         metadata.get("file_name", ""), length, sha256_in_hex(metadata.get("sha256")),
         uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None,
     )  # fmt: skip
     if not has_body:
         return await asyncio.to_thread(lambda: _standing(uploads, begin(), 201))
     upload = await asyncio.to_thread(begin)
-    seat.leave()  # bytes come as slowly as they like
-    upload = await uploads.receive(upload, 0, _body(request), announced=_announced(request), checksum=checksum)
+    slot.release()  # bytes come as slowly as `Pace` lets them
+    upload = await uploads.receive(upload, 0, _body(request), announced=_declared(request), checksum=checksum)
     return await _after(uploads, upload, 201)
 
 
@@ -169,7 +172,7 @@ async def begin_upload(
     responses=problems(UploadNotFound, UnknownTusVersion, UploadBusy),
 )
 def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tus_resumable: Tus = None) -> Response:
-    """Say how many bytes are here."""
+    """Return the offset of an upload."""
     _ensure_tus(tus_resumable)
     uploads = _uploads(runtime)
     return _standing(uploads, uploads.find(upload_id, owner_id=service.uploader(actor)), 200)
@@ -189,9 +192,9 @@ def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tu
 async def continue_upload(
     upload_id: UUID,
     request: Request,
-    seat: BackSeat,
+    slot: UploadSlot,
     runtime: CurrentRuntime,
-    asking: UploadsAsking,
+    lazy_authentication: UploadsAuthentication,
     tus_resumable: Tus = None,
     upload_offset: Annotated[str | None, Header(description="How many bytes are here already.")] = None,
     upload_checksum: Annotated[
@@ -205,9 +208,9 @@ async def continue_upload(
     offset = number_of_bytes("Upload-Offset", upload_offset)
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(lambda: _own(runtime, asking(), upload_id))
-    seat.leave()
-    upload = await uploads.receive(upload, offset, _body(request), announced=_announced(request), checksum=checksum)
+    upload = await asyncio.to_thread(lambda: _own(runtime, lazy_authentication(), upload_id))
+    slot.release()
+    upload = await uploads.receive(upload, offset, _body(request), announced=_declared(request), checksum=checksum)
     return await _after(uploads, upload, 204)
 
 
@@ -217,9 +220,7 @@ async def continue_upload(
     response_class=Response,
     responses=problems(UploadNotFound, UnknownTusVersion, UploadBusy),
 )
-def give_up_upload(
-    upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tus_resumable: Tus = None
-) -> Response:
+def cancel_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tus_resumable: Tus = None) -> Response:
     """Delete an unfinished upload."""
     _ensure_tus(tus_resumable)
     uploads = _uploads(runtime)
@@ -232,11 +233,11 @@ def give_up_upload(
     response_model=PartsRead,
     responses=problems(UploadNotFound, PartsNotTaken, PartUnknown, StoreUnavailable),
 )
-def ask_for_parts(upload_id: UUID, body: PartsAsk, runtime: CurrentRuntime, actor: UploadsActor) -> PartsRead:
-    """Say which parts of a file are in the store, and sign links by which others go there."""
+def request_parts(upload_id: UUID, body: PartsAsk, runtime: CurrentRuntime, actor: UploadsActor) -> PartsRead:
+    """Return the parts of a file in the store, and signed links for others."""
     sha256s = {part.number: bytes.fromhex(part.sha256) for part in body.parts}
-    standing = _uploads(runtime).parts(_own(runtime, actor, upload_id), sha256s)
-    return PartsRead.model_validate(standing)
+    access = _uploads(runtime).parts(_own(runtime, actor, upload_id), sha256s)
+    return PartsRead.model_validate(access)
 
 
 @router.post(
@@ -245,7 +246,7 @@ def ask_for_parts(upload_id: UUID, body: PartsAsk, runtime: CurrentRuntime, acto
     responses=problems(ChecksumMismatch, StoreUnavailable, UploadBusy, UploadNotFound, UploadUnfinished),
 )
 def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) -> UploadRead:
-    """Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender says."""
+    """Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender claims."""
     upload = _uploads(runtime).finish_parts(_own(runtime, actor, upload_id))
     return _upload_read(upload)
 
@@ -265,9 +266,9 @@ def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) 
 )  # fmt: skip
 async def put_upload(
     request: Request,
-    seat: BackSeat,
+    slot: UploadSlot,
     runtime: CurrentRuntime,
-    asking: UploadsAsking,
+    lazy_authentication: UploadsAuthentication,
     delivery_id: UUID,
     file_name: Annotated[str, Query(min_length=1, max_length=100_000)],
     take_id: Annotated[UUID | None, Query(description="Of the take that a dry stem is for.")] = None,
@@ -275,18 +276,20 @@ async def put_upload(
     x_content_sha256: Annotated[str | None, Header(description="The file's SHA-256 in hex.")] = None,
 ) -> UploadRead:
     """Take a whole file in one request: all of it, or nothing."""
-    length = _announced(request)
+    length = _declared(request)
     if length is None:
         raise LengthRequired("say how long the file is: Content-Length is missing")
     expected = sha256_in_hex(x_content_sha256) or sha256_of_digest(repr_digest)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(_permitted, runtime, asking, delivery_id, file_name, length, expected, take_id)
-    seat.leave()
+    upload = await asyncio.to_thread(
+        _permitted, runtime, lazy_authentication, delivery_id, file_name, length, expected, take_id
+    )
+    slot.release()
     try:
         upload = await uploads.receive(upload, 0, _body(request), announced=length)
         if upload.sha256 is None:
             raise UploadIncomplete(f"fewer than the announced {length} bytes came; send the file again")
-    except BaseException:  # its sender does not know its id, so nobody could go on with it
+    except BaseException:  # its sender does not know its id, so it could not be resumed
         await asyncio.to_thread(uploads.give_up, upload)
         raise
     return _upload_read(upload)
@@ -302,16 +305,18 @@ async def _body(request: Request) -> AsyncIterator[bytes]:
         async for chunk in request.stream():
             yield chunk
     except ClientDisconnect:
-        raise UploadIncomplete("the line dropped before everything came") from None
+        raise UploadIncomplete("the connection was lost before the file was complete") from None
 
 
 def _uploads(runtime: Runtime) -> Uploads:
-    return Uploads(runtime.database, runtime.store, reserve_bytes=runtime.settings.disk_reserve)
+    settings = runtime.settings
+    pace = Pace(settings.upload_min_rate, settings.upload_window_s)
+    return Uploads(runtime.database, runtime.store, reserve_bytes=settings.disk_reserve, pace=pace)
 
 
 def _permitted(
     runtime: Runtime,
-    asking: Asking,
+    lazy_authentication: LazyAuthentication,
     delivery_id: UUID,
     file_name: str,
     length: int,
@@ -319,7 +324,7 @@ def _permitted(
     beside_take_id: UUID | None,
 ) -> Upload:
     """Make room for a file, once it is certain that the caller may deliver it there."""
-    actor: Actor = asking()
+    actor: Actor = lazy_authentication()
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:
@@ -329,9 +334,9 @@ def _permitted(
         studio_id=studio_id,
         owner_id=service.uploader(actor),
         scope=str(delivery_id),
-        file_name=kept_name(file_name),
+        file_name=stored_name(file_name),
         length=length,
-        max_length=most_bytes(file_name),
+        max_length=max_bytes(file_name),
         expected_sha256=expected_sha256,
     )
 
@@ -345,7 +350,7 @@ def _own(runtime: Runtime, actor: Actor, upload_id: UUID) -> Upload:
 
 
 def _standing(uploads: Uploads, upload: Upload, status: int) -> Response:
-    """Answer with where the upload stands."""
+    """Answer with the upload's offset."""
     headers = {"Upload-Offset": str(uploads.offset(upload)), "Upload-Length": str(upload.length)}
     if (expires_at := uploads.expires_at(upload)) is not None:
         headers["Upload-Expires"] = format_datetime(expires_at, usegmt=True)
@@ -363,9 +368,9 @@ async def _after(uploads: Uploads, upload: Upload, status: int) -> Response:
 
 def _ensure_tus(version: str | None) -> None:
     if version != TUS_VERSION:
-        raise UnknownTusVersion(f"Tus-Resumable is {version or 'missing'}; this server speaks {TUS_VERSION}")
+        raise UnknownTusVersion(f"Tus-Resumable is {version or 'missing'}; this server supports {TUS_VERSION}")
 
 
-def _announced(request: Request) -> int | None:
+def _declared(request: Request) -> int | None:
     value = request.headers.get("content-length")
     return None if value is None else number_of_bytes("Content-Length", value)

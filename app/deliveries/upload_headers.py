@@ -1,4 +1,4 @@
-"""What the headers of an upload say: lengths, names, ids and digests, or BadUploadHeader."""
+"""Parses the headers of an upload: lengths, names, ids and digests; raises BadUploadHeader."""
 
 import base64
 import re
@@ -7,7 +7,7 @@ from uuid import UUID
 from app.deliveries.errors import BadUploadHeader
 from app.kit.uploads import CHECKSUMS, Checksum
 
-MOST_METADATA = 8_192  # characters; the name of a file may be long
+MAX_METADATA = 8_192  # characters; the name of a file may be long
 HEX_SHA256 = re.compile(r"[0-9a-f]{64}")
 
 
@@ -20,7 +20,7 @@ def number_of_bytes(name: str, value: str | None) -> int:
 
 def named_values(header: str | None) -> dict[str, str]:
     """Read Upload-Metadata: names, each with a value in Base64."""
-    if header is None or len(header) > 4 * MOST_METADATA:
+    if header is None or len(header) > 4 * MAX_METADATA:
         raise BadUploadHeader("Upload-Metadata must name delivery_id and file_name, in at most 32 KiB")
     pairs: dict[str, str] = {}
     for pair in header.split(","):

@@ -1,4 +1,4 @@
-"""Whether a studio has room for another upload; what it has is counted anew every few seconds, not for each file."""
+"""Whether a studio has room for another upload; its use is counted every few seconds, not for each file."""
 
 import time
 from collections.abc import Callable
@@ -32,6 +32,6 @@ def _lately(kind: QuotaKind) -> Callable[[Session, UUID], int]:
     return counted
 
 
-def forget_counts() -> None:
-    """Count anew at the next upload."""
+def reset_counts() -> None:
+    """Count again at the next upload."""
     _counted.clear()

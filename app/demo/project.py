@@ -14,7 +14,7 @@ import httpx
 from sqlalchemy import select
 
 import audio_checks
-from app.accounts.doors import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
+from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import cues
@@ -28,26 +28,26 @@ POLL_EVERY_S = 0.25
 DONE_FILE = "demo.json"
 PEOPLE: tuple[tuple[str | None, str, list[Role]], ...] = (
     ("producer", "Producer", [Role.PRODUCER]),
-    ("decider", "Audio director", [Role.LIAISON]),
+    ("approver", "Audio director", [Role.LIAISON]),
     (None, "Composer", [Role.REVIEWER]),
     (None, "Programmer", [Role.REVIEWER, Role.IMPLEMENTER]),
     ("designer", "Sound designer", []),
 )
-Tell = Callable[[str], None]
+Report = Callable[[str], None]
 
 
 class DemoStopped(Exception):
     """The process tree was asked to stop while the demo was being made."""
 
 
-def make_demo_project(runtime: Runtime, *, tell: Tell, keep_going: Callable[[], bool]) -> tuple[str, str]:
+def make_demo_project(runtime: Runtime, *, report: Report, keep_going: Callable[[], bool]) -> tuple[str, str]:
     """Make the demo where it is not complete yet; return the project's id and its build's token."""
     done = runtime.settings.data_dir / DONE_FILE
     if done.exists():
         known = json.loads(done.read_text())
         return known["project"], known["token"]
-    tell("  Making the demo project: 24 cues, every sound by our own generators. The page is open already.")
-    people = _open_studio(runtime)
+    report("  Making the demo project: 24 cues, every sound by our own generators. The page is open already.")
+    people = _create_studio(runtime)
     try:
         with _Maker(runtime.settings, people, keep_going) as maker:
             project, token = maker.make()
@@ -57,7 +57,7 @@ def make_demo_project(runtime: Runtime, *, tell: Tell, keep_going: Callable[[], 
     return project, token
 
 
-def _open_studio(runtime: Runtime) -> dict[str, str]:
+def _create_studio(runtime: Runtime) -> dict[str, str]:
     """Make the studio and the people whose parts the demo plays; return their ids by name."""
     with runtime.database.writing() as session:
         studio = session.scalar(select(Studio).where(Studio.is_demo))
@@ -116,7 +116,7 @@ class _Maker:
         self._people = people
         self._keep_going = keep_going
         self._producer = _Visitor(settings, "producer")
-        self._decider = _Visitor(settings, "decider")
+        self._approver = _Visitor(settings, "approver")
         self._designer = _Visitor(settings, "designer")
         self._settings = settings
         self._sounds = demo_sounds()
@@ -125,19 +125,19 @@ class _Maker:
         return self
 
     def __exit__(self, *_error: object) -> None:
-        for visitor in (self._producer, self._decider, self._designer):
+        for visitor in (self._producer, self._approver, self._designer):
             visitor.close()
 
     def make(self) -> tuple[str, str]:
         """Go through the story of the project so far; return the project's id and its build's token."""
-        self._open_project()
+        self._create_project()
         self._invite_designer()
         self._post_list()
         self._agree_on_contract()
-        self._pay_what_is_due("Deposit")
+        self._pay_due_invoices("Deposit")
         self._deliver("The palette first.", self._files(cues.PALETTE))
         self._accept(cues.PALETTE)
-        self._pay_what_is_due("Palette")
+        self._pay_due_invoices("Palette")
         token = self._make_token()
         self._build(token, "481")
         self._deliver(
@@ -176,7 +176,7 @@ class _Maker:
             if key == name or (key.startswith(f"{name}_") and key.removeprefix(f"{name}_")[:3] != "tak")
         ]
 
-    def _open_project(self) -> None:
+    def _create_project(self) -> None:
         producer = self._producer
         body = {
             "studio_id": self._people["studio"],
@@ -189,9 +189,9 @@ class _Maker:
         director = self._people["Audio director"]
         producer.ask("PUT", f"/projects/{self._project}/liaisons/{director}")
         project = producer.ask("GET", f"/projects/{self._project}")
-        if project["decider"]["id"] != director:
+        if project["approver"]["id"] != director:
             why = {"person_id": director, "reason": "Named when the project opened."}
-            producer.ask("PUT", f"/projects/{self._project}/decider", json=why)
+            producer.ask("PUT", f"/projects/{self._project}/approver", json=why)
         spec = producer.ask("GET", f"/projects/{self._project}/spec")
         if spec["version"] == 1:
             dry = {
@@ -226,10 +226,10 @@ class _Maker:
         there = {one["file_name"] for one in [*known["takes"], *known["dry_stems"]]}
         for sound in sounds:
             if sound.file_name not in there:
-                self._ensure_going()
+                self._ensure_not_stopped()
                 self._upload(delivery["id"], sound)
         self._designer.ask("POST", f"/deliveries/{delivery['id']}/close")
-        self._await(self._nothing_waits)
+        self._await(self._queue_is_empty)
 
     def _upload(self, delivery_id: str, sound: DemoSound) -> None:
         place = {"delivery_id": delivery_id, "file_name": sound.file_name}
@@ -243,10 +243,10 @@ class _Maker:
         return takes
 
     def _queue(self) -> dict[str, list[dict[str, Any]]]:
-        answer = self._decider.ask("GET", "/review-queue", params={"project_id": self._project})
+        answer = self._approver.ask("GET", "/review-queue", params={"project_id": self._project})
         return {item["cue"]["name"]: item["takes"] for item in answer["items"]}
 
-    def _nothing_waits(self) -> bool:
+    def _queue_is_empty(self) -> bool:
         if any(take["state"] == "received" for take in self._takes()):
             return False
         queue = self._queue()
@@ -257,7 +257,7 @@ class _Maker:
         for name, takes in self._queue().items():
             if name in names:
                 accept = {"note": "", "take_ids": [take["id"] for take in takes]}
-                self._decider.ask("POST", f"/cues/{self._cues[name]}/accept-set", json=accept)
+                self._approver.ask("POST", f"/cues/{self._cues[name]}/accept-set", json=accept)
 
     def _request_changes(self, *changes: tuple[str, str, float]) -> None:
         queue = self._queue()
@@ -266,14 +266,14 @@ class _Maker:
             if text in self._asked():  # said already, by a demo that was stopped
                 continue
             verdict = {"kind": "request_change", "note": text, "start_s": start_s}
-            self._decider.ask("POST", f"/takes/{queue[name][0]['id']}/verdict", json=verdict)
-        drafts = self._decider.ask("GET", f"/projects/{self._project}/change-requests", params={"state": "draft"})
+            self._approver.ask("POST", f"/takes/{queue[name][0]['id']}/verdict", json=verdict)
+        drafts = self._approver.ask("GET", f"/projects/{self._project}/change-requests", params={"state": "draft"})
         if drafts["items"]:
-            self._decider.ask("POST", f"/projects/{self._project}/sendings", json={"note": ""})
+            self._approver.ask("POST", f"/projects/{self._project}/feedback", json={"note": ""})
 
     def _asked(self) -> set[str]:
         path, params = f"/projects/{self._project}/change-requests", {"state": "sent"}
-        return {one["text"] for one in self._decider.ask("GET", path, params=params)["items"]}
+        return {one["text"] for one in self._approver.ask("GET", path, params=params)["items"]}
 
     def _agree_on_contract(self) -> None:
         """Begin, plan and send the contract as the producer, and have both say yes to the same text."""
@@ -309,7 +309,7 @@ class _Maker:
         ]
         return [deposit, *milestones]
 
-    def _pay_what_is_due(self, what: str) -> None:
+    def _pay_due_invoices(self, what: str) -> None:
         """Issue an invoice as the designer, and pay it as the producer."""
         body = {"seller": "Sound designer", "buyer": "Shield Wing studio", "po_number": "SW-2026"}
         path = f"/contracts/{self._contract}/invoices"
@@ -334,7 +334,7 @@ class _Maker:
         return token
 
     def _build(self, token: str, label: str, *, strays: Iterable[DemoSound] = ()) -> None:
-        """Check the approved pack, and what somebody put beside it, as the game's CI would, and post the report."""
+        """Check the approved pack and an added file as the game's CI would, and post the report."""
         path = f"/projects/{self._project}"
         with tempfile.TemporaryDirectory() as folder:
             assets = Path(folder) / "assets"
@@ -356,12 +356,12 @@ class _Maker:
     def _await(self, condition: Callable[[], Any]) -> Any:
         deadline = time.monotonic() + CHECKED_WITHIN_S
         while time.monotonic() < deadline:
-            self._ensure_going()
+            self._ensure_not_stopped()
             if found := condition():
                 return found
             time.sleep(POLL_EVERY_S)
         raise RuntimeError(f"the demo's files were not checked within {CHECKED_WITHIN_S:.0f} s; is the worker running?")
 
-    def _ensure_going(self) -> None:
+    def _ensure_not_stopped(self) -> None:
         if not self._keep_going():
             raise DemoStopped

@@ -1,4 +1,4 @@
-"""How each sound of "Shield Wing" is made, from noise, tones and struck metal."""
+"""Recipes of the sounds of "Shield Wing", made from noise, tones and struck metal."""
 
 import numpy as np
 
@@ -324,7 +324,7 @@ def victory_sting(clock: Clock) -> Signal:
 
 
 def alarm(clock: Clock) -> Signal:
-    """Return the stand-in for a red alert: four plain pulses on two tones, in whole cycles."""
+    """Return the placeholder file for a red alert: four plain pulses on two tones, in whole cycles."""
     times = clock.times()
     part = times % 0.5
     pulse = ramp(part, 0.0, 0.004) * ramp(part, 0.322, 0.316)
@@ -349,7 +349,7 @@ def mine_arm(clock: Clock) -> Signal:
 
 
 def radar_ping(clock: Clock) -> Signal:
-    """Return a sweep's find: one glassy ping with a short tail of its own."""
+    """Return a sweep's find: one glassy ping with a short tail."""
     times = clock.times()
     ring = np.sin(TURN * 1_460 * times + 0.8 * np.exp(-times / 0.03) * np.sin(TURN * 2_920 * times))
     tail = noise(clock, 1, 1_100, 3_800) * 0.05 * struck(times, 0.01, 0.12)

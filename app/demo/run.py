@@ -69,7 +69,7 @@ def run_demo(port: int) -> int:
                     return 0
                 typer.echo(f"the server did not start; is port {port} taken? Try: make run PORT=8001", err=True)
                 return 1
-            project, token = make_demo_project(runtime, tell=typer.echo, keep_going=tree.is_whole)
+            project, token = make_demo_project(runtime, report=typer.echo, keep_going=tree.is_whole)
             if tree.is_whole():
                 _welcome(address, project, token)
             return tree.watch()
@@ -125,16 +125,16 @@ class ProcessTree:
         self._stopping = False
 
     def start(self) -> None:
-        """Start every command, each in a session of its own so that one Ctrl C is handled once, by us."""
+        """Start every command, each in a new session so that Ctrl-C is handled once, here."""
         for command in self._commands:
             self._processes.append(subprocess.Popen(command, env=self._environment, start_new_session=True))
 
     def is_stopping(self) -> bool:
-        """Whether somebody asked to stop."""
+        """Whether a stop was requested."""
         return self._stopping
 
     def is_whole(self) -> bool:
-        """Whether every process lives and nobody asked to stop."""
+        """Whether every process is running and no stop was requested."""
         return not self._stopping and all(process.poll() is None for process in self._processes)
 
     def wait_until(self, condition: Callable[[], bool]) -> bool:

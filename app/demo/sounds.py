@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.demo import asked_about, recipes
+from app.demo import questioned_sounds, recipes
 from app.demo.synth import Clock, Signal
 
 
@@ -83,8 +83,8 @@ def demo_sounds() -> dict[str, DemoSound]:
         DemoSound("explosion_far.wav", 48_000, 24, 2.50, 220, recipes.explosion_far),
         DemoSound("missile_launch.wav", 96_000, 24, 1.40, 230, partial(recipes.missile_launch, thrust_s=0.50)),
         DemoSound("warp_in.wav", 48_000, 24, 2.15, 198, recipes.warp_in),
-        DemoSound("drone_swarm_loop.wav", 96_000, 24, 6.00, 240, asked_about.drone_swarm),
-        DemoSound("vo_oath.wav", 48_000, 24, 4.87, 250, asked_about.oath_backwards),
+        DemoSound("drone_swarm_loop.wav", 96_000, 24, 6.00, 240, questioned_sounds.drone_swarm),
+        DemoSound("vo_oath.wav", 48_000, 24, 4.87, 250, questioned_sounds.oath_backwards),
     ]
     by_key = {Path(sound.file_name).stem: sound for sound in sounds}
     by_key["suit_hit_take2"] = DemoSound(

@@ -68,7 +68,7 @@ def fall(times: Signal, high_hz: float, low_hz: float, time_s: float) -> Signal:
 
 
 def noise(clock: Clock, stream: int, low_hz: float, high_hz: float, tilt_db: float = 0.0) -> Signal:
-    """Return noise of a band, RMS 1, tilted by dB an octave; it joins its own end without a seam."""
+    """Return noise of a band, RMS 1, tilted by dB an octave; it loops without a seam."""
     spectrum = np.fft.rfft(clock.draws(stream).standard_normal(clock.frames))
     hz = np.fft.rfftfreq(clock.frames, 1 / clock.sample_rate_hz)
     octaves = np.log2(np.maximum(hz, 1.0) / low_hz)
@@ -163,5 +163,5 @@ def panned(signal: Signal, side: float) -> Signal:
 
 
 def wide(part: Callable[[int], Signal]) -> Signal:
-    """Return two channels of the same part, each with random numbers of its own, shape (frames, 2)."""
+    """Return two channels of the same part, each with different random numbers, shape (frames, 2)."""
     return np.stack([part(0), part(1)], axis=1)

@@ -1,4 +1,4 @@
-"""What a request may send: a limit for each route, held before and while the body is read, and JSON with limits."""
+"""Limits of request bodies: a size for each route, checked before and while the body is read, and bounded JSON."""
 
 import asyncio
 import math
@@ -8,23 +8,26 @@ from typing import Any
 
 from fastapi import Request
 from pydantic_core import from_json
+from starlette.concurrency import run_in_threadpool
 from starlette.types import Message, Receive, Scope
 
 from app.kit.errors import Invalid, Refused
 
-# A route declares its own as `max_body_size`; whoever may send more than SMALL is known before the first byte is read.
+# A route declares its `max_body_size`; above SMALL the caller is authenticated before the first byte is read.
 SMALL_BODY_BYTES = 256 << 10  # a form; the default
 LARGE_BODY_BYTES = 8 << 20  # sheets, lists, specs and the text of contracts
 REPORT_BODY_BYTES = 16 << 20  # a build's report: 20,000 files
-FIRST_S = 20.0  # a body has so long, and as long as it takes at LEAST_BYTES_PER_S
+FIRST_S = 20.0  # time allowed for any body, plus the time that its bytes take at LEAST_BYTES_PER_S
 LEAST_BYTES_PER_S = 32 << 10
 UNITS = ((1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB"))
 SUSPECT = re.compile(rb"\\u0000|[0-9]{16}|[eE][+-]?[0-9]{3}")  # NUL, and numbers that may be too large
+MANY_NAMES = 200  # in one JSON object: as many as a sheet has columns
+MAX_NAMES = 10_000  # in all objects with more; a schema refuses each unknown one by itself, which takes long
 LARGEST_INTEGER = 2**53 - 1  # what every reader of JSON keeps exactly (RFC 8259, section 6)
 
 
 class BodyTooLarge(Refused):
-    """The body has more bytes than this route takes."""
+    """The body has more bytes than this route accepts."""
 
     status = 413
 
@@ -35,12 +38,16 @@ class BodyTooSlow(Refused):
     status = 408
 
 
+class TooManyNames(Invalid):
+    """The large objects of a JSON body have more names than any schema takes."""
+
+
 class Unstorable(Invalid):
-    """A value cannot be stored: a character that no database keeps, or a number beyond those that JSON carries."""
+    """A value cannot be stored: a character that databases reject, or a number outside the range of JSON."""
 
 
 def content_length(scope: Scope) -> int | None:
-    """Return how long the body is; 0 where there is none, None where only reading tells."""
+    """Return how long the body is; 0 where there is none, None where it is known only after reading."""
     for name, value in scope["headers"]:
         if name == b"content-length":
             return int(value[:19]) if value.isdigit() else None
@@ -56,7 +63,7 @@ def ensure_fits(length: int | None, limit: int) -> None:
 
 
 def counted(receive: Receive, limit: int) -> Receive:
-    """Return `receive`, which raises BodyTooLarge at the first byte too many; for a body that is read as it comes."""
+    """Return `receive`, which raises BodyTooLarge at the first byte too many; for a body that is streamed."""
     size = 0
 
     async def receive_counted() -> Message:
@@ -99,7 +106,7 @@ async def read_whole(receive: Receive, length: int | None, limit: int) -> Receiv
 
 
 def size_in_words(size: int) -> str:
-    """Write a number of bytes as people do."""
+    """Format a number of bytes for people."""
     for unit, name in UNITS:
         if size >= unit:
             return f"{size / unit:.1f}".removesuffix(".0") + f" {name}"
@@ -114,21 +121,41 @@ class JsonRequest(Request):
     """A request whose JSON is bounded in depth, in its integers and in the characters of its texts."""
 
     async def json(self) -> Any:
-        """Read the body; JSON that is no JSON, or nested deeper than 200, is a JSONDecodeError."""
+        """Read the body; invalid JSON, or JSON nested deeper than 200, is a JSONDecodeError."""
         if not hasattr(self, "_json"):
-            self._json = read_json(await self.body())
+            body = await self.body()
+            is_small = len(body) <= SMALL_BODY_BYTES
+            # A large one takes up to two seconds, in which others are to be answered.
+            self._json = read_json(body) if is_small else await run_in_threadpool(read_json, body)
         return self._json
 
 
 def read_json(body: bytes) -> Any:
-    """Read JSON; raise JSONDecodeError for what is none or nested too deep, Unstorable for what no database keeps."""
+    """Read JSON; raise JSONDecodeError if it is invalid or nested too deep, Unstorable if a database rejects it."""
     try:
         value = from_json(body, allow_inf_nan=False)
     except ValueError as error:
         raise JSONDecodeError(str(error), "", 0) from None
+    if body.count(b":") > MAX_NAMES:
+        _ensure_few_names(value)
     if SUSPECT.search(body):  # looking through every value takes longer than reading it
         _ensure_storable(value, "")
     return value
+
+
+def _ensure_few_names(value: Any) -> None:
+    names = 0
+    left: list[Any] = [[value]]
+    while left:
+        one = left.pop()
+        if isinstance(one, dict) and len(one) > MANY_NAMES:
+            names += len(one)
+        values = one.values() if isinstance(one, dict) else one
+        left += [each for each in values if isinstance(each, dict | list)]
+    if names > MAX_NAMES:
+        raise TooManyNames(
+            f"objects with more than {MANY_NAMES} names may have {MAX_NAMES:,} together; these have {names:,}"
+        )
 
 
 def _ensure_storable(value: Any, where: str) -> None:

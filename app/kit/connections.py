@@ -15,12 +15,12 @@ MAX_HEAD_BYTES = 64 << 10  # request line and headers; Upload-Metadata alone may
 MAX_URL_BYTES = 16 << 10
 MAX_HEADERS = 100
 HEAD_S = 20.0  # from the first byte of a head to its last, and from the connection to its first byte
-DRAIN_BYTES = 8 << 20  # of a body that nobody reads, after its answer: many clients send all before they read
+DRAIN_BYTES = 8 << 20  # of an unread body, after its answer: many clients send all before they read
 DRAIN_S = 2.0
 
 
 class BoundedHttpProtocol(HttpToolsProtocol):
-    """Uvicorn's HTTP/1.1, which cuts off heads that are too large or too slow, and bodies that nobody wants."""
+    """Uvicorn's HTTP/1.1, which cuts off heads that are too large or too slow, and unread bodies."""
 
     def __init__(self, *given: Any, **more: Any) -> None:
         super().__init__(*given, **more)
@@ -46,7 +46,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Read on, unless this is the rest of a body that nobody reads."""
+        """Read on, unless this is the rest of an unread body."""
         if self._drain_timer is not None:
             self._drained_bytes += len(data)
             if self._drained_bytes > DRAIN_BYTES:
@@ -65,7 +65,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
             self._head_timer = self.loop.call_later(longest_s, self._head_is_late)
 
     def on_message_begin(self) -> None:
-        """Count the head anew."""
+        """Reset the count of header bytes."""
         self._in_head, self._head_bytes, self._head_so_far = True, 0, 0
         super().on_message_begin()
 
@@ -74,7 +74,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         super().on_url(url)
         if len(self.url) > MAX_URL_BYTES:
             self._refusal = (HTTPStatus.REQUEST_URI_TOO_LONG, f"an address may have {MAX_URL_BYTES:,} bytes")
-            raise _HeadRefused
+            raise _HeadRejected
         self._head_so_far += len(url)
 
     def on_header(self, name: bytes, value: bytes) -> None:
@@ -83,7 +83,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         self._head_so_far += len(name) + len(value)
         if len(self.headers) > MAX_HEADERS or self._head_so_far > MAX_HEAD_BYTES:
             self._refusal = _TOO_LARGE
-            raise _HeadRefused
+            raise _HeadRejected
 
     def on_headers_complete(self) -> None:
         """Begin the request; from here on the application bounds its body."""
@@ -99,13 +99,13 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         super().on_message_complete()
 
     def on_response_complete(self) -> None:
-        """Give the rest of a body that nobody read a moment, so that its sender reads the answer."""
+        """Wait a moment for the rest of an unread body, so that its sender reads the answer."""
         super().on_response_complete()
         if self._in_body:
             self.drain()
 
     def drain(self) -> None:
-        """Throw away what comes, up to DRAIN_BYTES within DRAIN_S; then close."""
+        """Discard incoming bytes, up to DRAIN_BYTES within DRAIN_S; then close."""
         if self._drain_timer is None:
             self._drained_bytes = 0
             self._drain_timer = self.loop.call_later(DRAIN_S, self._closing.abandon)
@@ -116,7 +116,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         return self._in_body or self._in_head
 
     def send_400_response(self, msg: str) -> None:
-        """Answer what is no HTTP, or too much of it, as a problem."""
+        """Answer invalid or oversized HTTP with a problem."""
         status, detail = self._refusal or (HTTPStatus.BAD_REQUEST, msg)
         self._in_body = True  # what follows is not read, and is no request
         if self.cycle is None or self.cycle.response_complete:
@@ -162,7 +162,7 @@ _TOO_LARGE = (
 )
 
 
-class _HeadRefused(Exception):
+class _HeadRejected(Exception):
     """Stops the parser."""
 
 
@@ -184,7 +184,7 @@ class _LingeringTransport:
         return self.is_lingering or self._transport.is_closing()
 
     def close(self) -> None:
-        """Close once what was written is read, or after DRAIN_S."""
+        """Close once the peer has read what was written, or after DRAIN_S."""
         if not self._protocol.has_unread or not self._transport.can_write_eof():
             self._transport.close()
         elif not self.is_closing():

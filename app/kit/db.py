@@ -36,25 +36,27 @@ BEGIN = "soundlist_begin"  # execution option: what a transaction begins with
 READ_ONLY = "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"
 BUSY_TIMEOUT_MS = 15_000
 REQUEST_ROLE = "soundlist_request"  # on PostgreSQL: what a request's transaction runs as; it owns nothing
-PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # what the row policies ask for
-COME_IN = "soundlist_come_in"  # a function there: says both, and looks up once which studios are within reach
+PERSON, PROJECT = "soundlist.person_id", "soundlist.project_id"  # settings that the row policies read
+SET_REACH = "soundlist_set_reach"  # a function there: sets both, and looks up the reachable studios once
 PREPARED = 400  # statements that a connection keeps prepared; requests of all kinds send some 300
 Columns = TypeVarTuple("Columns")
-AWAY_STATES = frozenset({"57P01", "57P02", "57P03", "53300"})  # shut down, crashed, not up yet, too many connections
+UNAVAILABLE_STATES = frozenset(
+    {"57P01", "57P02", "57P03", "53300"}
+)  # shut down, crashed, not up yet, too many connections
 UNIQUE_VIOLATION = "23505"
-CROSSED_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
+CONFLICT_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
 CONNECTION = {
-    # Row policies make statements look dear, and compiling one takes longer than any of ours runs.
+    # Row policies raise the planner's cost estimates, and JIT compilation takes longer than any of our statements.
     "options": "-cjit=off",  # without a space, which pg_dump would read as a plus
-    # A host that is gone is noticed within half a minute.
+    # A lost host is detected within half a minute.
     "connect_timeout": "10",
     "keepalives_idle": "10",
     "keepalives_interval": "5",
     "keepalives_count": "3",
     "tcp_user_timeout": "30000",
 }
-# Keys in a session's info: whose it is, what its transaction was told, and what it begins with.
-REACH, SAID_REACH, BYPASSED, BEGINS = "reach", "said reach", "bypassed", "begins"
+# Keys in a session's info: its reach, the reach set in its transaction, and its BEGIN statement.
+REACH, APPLIED_REACH, BYPASSED, BEGIN_STATEMENT = "reach", "said reach", "bypassed", "begins"
 
 
 def new_id() -> UUID:
@@ -62,8 +64,8 @@ def new_id() -> UUID:
     return UUID(bytes=uuid7().bytes)
 
 
-def is_away(error: BaseException) -> bool:
-    """Whether an error says that the database cannot be reached, or has no room for us, just now."""
+def is_unavailable(error: BaseException) -> bool:
+    """Whether an error means that the database is unreachable or out of connections at the moment."""
     if isinstance(error, sa.exc.TimeoutError):  # every connection of the pool is in use
         return True
     if not isinstance(error, sa.exc.DBAPIError):
@@ -73,17 +75,19 @@ def is_away(error: BaseException) -> bool:
     if error.connection_invalidated:
         return True
     state = getattr(error.orig, "sqlstate", None)
-    return isinstance(error, sa.exc.OperationalError) and (state is None or state[:2] == "08" or state in AWAY_STATES)
+    return isinstance(error, sa.exc.OperationalError) and (
+        state is None or state[:2] == "08" or state in UNAVAILABLE_STATES
+    )
 
 
-def is_crossed(error: BaseException) -> bool:
-    """Whether two transactions stood in each other's way, and this one was undone for it."""
+def is_conflict(error: BaseException) -> bool:
+    """Whether the transaction was rolled back because of a conflict with another one."""
     if isinstance(error, sa.exc.IntegrityError):
         return getattr(error.orig, "sqlstate", None) == UNIQUE_VIOLATION or (
             isinstance(error.orig, sqlite3.IntegrityError)
             and error.orig.sqlite_errorcode in (sqlite3.SQLITE_CONSTRAINT_UNIQUE, sqlite3.SQLITE_CONSTRAINT_PRIMARYKEY)
         )
-    return isinstance(error, sa.exc.DBAPIError) and getattr(error.orig, "sqlstate", None) in CROSSED_STATES
+    return isinstance(error, sa.exc.DBAPIError) and getattr(error.orig, "sqlstate", None) in CONFLICT_STATES
 
 
 class UtcDateTime(sa.types.TypeDecorator[datetime]):
@@ -106,7 +110,7 @@ class UtcDateTime(sa.types.TypeDecorator[datetime]):
 
 
 class Base(DeclarativeBase):
-    """What every table of ours shares: named constraints, UTC instants, JSON that is JSONB on PostgreSQL."""
+    """The base of all our tables: named constraints, UTC instants, JSON that is JSONB on PostgreSQL."""
 
     metadata = MetaData(naming_convention=CONSTRAINT_NAMES)
     type_annotation_map = {  # noqa: RUF012  SQLAlchemy reads it once
@@ -171,16 +175,16 @@ class Database:
             yield session
             if not self.is_sqlite and session.in_transaction():
                 # Nothing is to be kept, but after a rollback psycopg forgets every statement that it had prepared.
-                with suppress(psycopg.Error):  # a line that broke is told of when the session closes
+                with suppress(psycopg.Error):  # a broken connection is reported when the session closes
                     session.connection().connection.commit()
 
     @contextmanager
-    def glancing(self) -> Iterator[Session]:
+    def autocommit_session(self) -> Iterator[Session]:
         """Give a session of the server's own for one SELECT, which PostgreSQL is not asked to begin and to end."""
         with _Session(self._plain, info=self.session_info) as session:
             yield session
 
-    def glance(
+    def read_autocommit(
         self, statement: sa.Select[*tuple[Any, ...]], values: Mapping[str, Any]
     ) -> Sequence[sa.Row[*tuple[Any, ...]]]:
         """Return the rows of one SELECT of the server's own without a session, which costs as much as the SELECT."""
@@ -193,7 +197,7 @@ class Database:
         with self._session(self._writer, self._write, reach) as session, session.begin():
             yield session
 
-    def write_alone(self, statement: sa.Insert | sa.Update, values: Mapping[str, Any]) -> int:
+    def write_autocommit(self, statement: sa.Insert | sa.Update, values: Mapping[str, Any]) -> int:
         """Run one statement of the server's own, which PostgreSQL is not asked to begin and to end; count its rows."""
         with self._alone.connect() as connection:
             written = connection.execute(statement, values)
@@ -205,7 +209,7 @@ class Database:
             return _Session(engine, expire_on_commit=False, info=self.session_info)
         is_guarded = not self.is_sqlite
         session = _Session(self._plain if is_guarded else engine, expire_on_commit=False, info=self.session_info)
-        session.info |= {REACH: reach, BEGINS: begins}
+        session.info |= {REACH: reach, BEGIN_STATEMENT: begins}
         return session
 
     def dispose(self) -> None:
@@ -216,8 +220,8 @@ class Database:
 def ensure_open(connection: Any, _record: Any, _proxy: Any) -> None:
     """Have a pool make new connections where PostgreSQL has ended this one.
 
-    Nobody has asked it anything, so what can be read is a farewell, or a notice; only then is it asked whether it is
-    there, for a question before each transaction costs as much as a statement.
+    No statement is pending, so readable bytes are a termination message or a notice; only then is the connection
+    tested, because a test before each transaction costs as much as a statement.
     """
     line = select.poll()
     line.register(connection.fileno(), select.POLLIN)
@@ -230,19 +234,19 @@ def ensure_open(connection: Any, _record: Any, _proxy: Any) -> None:
         raise sa.exc.InvalidatePoolError from error
 
 
-def reach_further(session: Session, reach: Reach) -> None:
-    """Let a request's transaction go on for somebody else: whoever it has just become known to be for."""
+def widen_reach(session: Session, reach: Reach) -> None:
+    """Continue a request's transaction as another caller, once that caller is known."""
     if REACH not in session.info:
         return
     session.info[REACH] = reach
     if _is_guarded(session) and not session.info.get(BYPASSED):
         session.flush()
         connection = session.connection()
-        if session.info[SAID_REACH] != reach:  # a transaction that began just now has said it
-            _say_reach(session, connection)
+        if session.info[APPLIED_REACH] != reach:  # a new transaction has already set it
+            _apply_reach(session, connection)
 
 
-def insert_unless_there(
+def insert_if_absent(
     session: Session,
     table: type[Base],
     values: Mapping[str, Any],
@@ -250,22 +254,22 @@ def insert_unless_there(
     unique: tuple[str, ...],
     where: sa.ColumnElement[bool] | None = None,
 ) -> bool:
-    """Insert a row unless another has its unique columns, written by whoever else; return whether it is new.
+    """Insert a row unless another has its unique columns, written by another transaction; return whether it is new.
 
-    An INSERT that trips over the other row would undo all that its transaction did before; `where` is the unique
+    An INSERT that violates the unique index would undo all that its transaction did before; `where` is the unique
     index's own condition. On PostgreSQL it waits for a transaction that has just written the other row.
     """
     session.flush()  # rows that it refers to
-    insert = _insert_unless_there(session.get_bind().dialect.name, table, unique, where)
+    insert = _insert_if_absent(session.get_bind().dialect.name, table, unique, where)
     return session.scalar(insert, dict(values)) is not None
 
 
-def insert_all_unless_there(
+def insert_all_if_absent(
     session: Session, table: type[Base], rows: Sequence[Mapping[str, Any]], *, unique: tuple[str, ...]
 ) -> None:
     """Insert rows, those of the same columns by one statement, each unless another has its unique columns."""
     session.flush()
-    insert = _insert_unless_there(session.get_bind().dialect.name, table, unique, None)
+    insert = _insert_if_absent(session.get_bind().dialect.name, table, unique, None)
     alike: dict[frozenset[str], list[Mapping[str, Any]]] = defaultdict(list)
     for row in rows:
         alike[frozenset(row)].append(row)
@@ -274,14 +278,14 @@ def insert_all_unless_there(
 
 
 @cache  # to build the statement takes longer than to run it
-def _insert_unless_there(
+def _insert_if_absent(
     dialect: str, table: type[Base], unique: tuple[str, ...], where: sa.ColumnElement[bool] | None
 ) -> ReturningInsert[int]:
     insert = (postgresql if dialect == "postgresql" else sqlite).insert(table.__table__)
-    unless_there: ReturningInsert[int] = insert.on_conflict_do_nothing(
-        index_elements=unique, index_where=where
-    ).returning(sa.literal(1))
-    return unless_there
+    if_absent: ReturningInsert[int] = insert.on_conflict_do_nothing(index_elements=unique, index_where=where).returning(
+        sa.literal(1)
+    )
+    return if_absent
 
 
 def row_of(new: Base) -> dict[str, Any]:
@@ -290,8 +294,8 @@ def row_of(new: Base) -> dict[str, Any]:
 
 
 @contextmanager
-def beyond_reach(session: Session) -> Iterator[None]:
-    """Let a block of a request touch any row: each use says why the caller's own reach cannot do. Blocks may nest."""
+def bypass_row_policies(session: Session) -> Iterator[None]:
+    """Let a block access any row: each use states why the caller's reach is too narrow. Blocks may nest."""
     if not _is_guarded(session) or session.info.get(BYPASSED):
         yield
         return
@@ -302,11 +306,11 @@ def beyond_reach(session: Session) -> Iterator[None]:
         yield
         session.flush()
     except BaseException:
-        session.rollback()  # nobody goes on from here with every row in sight
+        session.rollback()  # the session must not go on with access to every row
         raise
     finally:
         session.info[BYPASSED] = False
-    _say_reach(session, session.connection())  # which may be more now
+    _apply_reach(session, session.connection())  # which may be more now
 
 
 def _is_guarded(session: Session) -> bool:
@@ -314,16 +318,16 @@ def _is_guarded(session: Session) -> bool:
 
 
 @event.listens_for(_Session, "after_begin")
-def _begin_within_reach(session: Session, _transaction: Any, connection: sa.Connection) -> None:
+def _begin_with_reach(session: Session, _transaction: Any, connection: sa.Connection) -> None:
     if _is_guarded(session):
-        _say_reach(session, connection, session.info[BEGINS])
+        _apply_reach(session, connection, session.info[BEGIN_STATEMENT])
 
 
-def _say_reach(session: Session, connection: sa.Connection, *before: str) -> None:
+def _apply_reach(session: Session, connection: sa.Connection, *before: str) -> None:
     reach: Reach = session.info[REACH]
-    session.info[SAID_REACH] = reach
+    session.info[APPLIED_REACH] = reach
     known = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
-    _tell(connection, *before, f"SELECT {COME_IN}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
+    _tell(connection, *before, f"SELECT {SET_REACH}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
 
 
 def _tell(connection: sa.Connection, *statements: str) -> None:
@@ -337,13 +341,13 @@ def _begin(connection: sa.Connection) -> None:
 
 
 def _prepare_postgresql(connection: Any, _record: Any) -> None:
-    connection.autocommit = True  # we say BEGIN ourselves, and what a transaction is to know with it
+    connection.autocommit = True  # we send BEGIN ourselves, together with the transaction's settings
     connection.prepared_max = PREPARED
     connection.prepare_threshold = 1  # sent once more: nearly all are sent again and again, and each time planned
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:
-    connection.isolation_level = None  # we say BEGIN ourselves
+    connection.isolation_level = None  # we send BEGIN ourselves
     cursor = connection.cursor()
     cursor.execute("PRAGMA journal_mode=WAL")
     cursor.execute("PRAGMA synchronous=FULL")

@@ -8,14 +8,14 @@ from typing_extensions import TypedDict
 
 
 class FieldProblem(TypedDict):
-    """What is wrong with one field or one row of what was sent."""
+    """The error of one field or one row of a request."""
 
     where: str
     message: str
 
 
 class Refused(Exception):
-    """A request that cannot be granted: says what was found, what was wanted and how to mend it."""
+    """A request that cannot be granted: says what was found, what was wanted and how to fix it."""
 
     status: ClassVar[int] = 400
     retry_after_s: int | None = None  # how long to wait, where the same request may be granted later
@@ -33,7 +33,7 @@ class Refused(Exception):
 
 
 class NotFound(Refused):
-    """What was named does not exist, or may not be seen: the answer is the same."""
+    """The named object does not exist, or may not be seen: the answer is the same."""
 
     status = 404
 
@@ -51,6 +51,6 @@ class Conflict(Refused):
 
 
 class Invalid(Refused):
-    """What was sent is well-formed and still wrong."""
+    """The request is well-formed but invalid."""
 
     status = 422

@@ -1,6 +1,10 @@
-"""Events: what a lower room tells without knowing who listens; one durable job per subscriber."""
+"""Events: a lower room publishes without knowing the subscribers.
 
-from collections.abc import Collection, Mapping
+A subscriber is a durable job, or a function that runs at once in the publisher's transaction, for what must hold when
+the request is answered.
+"""
+
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 from uuid import UUID
 
@@ -9,18 +13,26 @@ from sqlalchemy.orm import Session
 from app.kit.db import new_id
 from app.kit.queue import BULK, NORMAL, queue_of
 
+Handler = Callable[[Session, Mapping[str, Any]], None]
+
 _subscribers: Mapping[str, tuple[str, ...]] = {}
-_patient: Collection[str] = ()
+_handlers: Mapping[str, tuple[Handler, ...]] = {}
+_low_priority: Collection[str] = ()
 
 
 class UnknownEvent(Exception):
-    """Nobody has said in app/rooms.py who listens to this event."""
+    """app/rooms.py names no subscribers for this event."""
 
 
-def connect(subscribers: Mapping[str, tuple[str, ...]], *, patient: Collection[str] = ()) -> None:
-    """Say which jobs each event starts, and which of them nobody waits for, however urgent the event is."""
-    global _subscribers, _patient  # said once, when the process starts
-    _subscribers, _patient = subscribers, patient
+def connect(
+    subscribers: Mapping[str, tuple[str, ...]],
+    *,
+    handlers: Mapping[str, tuple[Handler, ...]],
+    low_priority: Collection[str] = (),
+) -> None:
+    """Set the jobs that each event starts, its handlers, and the jobs that have low priority whatever the event's."""
+    global _subscribers, _handlers, _low_priority  # set once, when the process starts
+    _subscribers, _handlers, _low_priority = subscribers, handlers, low_priority
 
 
 def publish(
@@ -33,7 +45,7 @@ def publish(
     once: str | None = None,
     **facts: UUID | str | int | list[str] | None,
 ) -> UUID:
-    """Write one job per subscriber into the caller's transaction, and return the event's id.
+    """Call the event's handlers, write one job per subscriber into the caller's transaction, and return the event's id.
 
     `studio_id` is whose work it is; None for what concerns one person's account alone. Events that give the same
     word to `once` are one: the first starts the jobs.
@@ -44,6 +56,8 @@ def publish(
     payload: dict[str, Any] = {"event": event, "event_id": str(event_id)}
     payload["studio_id"] = str(studio_id) if studio_id else None
     payload |= {name: str(value) if isinstance(value, UUID) else value for name, value in facts.items()}
+    for handle in _handlers.get(event, ()):
+        handle(session, payload)
     for subscriber in _subscribers[event]:
         queue_of(session).enqueue(
             session,
@@ -51,7 +65,7 @@ def publish(
             payload,
             key=f"{once or event_id}:{subscriber}",
             studio_id=studio_id,
-            priority=BULK if subscriber in _patient else priority,
+            priority=BULK if subscriber in _low_priority else priority,
             delay_s=delay_s,
         )
     return event_id

@@ -1,4 +1,4 @@
-"""How many requests of one costly kind one person may have running at once, so that others find a seat."""
+"""A limit of one person's concurrent requests of a costly kind, so that others find a slot."""
 
 from collections import Counter
 from collections.abc import Iterator

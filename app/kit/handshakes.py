@@ -11,10 +11,10 @@ _ALL_BUT_SYN = ((0x30, 0, 0, 13), (0x45, 0, 1, 0x02), (0x06, 0, 0, 0), (0x06, 0,
 
 
 def stop_handshakes(listening: socket.socket) -> None:
-    """Have the kernel drop requests for a connection, so that the queue of those that wait to be accepted runs empty.
+    """Have the kernel drop requests for a connection, so that the accept queue runs empty.
 
-    A socket that closes resets whoever waits in its queue, though they may have sent a request already. A request for
-    a connection that was dropped is sent again after a second, and refused then. Only Linux can be asked for it.
+    A closing socket resets the connections in its queue, though they may carry a request already. A request for
+    a connection that was dropped is sent again after a second, and refused then. Only Linux supports this.
     """
     if not sys.platform.startswith("linux"):
         return

@@ -1,4 +1,4 @@
-"""Whether the process lives, whether it can do its work, and what it counts."""
+"""Liveness, readiness and metrics of a process."""
 
 import threading
 import time
@@ -18,20 +18,20 @@ from app.kit.runtime import Runtime
 from app.kit.storage import StoreUnready
 
 WORKER_SILENT_AFTER = timedelta(seconds=20)
-ANSWER_HOLDS_S = 1.0  # trying writes to the disk, and anybody may ask
+CACHE_FOR_S = 1.0  # the readiness test writes to the disk, and anyone may request it
 router = Router(tags=["health"])
 log = structlog.get_logger(__name__)
 
 
 class NotReady(Exception):
-    """A part of the server cannot do its work: says what was found and how to mend it, and nothing secret."""
+    """A part of the server cannot do its work: says what was found and how to fix it, and nothing secret."""
 
 
 Probe = Callable[[Runtime], None]  # raises NotReady
 
 
 class NoMetricsHere(NotFound):
-    """Nobody set a token, so this port tells no figures."""
+    """No token is set, so this port serves no metrics."""
 
 
 class MetricsTokenNeeded(Refused):
@@ -47,13 +47,13 @@ class Readiness:
         self._runtime = runtime
         self._probes = probes
         self._lock = threading.Lock()
-        self._tried_at = -ANSWER_HOLDS_S
+        self._tried_at = -CACHE_FOR_S
         self._parts: dict[str, str] = {}
 
     def parts(self) -> dict[str, str]:
         """Return the state of each part: "ok", or what is wrong with it in words."""
         with self._lock:
-            if time.monotonic() - self._tried_at >= ANSWER_HOLDS_S:
+            if time.monotonic() - self._tried_at >= CACHE_FOR_S:
                 self._parts = {name: tried(probe, self._runtime) for name, probe in self._probes.items()}
                 self._tried_at = time.monotonic()
             return self._parts
@@ -96,10 +96,10 @@ def store(runtime: Runtime) -> None:
 
 
 def worker(runtime: Runtime) -> None:
-    """Raise NotReady unless a worker said lately that it lives."""
+    """Raise NotReady unless a worker has sent a heartbeat recently."""
     if not runtime.queue.heartbeats(within=WORKER_SILENT_AFTER):
         silent_s = WORKER_SILENT_AFTER.total_seconds()
-        raise NotReady(f"no worker has said for {silent_s:.0f} s that it lives; start one with: soundlist worker")
+        raise NotReady(f"no worker has sent a heartbeat for {silent_s:.0f} s; start one with: soundlist worker")
 
 
 PROBES: Mapping[str, Probe] = {"database": database, "store": store, "worker": worker}
@@ -107,7 +107,7 @@ PROBES: Mapping[str, Probe] = {"database": database, "store": store, "worker": w
 
 @router.get("/healthz", include_in_schema=False)
 def alive() -> dict[str, str]:
-    """Answer that the process lives."""
+    """Answer that the process is running."""
     return {"status": "alive"}
 
 
@@ -122,14 +122,14 @@ def ready(request: Request) -> Response:
 
 @router.get("/metrics", include_in_schema=False, responses=problems(NoMetricsHere, MetricsTokenNeeded))
 def figures(request: Request) -> Response:
-    """Tell Prometheus what this process counted, to whoever sends the token."""
+    """Return this process's metrics for Prometheus, if the request carries the token."""
     runtime = runtime_of(request)
     token = runtime.settings.metrics_token.get_secret_value()
     if not token:
         raise NoMetricsHere(
-            "figures are not told here",
-            fix="set SOUNDLIST_METRICS_TOKEN, or SOUNDLIST_METRICS_PORT for a port of its own",
+            "metrics are not served here",
+            fix="set SOUNDLIST_METRICS_TOKEN, or SOUNDLIST_METRICS_PORT for a separate port",
         )
-    if not metrics.is_admitted(request.headers.get("authorization", ""), token):
+    if not metrics.is_authorized(request.headers.get("authorization", ""), token):
         raise MetricsTokenNeeded("send the token of SOUNDLIST_METRICS_TOKEN as a bearer")
     return Response(metrics.exposition(metrics.collectors(runtime)), media_type=metrics.CONTENT_TYPE)

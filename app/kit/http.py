@@ -1,5 +1,6 @@
-"""What every endpoint shares: sessions, problem details, idempotency keys, request ids, pages."""
+"""Shared parts of endpoints: sessions, problem details, idempotency keys, request ids, pages."""
 
+import itertools
 import re
 import time
 from collections.abc import AsyncIterator, Iterator, Sequence
@@ -24,23 +25,24 @@ from starlette.routing import Match, compile_path
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
-from app.kit import kill, metrics
+from app.kit import kill_points, metrics
 from app.kit.bodies import BodyTooLarge, BodyTooSlow
-from app.kit.db import Database, is_away, is_crossed, new_id
+from app.kit.concurrency import Slot, limiter
+from app.kit.db import Database, is_conflict, is_unavailable, new_id
 from app.kit.errors import FieldProblem, Invalid, Refused
+from app.kit.idempotency import SAFE_METHODS as SAFE_METHODS
+from app.kit.idempotency import RightsOf, SavedResponse, once
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
-from app.kit.saved_answers import SAFE_METHODS as SAFE_METHODS
-from app.kit.saved_answers import RightsOf, SavedAnswer, once
-from app.kit.seats import Seat, seats
-from app.kit.turns import InOneTurn, Pending
+from app.kit.single_thread_route import LazySession, SingleThreadRoute
 
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 GROUP_NAME = re.compile(r"\?P<\w+>")
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
+MAX_ERRORS = 100  # of one body, in one answer
 UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
 PROBLEM_TYPE = "application/problem+json"
-AWAY_RETRY_S = 5  # what a client is told to wait while the database is away
+UNAVAILABLE_RETRY_S = 5  # the Retry-After while the database is unavailable
 log = structlog.get_logger(__name__)
 Item = TypeVar("Item")
 
@@ -92,26 +94,28 @@ async def _runtime(request: Request) -> Runtime:
 CurrentRuntime = Annotated[Runtime, Depends(_runtime)]
 
 
-def come_in(request: Request, reach: Reach) -> None:
+def set_reach(request: Request, reach: Reach) -> None:
     """Let the request's transaction reach what its caller may see, which is known before it begins."""
     request.state.reach = reach
 
 
-async def _back_seat() -> AsyncIterator[Seat]:
-    async with seats().for_upload() as seat:
-        yield seat
+async def _upload_slot() -> AsyncIterator[Slot]:
+    async with limiter().for_upload() as slot:
+        yield slot
 
 
 # What uploads ask comes behind what people do; for what streams, which gives the seat back before.
-BackSeat = Annotated[Seat, Depends(_back_seat, scope="function")]
+UploadSlot = Annotated[Slot, Depends(_upload_slot, scope="function")]
 
 
-async def _session(request: Request) -> Pending:
-    return Pending(partial(seats().for_person, reads=request.method in SAFE_METHODS), partial(transaction, request))
+async def _session(request: Request) -> LazySession:
+    return LazySession(
+        partial(limiter().for_person, reads=request.method in SAFE_METHODS), partial(transaction, request)
+    )
 
 
-async def _back_session(request: Request) -> Pending:
-    return Pending(seats().for_upload, partial(transaction, request))
+async def _upload_session(request: Request) -> LazySession:
+    return LazySession(limiter().for_upload, partial(transaction, request))
 
 
 @contextmanager
@@ -124,20 +128,20 @@ def transaction(request: Request) -> Iterator[Session]:
             yield session
         return
     with database.writing(reach) as session:
-        pending: SavedAnswer | None = getattr(request.state, "saved_answer", None)
+        pending: SavedResponse | None = getattr(request.state, "saved_response", None)
         if pending is not None:
             session.add(pending)
             session.flush()
         yield session
-    kill.point("http.after_commit")
+    kill_points.point("http.after_commit")
 
 
 # The route opens it and commits before the answer leaves, so a failed commit cannot have answered 201.
 DbSession = Annotated[Session, Depends(_session)]
-BackSession = Annotated[Session, Depends(_back_session)]  # of what an upload becomes
+UploadSession = Annotated[Session, Depends(_upload_session)]  # of what an upload becomes
 
 
-class Route(InOneTurn):
+class Route(SingleThreadRoute):
     """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
 
     async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -149,7 +153,7 @@ class Router(APIRouter):
     """A room's routes, which one look at an address rules out together: most requests are for other rooms."""
 
     def matches(self, scope: Scope) -> tuple[Match, Scope]:
-        """Say whether one of them is asked for."""
+        """Return whether any of them is requested."""
         return super().matches(scope) if self._addresses.match(scope["path"]) else (Match.NONE, {})
 
     @cached_property
@@ -197,7 +201,7 @@ def cursor_of(*values: str | int | UUID | None) -> str:
 
 
 def bad_cursor(cursor: str) -> BadCursor:
-    """Return what is said of a cursor that is none."""
+    """Return the error for an invalid cursor."""
     return BadCursor(f"{cursor[:60]!r} is no page cursor; use the `next` of the page before")
 
 
@@ -261,14 +265,14 @@ def _problem(request: Request, status: int, code: str, detail: str, **more: Any)
 def install(
     app: FastAPI, *, credential_cookies: Sequence[str], rights_of: RightsOf = lambda _session, _caller: frozenset()
 ) -> None:
-    """Give the application its error answers and request ids; say what tells callers apart, and what each may do."""
+    """Install error answers and request ids; name the cookies and rights that identify callers."""
     app.state.credential_cookies = credential_cookies
     app.state.rights_of = rights_of
 
     @app.exception_handler(Refused)
     def _refused(request: Request, error: Refused) -> JSONResponse:
         answer = _problem(request, error.status, error.code(), error.message, errors=error.errors, fix=error.fix)
-        wait_s = AWAY_RETRY_S if error.status == 503 else error.retry_after_s
+        wait_s = UNAVAILABLE_RETRY_S if error.status == 503 else error.retry_after_s
         if wait_s is not None:
             answer.headers["Retry-After"] = str(wait_s)
         if isinstance(error, BodyTooLarge | BodyTooSlow):
@@ -284,8 +288,10 @@ def install(
                 else ".".join(str(part) for part in e["loc"] if part != "body"),
                 "message": _in_words(e),
             }
-            for e in error.errors()
+            for e in itertools.islice(error.errors(), MAX_ERRORS)
         ]
+        if (more := len(error.errors()) - MAX_ERRORS) > 0:
+            errors.append({"where": "", "message": f"{more:,} more of this request are not listed"})
         detail = "; ".join(f"{e['where']}: {e['message']}" if e["where"] else e["message"] for e in errors[:5])
         return _problem(request, 422, "invalid-request", detail, errors=errors)
 
@@ -297,27 +303,27 @@ def install(
     @app.exception_handler(DBAPIError)
     @app.exception_handler(PoolTimeout)
     def _away(request: Request, error: SQLAlchemyError) -> JSONResponse:
-        if is_crossed(error):
-            if isinstance(error, IntegrityError) and getattr(request.state, "saved_answer", None) is not None:
-                raise error  # perhaps a twin of this request: whoever keeps its answer looks
-            log.warning("two requests crossed", error=str(error))
-            detail = "somebody changed the same thing at the same moment; nothing of what you sent was kept"
-            return _problem(request, 409, "crossed", detail, fix="read it again, then send what you still want")
-        if not is_away(error):
+        if is_conflict(error):
+            if isinstance(error, IntegrityError) and getattr(request.state, "saved_response", None) is not None:
+                raise error  # perhaps a duplicate request: the idempotency route looks for its saved answer
+            log.warning("two changes at the same time", error=str(error))
+            detail = "someone changed the same thing at the same moment; your change was not saved"
+            return _problem(request, 409, "crossed", detail, fix="reload, then make your change again")
+        if not is_unavailable(error):
             raise error
         log.warning("the database does not answer", error=str(error))
-        detail, fix = "the database does not answer just now", "try again in a few seconds"
-        if request.method not in SAFE_METHODS:  # the line may have dropped with the commit's answer on it
-            detail += "; whether what you sent was kept is not known"
-            fix = "look whether it is there before you send it again; under the same Idempotency-Key it is done once"
+        detail, fix = "the database does not answer", "try again in a few seconds"
+        if request.method not in SAFE_METHODS:  # the connection may have dropped before the commit was confirmed
+            detail += "; it is not known whether your change was saved"
+            fix = "check whether it was saved before you send it again; with the same Idempotency-Key it is done once"
         answer = _problem(request, 503, "database-away", detail, fix=fix)
-        answer.headers["Retry-After"] = str(AWAY_RETRY_S)
+        answer.headers["Retry-After"] = str(UNAVAILABLE_RETRY_S)
         return answer
 
     @app.exception_handler(Exception)
     def _broken(request: Request, _error: Exception) -> JSONResponse:
-        answer = _problem(request, 500, "our-fault", "This is our fault; nothing that you sent was half-done.")
-        # This answer is made outside all that follows.
+        answer = _problem(request, 500, "our-fault", "This is our fault; Nothing was partly saved.")
+        # This answer is made outside all middleware below.
         answer.headers["X-Request-ID"] = getattr(request.state, "request_id", "")
         answer.headers.update(getattr(app.state, "security_headers", {}) | {"Cache-Control": "no-store"})
         return answer
@@ -329,7 +335,7 @@ NUL_IN_ADDRESS = Problem(
     title="Bad address",
     status=400,
     code="bad-address",
-    detail="the address holds the character U+0000 (%00), which nothing here is named by",
+    detail="the address holds the character U+0000 (%00), which no name here contains",
 ).model_dump(mode="json")
 
 
@@ -374,7 +380,7 @@ class _Watched:
 
 
 def _request_id(scope: Scope) -> str:
-    """Return the id that a proxy or client gave the request, or a new one where it gave none that is fit for a log."""
+    """Return the id that a proxy or client gave the request, or a new one if it gave none that is safe in a log."""
     given = Headers(scope=scope).get("x-request-id", "")
     return given if REQUEST_ID.fullmatch(given) else str(new_id())
 
@@ -384,7 +390,7 @@ def _method(scope: Scope) -> str:
 
 
 def _route(scope: Scope) -> str:
-    """Return the path as the route declares it: an address may hold a secret, and there are too many to count by."""
+    """Return the path as the route declares it: an address may hold a secret, and there are too many for metrics."""
     return getattr(scope.get("route"), "path", "none")
 
 
@@ -392,9 +398,9 @@ def _in_words(error: Any) -> str:
     given, limits = error.get("input"), error.get("ctx", {})
     match error["type"]:
         case "missing":
-            return "this is missing"
+            return "this is required"
         case "extra_forbidden":
-            return "there is no such field here"
+            return "unknown field"
         case "string_too_short":
             return "this must not be empty" if not given else f"at least {limits['min_length']} characters are wanted"
         case "string_too_long":
@@ -402,9 +408,9 @@ def _in_words(error: Any) -> str:
         case "json_invalid" if limits["error"].startswith("recursion"):
             return "this is nested deeper than 200 levels"
         case "json_invalid":
-            return f"this is no JSON: {limits['error']}"
+            return f"this is not valid JSON: {limits['error']}"
         case "uuid_parsing" | "uuid_type":
-            return "this is no id"
+            return "this is not an id"
         case "enum" | "literal_error":
             return f"{_shown(given)} is none of {limits['expected']}"
     return str(error["msg"]).removeprefix("Value error, ")

@@ -1,8 +1,9 @@
-"""How a job's arguments are stored: as JSON, so that whoever can write the database cannot run code in a worker.
+"""How a job's arguments are stored: as JSON, so that write access to the database is no way to run code in a worker.
 
-Each row names the format of its own arguments, and DBOS reads pickles wherever a row says so, whichever serializer
-it was given. So its reader of pickles is replaced by one that knows plain values only: it reads the jobs that an
-earlier version left waiting, and refuses whatever names a class or a function.
+Each row names the format of its own arguments, and DBOS reads pickles wherever a row says so, whatever serializer
+it was given. So its reader of pickles is replaced by one that accepts plain values only: it reads the jobs that an
+earlier version left waiting, and refuses any pickle that names a class or a function. That reader is private, so
+pyproject.toml pins one version of DBOS.
 """
 
 import base64

@@ -1,4 +1,4 @@
-"""Hands one mail to an SMTP server."""
+"""Sends one email to an SMTP server."""
 
 import asyncio
 from email.message import EmailMessage
@@ -15,7 +15,7 @@ class BadSmtpUrl(ValueError):
 
 
 def plain_mail(*, sender: str, recipient: str, subject: str, text: str) -> EmailMessage:
-    """Return a mail; a line break in a header is refused by the message class itself."""
+    """Return a message; the message class refuses a line break in a header."""
     message = EmailMessage()
     message["From"] = sender
     message["To"] = recipient
@@ -27,7 +27,7 @@ def plain_mail(*, sender: str, recipient: str, subject: str, text: str) -> Email
 
 
 def send(smtp_url: str, message: EmailMessage) -> None:
-    """Deliver to the server; raise aiosmtplib.SMTPException or OSError where it does not take the mail."""
+    """Send to the server; raise aiosmtplib.SMTPException or OSError if it does not accept the message."""
     parts = urlsplit(smtp_url)
     if parts.scheme not in ("smtp", "smtps") or not parts.hostname:
         raise BadSmtpUrl(f"{parts.scheme}://{parts.hostname} is no SMTP server; write smtp://user:password@host:port")

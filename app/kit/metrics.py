@@ -1,7 +1,7 @@
-"""What a process counts of its own work, in the words of Prometheus; rooms add what only they can count.
+"""The Prometheus metrics of a process; rooms add their own collectors.
 
-Figures of this process grow while it lives. Figures of the whole server (jobs by state, workers) are
-read from the database when somebody looks, and say the same on every web process.
+Counters of this process grow while it runs. Gauges of the whole server (jobs by state, workers) are
+read from the database at each scrape, and are the same on every web process.
 """
 
 import hmac
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from app.settings import Settings
 
 CONTENT_TYPE = CONTENT_TYPE_LATEST
-WORKERS_SHOWN = timedelta(hours=1)  # a worker that stopped is not told of for ever
+WORKERS_SHOWN = timedelta(hours=1)  # stopped workers disappear after this time
 REQUEST_BUCKETS_S = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0)
 JOB_BUCKETS_S = (0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 15.0, 60.0, 300.0)
 
@@ -44,17 +44,17 @@ JOB_S = Histogram(
 )
 JOB_FAILURES = Counter("soundlist_job_failures", "Tries of jobs that failed.", ["job"])
 UPLOADED = Counter("soundlist_upload_bytes", "Bytes of files that came in whole.")
-STORE_ERRORS = Counter("soundlist_store_errors", "What the store could not do.", ["operation"])
+STORE_ERRORS = Counter("soundlist_store_errors", "Failed operations of the store.", ["operation"])
 
 
 class ServerFigures(Collector):
-    """Figures that are read when somebody looks."""
+    """Gauges that are read from the database at each scrape."""
 
     def __init__(self, runtime: "Runtime") -> None:
         self._runtime = runtime
 
     def collect(self) -> Iterator[GaugeMetricFamily]:
-        """Yield what waits, runs and gave up, which workers live, and what the connection pool holds."""
+        """Yield jobs by state, the age of each worker's heartbeat, and the connection pool."""
         jobs = GaugeMetricFamily("soundlist_jobs", "Jobs that wait, run or gave up.", labels=["job", "state"])
         oldest = GaugeMetricFamily(
             "soundlist_job_oldest_seconds", "How long the oldest job of that name waits to be run.", labels=["job"]
@@ -65,7 +65,7 @@ class ServerFigures(Collector):
             if count.state == "waiting":
                 oldest.add_metric([count.name], max(0.0, (now - count.oldest_at).total_seconds()))
         beats = GaugeMetricFamily(
-            "soundlist_worker_silent_seconds", "How long ago a worker said that it lives.", labels=["worker"]
+            "soundlist_worker_silent_seconds", "Time since a worker's last heartbeat.", labels=["worker"]
         )
         for heartbeat in self._runtime.queue.heartbeats(within=WORKERS_SHOWN):
             beats.add_metric([heartbeat.worker_id], (now - heartbeat.beat_at).total_seconds())
@@ -73,13 +73,13 @@ class ServerFigures(Collector):
 
 
 class PoolFigures(Collector):
-    """What the connection pool of this process holds."""
+    """The gauges of this process's connection pool."""
 
     def __init__(self, database: "Database") -> None:
         self._database = database
 
     def collect(self) -> Iterator[GaugeMetricFamily]:
-        """Yield how many connections are in use and how many wait for work."""
+        """Yield how many connections are in use and how many are idle."""
         pool = self._database.engine.pool
         family = GaugeMetricFamily(
             "soundlist_database_connections", "Connections of this process to the database.", labels=["state"]
@@ -91,45 +91,45 @@ class PoolFigures(Collector):
 
 
 def collectors(runtime: "Runtime") -> tuple[Collector, ...]:
-    """Return what a web process reads when somebody looks; a worker leaves out what is the whole server's."""
+    """Return the collectors of a web process; a worker leaves out those of the whole server."""
     return ServerFigures(runtime), PoolFigures(runtime.database)
 
 
 def exposition(collectors: Iterable[Collector]) -> bytes:
-    """Return everything that this process counted, and what the collectors read now."""
+    """Return this process's counters, and the current values of the collectors."""
     registry = CollectorRegistry()
     for collector in collectors:
         registry.register(collector)
     return generate_latest(REGISTRY) + generate_latest(registry)
 
 
-def is_admitted(authorization: str, token: str) -> bool:
+def is_authorized(authorization: str, token: str) -> bool:
     """Whether a request's Authorization header carries the token."""
     scheme, _, sent = authorization.partition(" ")
     return scheme.lower() == "bearer" and hmac.compare_digest(sent.strip().encode(), token.encode())
 
 
-class _Quiet(WSGIRequestHandler):
+class _SilentHandler(WSGIRequestHandler):
     def log_message(self, format: str, *args: Any) -> None:  # noqa: A002  named so by http.server
-        """Say nothing: somebody looks every few seconds."""
+        """Log nothing: scrapes come every few seconds."""
 
 
 class CannotListen(Exception):
-    """The port for the figures cannot be opened: says which, and how to mend it."""
+    """The metrics port cannot be opened."""
 
 
 class MetricsServer:
-    """A listener of its own for the figures, for a process that serves nothing else or not to everybody."""
+    """A separate listener for metrics, for a process with no HTTP server or a public one."""
 
     def __init__(self, host: str, port: int, token: str, collectors: Iterable[Collector]) -> None:
         self._token = token
         self._collectors = tuple(collectors)
         try:
-            self._server: WSGIServer = make_server(host, port, self._answer, handler_class=_Quiet)
+            self._server: WSGIServer = make_server(host, port, self._answer, handler_class=_SilentHandler)
         except OSError as error:
             raise CannotListen(
-                f"the figures cannot be told at {host}:{port} ({error.strerror}); "
-                "each process on a machine wants a SOUNDLIST_METRICS_PORT of its own"
+                f"metrics cannot be served at {host}:{port} ({error.strerror}); "
+                "each process on a machine needs its own SOUNDLIST_METRICS_PORT"
             ) from None
         self._thread = threading.Thread(target=self._server.serve_forever, args=[0.1], name="metrics", daemon=True)
 
@@ -152,7 +152,7 @@ class MetricsServer:
         status, body = "200 OK", b""
         if environ.get("PATH_INFO") != "/metrics":
             status, body = "404 Not Found", b"only /metrics is here\n"
-        elif self._token and not is_admitted(environ.get("HTTP_AUTHORIZATION", ""), self._token):
+        elif self._token and not is_authorized(environ.get("HTTP_AUTHORIZATION", ""), self._token):
             status, body = "401 Unauthorized", b"send the token of SOUNDLIST_METRICS_TOKEN as a bearer\n"
         else:
             body = exposition(self._collectors)
@@ -164,9 +164,9 @@ class MetricsServer:
 
 @contextmanager
 def listening(settings: "Settings", collectors: Iterable[Collector], *, place: int = 0) -> Iterator[None]:
-    """Tell the figures on a port of their own for the length of a block, where the settings ask for one.
+    """Serve metrics on a separate port for the length of the block, if the settings name one.
 
-    Of several web processes each has a place, and the port that is so many above the one that is set.
+    Each of several web processes adds its index to the port in the settings.
     """
     if settings.metrics_port is None:
         yield

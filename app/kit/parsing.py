@@ -1,14 +1,14 @@
-"""Parsing of what strangers send: in a child process under limits, so that no input can stop the web process."""
+"""Parsing of untrusted input: in a child process under limits, so that no input can stop the web process."""
 
 import codecs
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 import structlog
 
 from app.kit.errors import FieldProblem, Refused
-from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut, new_spec, parse_spec
+from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut, ensure_declared, new_spec, parse_spec
 
 TIMEOUT_S = 5.0
 MEMORY_BYTES = 512 << 20  # of address space, of which the interpreter and what it has loaded take some 100 MiB
@@ -29,7 +29,7 @@ class Parsers:
         self._modules: Sequence[str] = ()
 
     def connect(self, modules: Sequence[str]) -> None:
-        """Say, before the first call, which modules the server process loads."""
+        """Set the modules that the server process loads; call before the first parse."""
         self._modules = modules
 
     @cached_property
@@ -44,30 +44,31 @@ class Parsers:
         )
 
     def start(self) -> None:
-        """Start the server process, so that no request waits for it."""
+        """Start the server process, so that no request has to wait for it."""
         self._sandbox.call(rehearse)
 
     def call(self, function: Callable[..., Result], *args: Any, refusal: type[Refused]) -> Result:
-        """Return what a function returns, from a child; raise `refusal` where it refuses, or gives no answer.
+        """Run a function in a child and return its result; raise `refusal` if it refuses or gives no answer.
 
-        The function is one that can be imported by name, takes and returns plain values, and refuses by a Refused.
+        The function is one that can be imported by name, takes and returns plain values, and refuses by a Refused. It
+        declares what it returns: any other type is rejected.
         """
         try:
             answer = self._sandbox.call(_answer, function, args)
+            if answer[0] == "value":
+                ensure_declared(answer[1], function)
         except SandboxTimedOut:
-            message = f"this takes longer than {TIMEOUT_S:g} s to read; nothing of it was kept"
+            message = f"this takes longer than {TIMEOUT_S:g} s to read; nothing was saved"
             raise refusal(message, fix=FIX) from None
         except SandboxFailed as error:  # a library that is out of memory may crash too
             log.warning("a parser failed", function=function.__qualname__, error=str(error))
-            message = f"this is damaged, or takes more than {MEMORY_BYTES >> 20} MiB to read; nothing of it was kept"
+            message = f"this is damaged, or takes more than {MEMORY_BYTES >> 20} MiB to read; nothing was saved"
             raise refusal(message, fix=FIX) from None
         match answer:
             case ("value", value):
                 return value  # type: ignore[no-any-return]
-            case ("refused", str(message), list(errors), str() | None as fix):
-                problems: list[FieldProblem] = [{"where": str(where), "message": str(what)} for where, what in errors]
-                raise refusal(message, errors=problems, fix=fix)
-        raise AssertionError("the child answers by _answer")
+            case ("refused", message, errors, fix):
+                raise refusal(message, errors=errors, fix=fix)
 
     def close(self) -> None:
         """End the server process and its children."""
@@ -75,15 +76,17 @@ class Parsers:
 
 
 def rehearse() -> None:
-    """Load what is loaded when something is decoded or parsed for the first time."""
+    """Import modules that are otherwise loaded on first use."""
     parse_spec(new_spec())
     for name in ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1", "cp437", "ascii"):
         codecs.lookup(name)
 
 
-def _answer(function: Callable[..., Any], args: Sequence[Any]) -> tuple[Any, ...]:
+def _answer(
+    function: Callable[..., Any], args: Sequence[Any]
+) -> tuple[Literal["value"], Any] | tuple[Literal["refused"], str, list[FieldProblem], str | None]:
     """Run in the child."""
     try:
         return "value", function(*args)
     except Refused as refused:
-        return "refused", refused.message, [(one["where"], one["message"]) for one in refused.errors], refused.fix
+        return "refused", refused.message, refused.errors, refused.fix

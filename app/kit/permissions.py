@@ -5,16 +5,16 @@ import stat
 from collections.abc import Iterable
 from pathlib import Path
 
-OTHERS = 0o077  # every right of the group and of everybody else
+OTHERS = 0o077  # every right of the group and of all others
 
 
 def keep_new_files_private() -> None:
-    """Give nobody else a right to files and folders that this process and its children make."""
+    """Deny other users all rights to files and folders that this process and its children create."""
     os.umask(OTHERS)
 
 
 def tighten(paths: Iterable[Path]) -> list[str]:
-    """Take every right of others away from paths that exist; return a line for each where that is not possible."""
+    """Remove all rights of other users from existing paths; return a line for each where that is not possible."""
     return [line for path in paths if (line := _tighten(path))]
 
 

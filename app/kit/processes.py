@@ -1,7 +1,7 @@
 """Several processes that serve one port: forked from one that has imported everything, so that they share its memory.
 
-The kernel gives each new connection to one of them. One that ends unasked is replaced; when the first one is told to
-stop, or is no more, all stop.
+The kernel distributes new connections among them. A process that exits unexpectedly is replaced; when the first
+one is asked to stop, or is gone, all stop.
 """
 
 import gc
@@ -17,13 +17,13 @@ from types import FrameType
 
 import structlog
 
-SETTLED_S = 10.0  # whoever ends sooner would end again: something is wrong that a new one does not mend
-STOPS = frozenset({signal.SIGTERM, signal.SIGINT})
+MIN_UPTIME_S = 10.0  # a process that exits sooner is not replaced: a new one would fail too
+STOP_SIGNALS = frozenset({signal.SIGTERM, signal.SIGINT})
 log = structlog.get_logger(__name__)
 
 
 class PortTaken(Exception):
-    """Nothing can listen there: says where, and how to mend it."""
+    """Nothing can listen there: says where, and how to fix it."""
 
 
 def listener(host: str, port: int, *, shared: bool = False) -> socket.socket:
@@ -41,7 +41,7 @@ def listener(host: str, port: int, *, shared: bool = False) -> socket.socket:
         ) from None
 
 
-def beside(kept: socket.socket) -> socket.socket:
+def shared_listener(kept: socket.socket) -> socket.socket:
     """Return one more socket on a port that is shared."""
     return _bound(*kept.getsockname()[:2], shared=True)
 
@@ -56,70 +56,70 @@ def _bound(host: str, port: int, *, shared: bool) -> socket.socket:
     return made
 
 
-def run_apart(work: Callable[[], None]) -> int:
-    """Do something in a process of its own, and return its exit code."""
+def run_in_subprocess(work: Callable[[], None]) -> int:
+    """Run something in a forked process, and return its exit code."""
     return os.waitstatus_to_exitcode(os.waitpid(_fork(work), 0)[1])
 
 
-class Siblings:
+class PreforkSupervisor:
     """Processes that do the same work, each knowing its place."""
 
     def __init__(self, work: Callable[[int], None], count: int) -> None:
         self._work = work
         self._count = count
-        self._begun: dict[int, tuple[int, float]] = {}  # process id: place, when it began
-        self._told: signal.Signals | None = None
+        self._children: dict[int, tuple[int, float]] = {}  # process id: place, when it began
+        self._stop_signal: signal.Signals | None = None
         self._life, self._lifeline = os.pipe()  # closes with this process, however that ends
 
     def run(self) -> int:
-        """Keep them running until told to stop; return the exit code, or end by the signal that it was told with."""
-        before = {number: signal.signal(number, self._stop) for number in STOPS}
+        """Supervise them until a stop signal; return the exit code, or end by that signal."""
+        before = {number: signal.signal(number, self._stop) for number in STOP_SIGNALS}
         gc.collect()
         gc.freeze()  # what a collection looks through is copied for each process
         for place in range(self._count):
             self._start(place)
         code = 0
-        while self._begun:
+        while self._children:
             pid, status = os.wait()
-            place, begun = self._begun.pop(pid)
-            if self._told:
+            place, begun = self._children.pop(pid)
+            if self._stop_signal:
                 continue
             ended = os.waitstatus_to_exitcode(status)
             log.error("a web process ended", process=pid, place=place, code=ended)
-            if time.monotonic() - begun < SETTLED_S:
+            if time.monotonic() - begun < MIN_UPTIME_S:
                 code = ended if ended > 0 else 1
                 self._stop(signal.SIGTERM, None)
             else:
                 self._start(place)
         for number, handler in before.items():
             signal.signal(number, handler)
-        if self._told is signal.SIGTERM and not code:
-            signal.raise_signal(signal.SIGTERM)  # so that whoever started this sees that it ended as it was told
+        if self._stop_signal is signal.SIGTERM and not code:
+            signal.raise_signal(signal.SIGTERM)  # so that the parent process sees that the signal ended it
         return code
 
     def _start(self, place: int) -> None:
-        signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)  # a signal in between would not reach the new one
+        signal.pthread_sigmask(signal.SIG_BLOCK, STOP_SIGNALS)  # a signal in between would not reach the new one
         try:
-            self._begun[_fork(lambda: self._sibling(place))] = place, time.monotonic()
+            self._children[_fork(lambda: self._run_worker(place))] = place, time.monotonic()
         finally:
-            signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, STOP_SIGNALS)
 
-    def _sibling(self, place: int) -> None:
+    def _run_worker(self, place: int) -> None:
         os.setpgid(0, 0)  # Ctrl-C at a terminal reaches the first one, which passes it on once
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         signal.signal(signal.SIGINT, signal.default_int_handler)
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, STOP_SIGNALS)
         os.close(self._lifeline)
-        threading.Thread(target=self._end_with_the_first, name="lifeline", daemon=True).start()
+        threading.Thread(target=self._stop_with_supervisor, name="lifeline", daemon=True).start()
         self._work(place)
 
-    def _end_with_the_first(self) -> None:
+    def _stop_with_supervisor(self) -> None:
         os.read(self._life, 1)
         os.kill(os.getpid(), signal.SIGTERM)
 
     def _stop(self, number: int, _frame: FrameType | None) -> None:
-        self._told = signal.Signals(number)
-        for pid in self._begun:
+        self._stop_signal = signal.Signals(number)
+        for pid in self._children:
             os.kill(pid, signal.SIGTERM)
 
 

@@ -2,9 +2,9 @@
 
 Nothing but this and `workers` imports DBOS. Its tables live in the application's own database.
 
-Whose turn it is: a job's place in the line is a number, the lowest first. It stands as far behind the head of
-the line, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
-turns, urgent ones more often, and whoever comes with little never waits for all of whoever came with much.
+Order: a job's position in the queue is a number, the lowest first. It is as far behind the head of
+the queue, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
+turns, urgent ones more often, and a studio with few jobs never waits for all jobs of a studio with many.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,7 +21,7 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
 from app.kit import clock, job_format
-from app.kit.db import Base, Database, beyond_reach
+from app.kit.db import Base, Database, bypass_row_policies
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
@@ -32,7 +32,7 @@ QUEUE = "queue"  # key in a session's info: the queue of the database that it is
 STEPS_VERSION = "1"
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
-PAUSES_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
+RETRY_DELAYS_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
 URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones get the turns of one normal one
 URGENCY_WORDS = {URGENT: "urgent", NORMAL: "normal", BULK: "bulk"}
 NOBODY = "nobody"  # in place of a studio
@@ -56,7 +56,7 @@ NOT_DONE = {  # conditions of DBOS's partial indices, and the states that each i
 
 Payload = dict[str, Any]
 REASON_LENGTH = 500
-FORGOTTEN_AT_ONCE = 500
+DELETED_PER_BATCH = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
@@ -64,7 +64,7 @@ job_format.refuse_pickled_classes()
 
 
 class Heartbeat(Base):
-    """When a worker process last said that it lives."""
+    """The last heartbeat of a worker process."""
 
     __tablename__ = "kit_heartbeats"
 
@@ -96,7 +96,7 @@ def job_names() -> frozenset[str]:
 
 @dataclass(frozen=True)
 class UnfinishedJob:
-    """A job that waits, runs or gave up, and why it failed last where it did."""
+    """A job that waits, runs or is parked, and its last failure, if any."""
 
     id: str
     name: str
@@ -105,12 +105,12 @@ class UnfinishedJob:
     tries: int
     since: datetime
     reason: str | None
-    cursor: str  # where a list goes on after it
+    cursor: str  # where a list continues after it
 
 
 @dataclass(frozen=True)
 class JobCount:
-    """How many jobs of one name are in one state, and since when the first of them is written down."""
+    """The number of jobs of one name in one state, and the time of the oldest."""
 
     name: str
     state: str
@@ -180,7 +180,7 @@ class JobQueue:
             "queue_partition_key": work.lane,
             "attributes": {"job": work.name, "studio": None if studio == NOBODY else studio, "reason": reason},
         }
-        with beyond_reach(session):  # the jobs are the server's own
+        with bypass_row_policies(session):  # the jobs are the server's own
             if delay_s:
                 options["delay_seconds"] = delay_s
                 options["priority"] = int(cost)  # has waited: at the head, once it is due
@@ -200,7 +200,7 @@ class JobQueue:
         waiting = sa.select(jobs.c.priority).where(
             jobs.c.queue_name == JOB_QUEUE,
             jobs.c.status == "ENQUEUED",
-            sa.literal_column("status in ('ENQUEUED', 'PENDING')"),  # as the indices say it
+            sa.literal_column("status in ('ENQUEUED', 'PENDING')"),  # as in the indices
         )
         head = waiting.order_by(jobs.c.priority).limit(1).scalar_subquery()
         last = (
@@ -211,17 +211,19 @@ class JobQueue:
         )
         return sa.select(head, last)
 
-    def try_again(self, job_id: str, work: Work, error: Exception) -> bool:
+    def schedule_retry(self, job_id: str, work: Work, error: Exception) -> bool:
         """Write the next attempt at a job that failed; return False, and park it, where that was the last."""
         reason = f"{type(error).__name__}: {error}"[:REASON_LENGTH]
-        if work.attempt > len(PAUSES_S):
+        if work.attempt > len(RETRY_DELAYS_S):
             self._client.update_workflow_attributes(job_id, {"reason": reason}, merge=True)
             self._client.cancel_workflow(job_id)  # a cancelled job can be resumed, one in error cannot
             return False
         attempt = work.attempt + 1
         key = f"{job_id.partition(ATTEMPT_MARK)[0]}{ATTEMPT_MARK}{attempt}"
         with self._database.writing() as session:
-            self._write(session, key, work._replace(attempt=attempt), delay_s=PAUSES_S[work.attempt - 1], reason=reason)
+            self._write(
+                session, key, work._replace(attempt=attempt), delay_s=RETRY_DELAYS_S[work.attempt - 1], reason=reason
+            )
         return True
 
     def unfinished(
@@ -233,7 +235,7 @@ class JobQueue:
         after: tuple[int, str] | None = None,
         limit: int = 1000,
     ) -> list[UnfinishedJob]:
-        """Return the jobs that wait, run or gave up, oldest first; in one state or of one studio where it is given.
+        """Return the jobs that wait, run or are parked, oldest first; in one state or of one studio if given.
 
         `after` is the cursor of the last one read: its instant in milliseconds, and its id.
         """
@@ -248,7 +250,7 @@ class JobQueue:
             return [_unfinished(row) for row in session.execute(query)]
 
     def unfinished_job(self, job_id: str) -> UnfinishedJob | None:
-        """Return one job that waits, runs or gave up; None for one that is done."""
+        """Return one job that waits, runs or is parked; None for one that is done."""
         jobs = self._workflows
         query = sa.select(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(STATE_WORDS))
         with self._database.reading() as session:
@@ -256,7 +258,7 @@ class JobQueue:
         return _unfinished(row) if row else None
 
     def counts(self, studio_id: UUID | None = None) -> list[JobCount]:
-        """Return how many jobs wait, run or gave up, by name; those of one studio where it is given."""
+        """Return how many jobs wait, run or are parked, by name; those of one studio if given."""
         jobs = self._not_done(OPEN_STATES + FAILED_STATES, studio_id)
         name, state = jobs.c.attributes["job"].as_string(), sa.case(STATE_WORDS, value=jobs.c.status)
         counted = (
@@ -287,7 +289,7 @@ class JobQueue:
         )
 
     def held_by(self, worker_id: str) -> set[str]:
-        """Return the jobs that stand as run by a worker."""
+        """Return the jobs recorded as run by a worker."""
         jobs = self._workflows
         held = sa.select(jobs.c.workflow_uuid).where(
             jobs.c.queue_name == JOB_QUEUE, sa.literal_column("status = 'PENDING'"), jobs.c.executor_id == worker_id
@@ -305,9 +307,9 @@ class JobQueue:
             return {worker: count for worker, count in session.execute(running.group_by(jobs.c.executor_id)) if worker}
 
     def _not_done(self, states: Sequence[str], studio_id: UUID | None) -> sa.Subquery:
-        """Return the jobs in these states; each part says its condition as an index of DBOS does.
+        """Return the jobs in these states; each part has the condition of an index of DBOS.
 
-        What is done is kept for a month: a read that no index answers would go through all of it.
+        Done jobs are kept for a month: a read without an index would scan them all.
         """
         jobs, parts = self._workflows, []
         for condition, some in NOT_DONE.items():
@@ -322,14 +324,14 @@ class JobQueue:
         return sa.union_all(*parts).subquery()
 
     def heartbeats(self, *, within: timedelta) -> Sequence[Heartbeat]:
-        """Return the workers that said lately that they live, in order of their ids."""
+        """Return the workers with a recent heartbeat, in order of their ids."""
         with self._database.reading() as session:
             return session.scalars(
                 sa.select(Heartbeat).where(Heartbeat.beat_at > clock.now() - within).order_by(Heartbeat.worker_id)
             ).all()
 
     def retry(self, job_id: str) -> bool:
-        """Let a job run again that gave up, at the head of the line; return False where it does not lie parked."""
+        """Run a parked job again, at the head of the queue; return False if it is not parked."""
         jobs, parked = self._workflows, [state for state, word in STATE_WORDS.items() if word == "parked"]
         found = sa.update(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(parked))
         with self._database.writing() as session:
@@ -338,7 +340,7 @@ class JobQueue:
         self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
         return True
 
-    def forget_done(self, before: datetime) -> int:
+    def delete_finished(self, before: datetime) -> int:
         """Clear away jobs that were done before an instant; return how many went."""
         jobs, gone = self._workflows, 0
         done = sa.select(jobs.c.workflow_uuid).where(
@@ -346,7 +348,7 @@ class JobQueue:
         )
         while True:
             with self._database.reading() as session:
-                ids = list(session.scalars(done.limit(FORGOTTEN_AT_ONCE)))
+                ids = list(session.scalars(done.limit(DELETED_PER_BATCH)))
             if not ids:
                 return gone
             self._client.delete_workflows(ids)
@@ -358,7 +360,7 @@ class JobQueue:
 
 
 def queue_of(session: Session) -> JobQueue:
-    """Return the queue beside the database that a session is on."""
+    """Return the queue of the database that a session is on."""
     queue: JobQueue = session.info[QUEUE]
     return queue
 

@@ -9,7 +9,7 @@ class Reach:
     """A person's studios and engagements, or one project alone; without either, nothing."""
 
     person_id: UUID | None = None
-    project_id: UUID | None = None  # of a build's token, or of a link that somebody holds
+    project_id: UUID | None = None  # of a build's token, or of a shared link
 
 
 NOBODY = Reach()

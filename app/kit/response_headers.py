@@ -1,4 +1,4 @@
-"""What browsers and caches are told with every answer: what a page may load and do, and who may keep what."""
+"""Headers of every answer: what a page may load and do, and what caches may keep."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""What a process is wired with: settings, database, store and queue, handed to endpoints and jobs."""
+"""The wiring of a process: settings, database, store and queue, passed to endpoints and jobs."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""Serves the web application, and lets a proxy turn away before a process that is told to stop closes its door."""
+"""Serves the web application, and drains connections before a stopping process closes its port."""
 
 import asyncio
 import contextlib
@@ -18,25 +18,26 @@ from app.kit.connections import BoundedHttpProtocol
 from app.kit.handshakes import stop_handshakes
 
 READY = "/readyz"
+IS_LEAVING = "is_leaving"
 STARTUP_FAILED = 3
 GARBAGE_AFTER = 20_000  # objects: a page of the review queue makes as many, and nearly all go without a collector
-IDLE_LINE_S = 150  # longer than proxies keep one (Caddy 120 s, nginx 60 s): whoever sends last must not lose a request
+IDLE_LINE_S = 150  # longer than proxies keep one (Caddy 120 s, nginx 60 s): no request is lost to a closing connection
 ACCEPT_S = 0.1  # the event loop comes round many times
-LINGER_S = 2.0  # a proxy uses up the lines it has, or has seen that no new one opens
+LINGER_S = 2.0  # a proxy finishes with its open connections, or sees that no new one opens
 
 
 def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: int) -> None:
     """Serve until SIGTERM or SIGINT; then go on for `drain_s` as not ready, and give open answers `finish_s` more.
 
-    Without a `drain_s` lines on which nothing is being answered close at once.
+    Without a `drain_s`, idle connections close at once.
     """
-    # What the imports made lives for ever; looking through it again would hold up every few answers.
+    # Imported objects are never freed; scanning them again would delay every few answers.
     gc.collect()
     gc.freeze()
     gc.set_threshold(GARBAGE_AFTER, *gc.get_threshold()[1:])
     stopping = threading.Event()
     config = uvicorn.Config(
-        _Leaving(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,
+        _Draining(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,
         server_header=False, timeout_graceful_shutdown=finish_s, timeout_keep_alive=IDLE_LINE_S,
         http=BoundedHttpProtocol, ws="none",
     )  # fmt: skip
@@ -82,8 +83,8 @@ class _Server(uvicorn.Server):
             await asyncio.sleep(0.02)
 
 
-class _Leaving:
-    """Once the process is told to stop: says so to health checks, and asks for no further request on a connection."""
+class _Draining:
+    """Reports a stopping process to health checks, and closes its connections after their current request."""
 
     def __init__(self, app: ASGIApp, is_leaving: Callable[[], bool]) -> None:
         self._app = app
@@ -98,4 +99,6 @@ class _Leaving:
         if scope["type"] == "http" and scope["path"] == READY and self._is_leaving():
             await JSONResponse({"status": "stopping"}, 503)(scope, receive, say)
             return
+        if scope["type"] == "http":
+            scope.setdefault("state", {})[IS_LEAVING] = self._is_leaving  # for answers that go on until they are ended
         await self._app(scope, receive, say)

@@ -1,4 +1,4 @@
-"""Runs the jobs of the queue in a process of its own, and takes over what dead workers left half-done."""
+"""Runs the jobs of the queue in a worker process, and takes over unfinished jobs of dead workers."""
 
 import os
 import secrets
@@ -17,18 +17,18 @@ from dbos._core import WorkflowHandleFuture, execute_dequeued_workflow
 
 from app import logs
 from app.kit import clock, job_format, metrics, queue
-from app.kit.db import Database, ensure_open, is_away
+from app.kit.db import Database, ensure_open, is_unavailable
 from app.kit.queue import Heartbeat, Payload, Work
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
 
 RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
-AWAY_PAUSE_S = 1.0
-BEATS_WHILE_SILENT = 3
+UNAVAILABLE_PAUSE_S = 1.0
+BEATS_UNTIL_SILENT = 3
 HEARTBEAT, LOOKING = "heartbeat", "looking for work"  # names of threads
-LOOK_EVERY_S, IDLE_LOOK_EVERY_S = 0.05, 0.2  # for work: after there was some, and once there has been none for long
-LOOKS_RARER = 1.25  # from one to the other, by so much each time
+POLL_EVERY_S, IDLE_LOOK_EVERY_S = 0.05, 0.2  # for work: after there was some, and once there has been none for long
+IDLE_POLL_FACTOR = 1.25  # from one to the other, by so much each time
 GATHER_S = 0.2  # after a job has ended, for one look to fill half of the seats: a look costs more than what it begins
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
@@ -41,7 +41,7 @@ class Worker:
     """Runs jobs in this process until stopped, and takes over what dead workers left half-done."""
 
     def __init__(self, runtime: "Runtime", *, jobs_at_once: int, silent_s: float) -> None:
-        # Unique for ever: two processes with one id would run a job twice.
+        # Globally unique: two processes with one id would run a job twice.
         self.id = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"
         self.runtime = runtime
         self._database = runtime.database
@@ -53,13 +53,13 @@ class Worker:
         self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
         self._begun: set[Future[Any]] = set()
         self._seat_free = threading.Event()
-        self._looking = threading.Thread(target=self._look, name=LOOKING, daemon=True)
+        self._poller = threading.Thread(target=self._poll, name=LOOKING, daemon=True)
 
     def start(self) -> None:
-        """Say that this worker lives, then take up whatever waits; a process has one at most, as it has one DBOS."""
+        """Record a heartbeat, then run waiting jobs; a process has one worker at most, as it has one DBOS."""
         global _worker  # noqa: PLW0603
         if _worker is not None and not _worker.has_stopped:
-            raise RuntimeError("a worker runs in this process; stop it, or start the other in a process of its own")
+            raise RuntimeError("a worker runs in this process; stop it, or start the other one in another process")
         _stopping.clear()
         self._beat()
         _worker = self
@@ -70,44 +70,44 @@ class Worker:
         self._queue = DBOS.register_queue(
             queue.JOB_QUEUE,
             worker_concurrency=self._jobs_at_once,
-            polling_interval_sec=LOOK_EVERY_S,
+            polling_interval_sec=POLL_EVERY_S,
             on_conflict="always_update",
         )
         self._beating.start()
-        self._looking.start()
+        self._poller.start()
 
     def stop(self, *, wait_s: int = 10) -> None:
         """Let running jobs end, then stop; what is not done by then another worker takes over."""
         _stopping.set()
         self._seat_free.set()
-        self._looking.join(timeout=wait_s)
+        self._poller.join(timeout=wait_s)
         DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
         self._stopped.set()
         self._beating.join(timeout=2)
         try:
             self._forget(self.id)
         except sa.exc.SQLAlchemyError as error:
-            log.warning("a worker stopped without saying so", error=str(error))
+            log.warning("a worker could not record its stop", error=str(error))
 
     @property
     def has_stopped(self) -> bool:
         """Whether it was started and has ended since."""
         return self._stopped.is_set()
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         """Fill free seats with jobs: as soon as one is free while work waits, else now and then."""
-        pause_s = LOOK_EVERY_S
+        pause_s = POLL_EVERY_S
         while not _stopping.is_set():
             self._seat_free.clear()
             free, claimed = self._jobs_at_once - len(self._begun), 0
             try:
                 claimed = self._claim() if free > 0 else 0
             except Exception as error:
-                if not is_away(error):
+                if not is_unavailable(error):
                     log.exception("a worker cannot look for work")
-            pause_s = LOOK_EVERY_S if claimed or free <= 0 else min(pause_s * LOOKS_RARER, IDLE_LOOK_EVERY_S)
-            # Where it filled its seats more may wait: what ends is told; the pause is for what would not tell.
-            if self._seat_free.wait(AWAY_PAUSE_S if claimed >= free else pause_s):
+            pause_s = POLL_EVERY_S if claimed or free <= 0 else min(pause_s * IDLE_POLL_FACTOR, IDLE_LOOK_EVERY_S)
+            # With all slots full more jobs may wait: finished jobs wake this loop; the pause covers a missed wake-up.
+            if self._seat_free.wait(UNAVAILABLE_PAUSE_S if claimed >= free else pause_s):
                 self._gather()
 
     def _gather(self) -> None:
@@ -142,16 +142,16 @@ class Worker:
         self._seat_free.set()
 
     def _live(self) -> None:
-        while not self._stopped.wait(self._silent_s / BEATS_WHILE_SILENT):
+        while not self._stopped.wait(self._silent_s / BEATS_UNTIL_SILENT):
             try:
                 self._beat()
                 if not _stopping.is_set():
                     self._take_over()
                     self._take_back()
             except Exception as error:
-                # Who could not listen cannot say who was silent: begin to watch anew.
+                # A worker that could not read heartbeats cannot judge whose are missing: start again.
                 self._watched.clear()
-                log.warning("a worker cannot say that it lives", error=str(error))
+                log.warning("a worker could not record its heartbeat", error=str(error))
 
     def _beat(self) -> None:
         with self._database.writing() as session:
@@ -166,9 +166,9 @@ class Worker:
             del self._watched[worker_id]
 
     def _take_back(self) -> None:
-        """Put back into the line what stands as run by this worker and is not.
+        """Put jobs back into the queue that are recorded as run by this worker but are not running.
 
-        DBOS gives a job up for good where the database goes away just as the job's end is to be written.
+        DBOS drops a job if the database becomes unavailable just as the job's end is written.
         """
         unheld = self.runtime.queue.held_by(self.id) - set(self._dbos._active_workflows_set.activeList())
         for job_id in unheld & self._unheld:  # at two beats: between claim and start a job is in no list
@@ -195,9 +195,9 @@ class Worker:
 
 
 def _sync_later(connection: Any, _record: Any) -> None:
-    """Let SQLite sync what is said of a job's course together with the next thing that is promised to anybody.
+    """Let SQLite sync a job's progress together with the next commit that must be durable.
 
-    What a failing power takes of it has the job run again. Jobs themselves are written in transactions of ours.
+    After a power failure the job runs again. Jobs themselves are written in our transactions.
     """
     connection.execute("PRAGMA synchronous=NORMAL")
 
@@ -240,13 +240,13 @@ def _run_job(
     begun, outcome = time.perf_counter(), "failed"
     with logs.bound(work.cause, job=name, job_id=job_id):
         try:
-            _patiently(lambda: queue.handler_of(name)(_runs_in(), payload))
+            _when_available(lambda: queue.handler_of(name)(_runs_in(), payload))
             outcome = "done"
         except Exception as error:
             metrics.JOB_FAILURES.labels(name).inc()
-            log.warning("job failed", attempt=attempt, attempts=len(queue.PAUSES_S) + 1, exc_info=True)
+            log.warning("job failed", attempt=attempt, attempts=len(queue.RETRY_DELAYS_S) + 1, exc_info=True)
             failure = error
-            if not _patiently(lambda: _runs_in().queue.try_again(job_id, work, failure)):
+            if not _when_available(lambda: _runs_in().queue.schedule_retry(job_id, work, failure)):
                 outcome = "parked"
                 log.error("job is parked", error=str(error))
                 raise
@@ -263,12 +263,12 @@ def _runs_in() -> "Runtime":
     return _worker.runtime
 
 
-def _patiently(call: Callable[[], Result]) -> Result:
+def _when_available(call: Callable[[], Result]) -> Result:
     """Return what a call gives; while the database is away wait for it, since that is no fault of the job."""
     while True:
         try:
             return call()
         except Exception as error:
-            if not is_away(error) or _stopping.wait(AWAY_PAUSE_S):
+            if not is_unavailable(error) or _stopping.wait(UNAVAILABLE_PAUSE_S):
                 raise
             log.warning("the database does not answer; a job waits for it", error=str(error))

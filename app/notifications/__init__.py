@@ -1,1 +1,1 @@
-"""Mails: written with the fact they tell, kept in an outbox until an SMTP server has them."""
+"""Emails: written in the transaction of their event, kept in an outbox until an SMTP server accepts them."""

@@ -2,9 +2,9 @@
 
 from uuid import UUID
 
-from app.accounts.endpoints import allows
 from app.accounts.errors import ProducerNeeded, StudioNotFound
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.notifications import service
 from app.notifications.errors import MailNotFound
@@ -16,7 +16,7 @@ router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 
 
 def _read(mail: Mail, *, can_send: bool) -> MailRead:
-    # A secret link is shown only where nobody else will bring it to its recipient.
+    # A secret link is shown only if no mail server delivers it to its recipient.
     link = None if mail.sent_at is not None or (can_send and mail.secret_of is not None) else mail.link
     return MailRead(
         id=mail.id,
@@ -32,7 +32,7 @@ def _read(mail: Mail, *, can_send: bool) -> MailRead:
 
 @router.get("/studios/{studio_id}/outbox", responses=problems(StudioNotFound, ProducerNeeded))
 def read_outbox(
-    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> OutboxRead:
     """Return the studio's mails, those that wait for an SMTP server first."""
     mails = service.outbox(session, actor, studio_id)
@@ -42,7 +42,7 @@ def read_outbox(
 
 @router.post("/mails/{mail_id}/send", responses=problems(MailNotFound))
 def send_mail_again(
-    mail_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+    mail_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> MailRead:
     """Try a mail again that was not sent."""
     return _read(service.send_again(session, actor, mail_id), can_send=bool(runtime.settings.smtp_url))

@@ -1,4 +1,4 @@
-"""What people are told by mail, and the sending."""
+"""Jobs that write emails on events, and send them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,15 +6,13 @@ from datetime import date, timedelta
 from uuid import UUID
 
 import aiosmtplib
-from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from app.agreements.facts import in_words
+from app.agreements.models import Contract
 from app.builds.models import Build
 from app.conformance.models import CheckRun
-from app.conformance.queries import runs_of, tell_runs, untold_projects
-from app.contracts.facts import in_words
-from app.contracts.models import Contract
-from app.deliveries.models import Take
+from app.conformance.queries import mark_notified, projects_to_notify, runs_of
 from app.deliveries.rules import TakeState
 from app.kit import clock, mail
 from app.kit.db import new_id
@@ -25,15 +23,15 @@ from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
 from app.projects.models import Project
-from app.reviews.models import Sending
+from app.reviews.models import Feedback
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import label
 
-LEFT_UNTOLD_AFTER = timedelta(minutes=1)  # by then the job that a check asked for has told it
+NOTIFICATION_OVERDUE_AFTER = timedelta(minutes=1)  # by then the job scheduled by the check has run
 
 
 @dataclass(frozen=True)
-class Teller:
+class Notifier:
     """Writes mails about one project for one event; news of a topic is gathered into one mail a person."""
 
     runtime: Runtime
@@ -41,7 +39,7 @@ class Teller:
     project: Project
     event_id: str
 
-    def tell(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
+    def notify(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
         """Add lines to the recipient's mail on the topic; without a page the link leads to the desk."""
         base_url = self.runtime.settings.base_url
         service.write_mail(
@@ -61,13 +59,6 @@ def _label(project: Project, cue: Cue | None) -> str:
     return f"{label(project.cue_prefix, cue.number)} {cue.name}" if cue else "a file without a cue"
 
 
-def _take_with_place(session: Session, take_id: str) -> tuple[Take, Project, Cue | None]:
-    found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
-    found = found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == UUID(take_id))
-    take, project, cue = session.execute(found).one()
-    return take, project, cue
-
-
 @job("notifications.mail_link")
 def mail_link(runtime: Runtime, payload: Payload) -> None:
     """Write the mail of a secret link: an invitation, a new password, an address to verify, a new account."""
@@ -75,36 +66,36 @@ def mail_link(runtime: Runtime, payload: Payload) -> None:
         links.write(session, payload, base_url=runtime.settings.base_url)
 
 
-@job("notifications.tell_checks")
-def tell_checks(runtime: Runtime, payload: Payload) -> None:
-    """Tell designers what came back and why, and the decider what waits to be heard, since this was last told."""
+@job("notifications.notify_checks")
+def notify_checks(runtime: Runtime, payload: Payload) -> None:
+    """Notify designers of returned takes, and the approver of takes to review, since the last notification."""
     with runtime.database.writing() as session:
-        _tell_runs(runtime, session, payload["event_id"], tell_runs(session, UUID(payload["project_id"])))
+        _notify_runs(runtime, session, payload["event_id"], mark_notified(session, UUID(payload["project_id"])))
 
 
-# An earlier version told of each take by itself, and marked no check as untold.
-@job("notifications.tell_check")
-def tell_check(runtime: Runtime, payload: Payload) -> None:
-    """Tell of one take what came back and why, or that it waits to be heard."""
+# An earlier version notified of each take by itself, and marked no check as unnotified.
+@job("notifications.notify_check")
+def notify_check(runtime: Runtime, payload: Payload) -> None:
+    """Notify of one take that it was returned and why, or that it waits for review."""
     with runtime.database.writing() as session:
-        _tell_runs(runtime, session, payload["event_id"], [UUID(payload["take_id"])])
+        _notify_runs(runtime, session, payload["event_id"], [UUID(payload["take_id"])])
 
 
-@job("notifications.tell_untold")
-def tell_untold(runtime: Runtime, _payload: Payload) -> None:
-    """Tell what checks said whose telling had begun before they were committed."""
+@job("notifications.notify_overdue_checks")
+def notify_overdue_checks(runtime: Runtime, _payload: Payload) -> None:
+    """Notify of checks that were committed after the notification of their window."""
     with runtime.database.reading() as session:
-        project_ids = untold_projects(session, clock.now() - LEFT_UNTOLD_AFTER)
+        project_ids = projects_to_notify(session, clock.now() - NOTIFICATION_OVERDUE_AFTER)
     for project_id in project_ids:
-        tell_checks(runtime, {"project_id": str(project_id), "event_id": str(new_id())})
+        notify_checks(runtime, {"project_id": str(project_id), "event_id": str(new_id())})
 
 
-def _tell_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Sequence[UUID]) -> None:
+def _notify_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Sequence[UUID]) -> None:
     runs = runs_of(session, take_ids)
     if not runs:
         return
     project = session.get_one(Project, runs[0].CheckRun.project_id)
-    teller = Teller(runtime, session, project, event_id)
+    notifier = Notifier(runtime, session, project, event_id)
     waiting: list[str] = []
     returned: dict[UUID, list[str]] = {}
     for run, take, cue in runs:
@@ -112,28 +103,30 @@ def _tell_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Sequ
         if run.verdict != "conforming":
             returned.setdefault(take.designer_id, []).append(f"{name}: {take.file_name}{_why_returned(run)}")
         elif cue is not None:
-            waiting.append(f"{name}: {take.file_name} conforms and waits for you.")
+            waiting.append(f"{name}: {take.file_name} passed the check and is ready for your review.")
     if waiting:
-        teller.tell(queries.decider_address(session, project), "to-review", "sounds to review", *waiting, page="review")
+        notifier.notify(
+            queries.approver_address(session, project), "to-review", "sounds to review", *waiting, page="review"
+        )
     for designer_id, lines in returned.items():
         designer = queries.address_of(session, designer_id)
-        teller.tell(designer, "returned", "files came back from the check", *lines)
+        notifier.notify(designer, "returned", "files returned by the check", *lines)
 
 
 def _why_returned(run: CheckRun) -> str:
     found = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
     if run.verdict == "unjudged":
-        found = ["The check itself broke. That is our fault: your file is kept, and no round counts."]
+        found = ["The check failed. That is our fault: your file is kept, and no round is counted."]
     return "".join(f"\n  {each}" for each in found)
 
 
-@job("notifications.tell_changes")
-def tell_changes(runtime: Runtime, payload: Payload) -> None:
-    """Tell each designer the changes that were sent together."""
+@job("notifications.notify_changes")
+def notify_changes(runtime: Runtime, payload: Payload) -> None:
+    """Notify each designer of the change requests that were sent together."""
     with runtime.database.writing() as session:
-        sending = session.get_one(Sending, UUID(payload["sending_id"]))
+        sending = session.get_one(Feedback, UUID(payload["feedback_id"]))
         project = session.get_one(Project, sending.project_id)
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         by_designer: dict[UUID, list[str]] = {}
         for change, take, cue in queries.changes_of(session, sending.id):
             at = f" at {change.start_s:.3f} s" if change.start_s is not None else ""
@@ -142,39 +135,41 @@ def tell_changes(runtime: Runtime, payload: Payload) -> None:
         for designer_id, lines in by_designer.items():
             subject = f"{counted(len(lines), 'change', 'changes')} requested"
             text = "\n\n".join([sending.note, *lines] if sending.note else lines)
-            teller.tell(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, text)
+            notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, text)
 
 
-@job("notifications.tell_approval")
-def tell_approval(runtime: Runtime, payload: Payload) -> None:
-    """Tell the designer that a take was approved, unless the verdict was taken back meanwhile."""
+@job("notifications.notify_approval")
+def notify_approval(runtime: Runtime, payload: Payload) -> None:
+    """Notify the designer that a take was approved, unless the verdict was undone meanwhile."""
     with runtime.database.writing() as session:
-        take, project, cue = _take_with_place(session, payload["take_id"])
+        take, project, cue = queries.take_with_place(session, UUID(payload["take_id"]))
         if take.state is not TakeState.APPROVED:
             return
         line = f"{_label(project, cue)}, version {take.number}: approved ({take.file_name})."
         designer = queries.address_of(session, take.designer_id)
-        Teller(runtime, session, project, payload["event_id"]).tell(
+        Notifier(runtime, session, project, payload["event_id"]).notify(
             designer, "approved", "sounds approved", line, page="sound-list"
         )
 
 
-@job("notifications.tell_question")
-def tell_question(runtime: Runtime, payload: Payload) -> None:
-    """Tell those who speak for the team what is asked on a cue."""
+@job("notifications.notify_question")
+def notify_question(runtime: Runtime, payload: Payload) -> None:
+    """Notify those who act for the team of a question on a cue."""
     with runtime.database.writing() as session:
         question = session.get_one(Question, UUID(payload["question_id"]))
         project = session.get_one(Project, question.project_id)
         cue = session.get_one(Cue, question.cue_id)
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         line, page = f"{_label(project, cue)}: {question.text}", f"sound-list/cues/{cue.id}"
-        for recipient in queries.speaker_addresses(session, project) - {queries.address_of(session, question.asked_by)}:
-            teller.tell(recipient, "questions", "a question on the sound list", line, page=page)
+        for recipient in queries.spokesperson_addresses(session, project) - {
+            queries.address_of(session, question.asked_by)
+        }:
+            notifier.notify(recipient, "questions", "a question on the sound list", line, page=page)
 
 
-@job("notifications.tell_answer")
-def tell_answer(runtime: Runtime, payload: Payload) -> None:
-    """Tell who asked what the answer is."""
+@job("notifications.notify_answer")
+def notify_answer(runtime: Runtime, payload: Payload) -> None:
+    """Notify the asker of the answer."""
     with runtime.database.writing() as session:
         question = session.get_one(Question, UUID(payload["question_id"]))
         if question.asked_by == question.answered_by:
@@ -183,41 +178,41 @@ def tell_answer(runtime: Runtime, payload: Payload) -> None:
         cue = session.get_one(Cue, question.cue_id)
         line = f"{_label(project, cue)}\n  {question.text}\n  {question.answer}"
         asker = queries.address_of(session, question.asked_by)
-        Teller(runtime, session, project, payload["event_id"]).tell(
+        Notifier(runtime, session, project, payload["event_id"]).notify(
             asker, "answers", "your question is answered", line, page=f"sound-list/cues/{cue.id}"
         )
 
 
-@job("notifications.tell_list_revised")
-def tell_list_revised(runtime: Runtime, payload: Payload) -> None:
-    """Tell the engaged designers that the list changed."""
+@job("notifications.notify_list_revised")
+def notify_list_revised(runtime: Runtime, payload: Payload) -> None:
+    """Notify the engaged designers that the list changed."""
     with runtime.database.writing() as session:
         project = session.get_one(Project, UUID(payload["project_id"]))
         counts = (("added", "cue added", "cues added"), ("changed", "cue changed", "cues changed"))
-        told = [counted(int(payload[key]), one, many) for key, one, many in counts if int(payload.get(key) or 0)]
-        if not told:
+        changes = [counted(int(payload[key]), one, many) for key, one, many in counts if int(payload.get(key) or 0)]
+        if not changes:
             return
-        teller = Teller(runtime, session, project, payload["event_id"])
-        line = f"Revision {payload['revision']}: {', '.join(told)}."
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = f"Revision {payload['revision']}: {', '.join(changes)}."
         for recipient in queries.designer_addresses(session, project.id):
-            teller.tell(recipient, "list", "the sound list changed", line, page="sound-list")
+            notifier.notify(recipient, "list", "the sound list changed", line, page="sound-list")
 
 
-@job("notifications.tell_cut")
-def tell_cut(runtime: Runtime, payload: Payload) -> None:
-    """Tell the engaged designers that a cue was cut, and why."""
+@job("notifications.notify_cut")
+def notify_cut(runtime: Runtime, payload: Payload) -> None:
+    """Notify the engaged designers that a cue was cut, and why."""
     with runtime.database.writing() as session:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         line = f"{_label(project, cue)} was cut: {cue.cut_reason}. What you delivered for it is kept."
         for recipient in queries.designer_addresses(session, project.id):
-            teller.tell(recipient, "cut", "cues were cut", line, page="sound-list")
+            notifier.notify(recipient, "cut", "cues were cut", line, page="sound-list")
 
 
-@job("notifications.tell_contract")
-def tell_contract(runtime: Runtime, payload: Payload) -> None:
-    """Tell the party whose step is next what became of a contract, and both once it is agreed."""
+@job("notifications.notify_contract")
+def notify_contract(runtime: Runtime, payload: Payload) -> None:
+    """Notify the party whose step is next of a contract's new state, and both once it is agreed."""
     with runtime.database.writing() as session:
         contract = session.get_one(Contract, UUID(payload["contract_id"]))
         project = session.get_one(Project, contract.project_id)
@@ -227,71 +222,71 @@ def tell_contract(runtime: Runtime, payload: Payload) -> None:
         recipients, subject, line = {
             "contract.sent": (
                 {designer},
-                "a contract to read",
-                f"{title} waits for you: read it, ask for a change, or accept it.",
+                "a contract needs your signature",
+                f"{title} needs your signature: read it, then sign it or request a change.",
             ),
-            "contract.change_asked": (
+            "contract.change_requested": (
                 producers,
-                "a change to a contract is asked for",
+                "a change to a contract is requested",
                 f"{title}: {payload.get('text') or ''}",
             ),
-            "contract.agreed": (producers | {designer}, "a contract is agreed", f"{title}: both have accepted it."),
+            "contract.agreed": (producers | {designer}, "a contract is signed", f"{title}: both sides have signed."),
         }[payload["event"]]
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         for recipient in recipients:
-            teller.tell(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
+            notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
 
 
-@job("notifications.tell_reminder")
-def tell_reminder(runtime: Runtime, payload: Payload) -> None:
-    """Tell the decider that a cue will be accepted when nobody says anything, and after which day."""
+@job("notifications.notify_reminder")
+def notify_reminder(runtime: Runtime, payload: Payload) -> None:
+    """Remind the approver of the day after which a cue is deemed accepted."""
     with runtime.database.writing() as session:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
         last_day = date.fromisoformat(payload["last_day"])
         line = (
-            f"{_label(project, cue)} waits for your verdict. "
-            f"Without one it counts as accepted after {in_words(last_day)}, as its contract says."
+            f"{_label(project, cue)} needs your review. "
+            f"Without a response it is accepted automatically after {in_words(last_day)}, as agreed in its contract."
         )
-        decider = queries.address_of(session, UUID(payload["decider_id"]))
-        teller = Teller(runtime, session, project, payload["event_id"])
-        teller.tell(decider, "reminders", "sounds wait for your verdict", line, page="review")
+        approver = queries.address_of(session, UUID(payload["approver_id"]))
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        notifier.notify(approver, "reminders", "sounds to review soon", line, page="review")
 
 
-@job("notifications.tell_silence")
-def tell_silence(runtime: Runtime, payload: Payload) -> None:
-    """Tell designer, decider and producers that a cue was accepted by silence."""
+@job("notifications.notify_deemed_acceptance")
+def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
+    """Notify designer, approver and producers that a cue was deemed accepted."""
     with runtime.database.writing() as session:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
         contract = session.get_one(Contract, UUID(payload["contract_id"]))
         line = (
-            f"{_label(project, cue)} was accepted by silence: no verdict within {payload['days']} working days, "
-            f"as {contract.title} says. Its share is due as for any other cue."
+            f"{_label(project, cue)} was accepted automatically: no response within {payload['days']} working days, "
+            f"as agreed in {contract.title}. It is paid like any other accepted cue."
         )
         people = {
             queries.address_of(session, contract.designer_id),
-            queries.decider_address(session, project),
+            queries.approver_address(session, project),
             *queries.producer_addresses(session, project.studio_id),
         }
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         for recipient in people:
-            teller.tell(recipient, "silence", "sounds accepted by silence", line, page="sound-list")
+            notifier.notify(recipient, "silence", "sounds auto-accepted", line, page="sound-list")
 
 
-@job("notifications.tell_build")
-def tell_build(runtime: Runtime, payload: Payload) -> None:
-    """Tell producers and decider that the game's CI refused audio."""
+@job("notifications.notify_build")
+def notify_build(runtime: Runtime, payload: Payload) -> None:
+    """Notify producers and approver that the game's CI refused audio."""
     with runtime.database.writing() as session:
         build = session.get_one(Build, UUID(payload["build_id"]))
         if not build.rejected:
             return
         project = session.get_one(Project, build.project_id)
-        teller = Teller(runtime, session, project, payload["event_id"])
+        notifier = Notifier(runtime, session, project, payload["event_id"])
         line = f"Build {build.label}: {build.rejected} of {counted(build.files, 'file', 'files')} refused."
-        people = queries.producer_addresses(session, project.studio_id) | {queries.decider_address(session, project)}
+        people = queries.producer_addresses(session, project.studio_id) | {queries.approver_address(session, project)}
         for recipient in people:
-            teller.tell(recipient, "builds", "a build was refused", line, page="")
+            notifier.notify(recipient, "builds", "a build was refused", line, page="")
 
 
 @job("notifications.send_mail")
@@ -303,11 +298,11 @@ def send_mail(runtime: Runtime, payload: Payload) -> None:
         _show_link(runtime, UUID(payload["mail_id"]))
 
 
-def send_waiting(runtime: Runtime) -> None:
+def send_pending(runtime: Runtime) -> None:
     """Send what waits, oldest first, now that a server is set or back; without one, show the links of what waits."""
     if not runtime.settings.smtp_url:
         with runtime.database.reading() as session:
-            linkless = queries.linkless_ids(session)
+            linkless = queries.ids_without_link(session)
         for mail_id in linkless:
             _show_link(runtime, mail_id)
         return
@@ -327,7 +322,7 @@ def _show_link(runtime: Runtime, mail_id: UUID) -> None:
         waiting = queries.mail_locked(session, mail_id)
         if waiting is None or waiting.sent_at is not None or waiting.link is not None:
             return
-        waiting.link = links.make(session, waiting, base_url=runtime.settings.base_url, is_only_mailed=False)
+        waiting.link = links.make(session, waiting, base_url=runtime.settings.base_url, is_sent_by_mail_only=False)
 
 
 def _send(runtime: Runtime, mail_id: UUID) -> None:
@@ -335,9 +330,9 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
         claimed = service.claim(session, mail_id)
         if claimed is None:
             return
-        link = links.make(session, claimed, base_url=runtime.settings.base_url, is_only_mailed=True)
+        link = links.make(session, claimed, base_url=runtime.settings.base_url, is_sent_by_mail_only=True)
         if claimed.secret_of is not None:
-            claimed.link = None  # what the outbox showed is worthless now
+            claimed.link = None  # the link that the outbox showed is revoked
             if link is None:
                 session.delete(claimed)  # it was used, revoked or grew old before a server took it
                 return

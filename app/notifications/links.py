@@ -1,8 +1,8 @@
-"""Mails with a secret link: which there are, how they read, and the making of their links.
+"""Emails with a secret link: their kinds, texts and links.
 
 A secret is made at the last moment. With a mail server it goes into the mail that is handed over, and only its hash
-is kept: no outbox, job or backup holds it, so whoever follows the link reads that mail. Without one it stands in the
-outbox for the producer to hand over, and shows nothing about who follows it.
+is kept: no outbox, job or backup holds it, so the link's user has read that mail. Without one it is in the
+outbox for the producer to hand over, and using it verifies no address.
 """
 
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from app.projects.models import ProjectInvitation
 
 @dataclass(frozen=True)
 class LinkMail:
-    """How the mail of an event reads, and what its link opens."""
+    """The text of an event's mail, and the purpose of its link."""
 
     subject: str
     line: str
@@ -34,8 +34,8 @@ class LinkMail:
 KINDS: Mapping[str, LinkMail] = {
     "designer.invited": LinkMail(
         "{from_name} invites you to make sounds for {subject_name}",
-        "{from_name} invites you to make sounds for {subject_name}. The link shows the sound list at once; "
-        "an account is asked for only before your first upload.",
+        "{from_name} invites you to make sounds for {subject_name}. The link shows the sound list right away; "
+        "you need an account only to upload.",
         ProjectInvitation,
         "invitation",
     ),
@@ -47,30 +47,30 @@ KINDS: Mapping[str, LinkMail] = {
     ),
     "password.reset_asked": LinkMail(
         "A new password for Soundlist",
-        "Somebody asked for a new password for this address. The link sets one, within an hour and once. "
-        "If it was not you, leave this mail alone: nothing has changed.",
+        "Someone asked for a new password for this account. The link works once, within an hour. "
+        "If it was not you, ignore this email: nothing has changed.",
         PasswordReset,
         "new-password",
     ),
     "address.verification_asked": LinkMail(
-        "Verify your address for Soundlist",
-        "The link verifies this address for your account, within a day and once. "
-        "If you have no account, leave this mail alone: the link does nothing for anybody else.",
+        "Verify your email for Soundlist",
+        "The link verifies this email for your account. It works once, within a day. "
+        "If you have no account, ignore this email: the link does nothing for anyone else.",
         EmailVerification,
         "verify-address",
     ),
     "sign_up.asked": LinkMail(
         "Your account on Soundlist",
-        "Somebody asked for an account with this address. The link opens it, within a day and once. "
-        "If it was not you, leave this mail alone: nothing has changed.",
+        "Someone asked for an account with this email. The link creates it. It works once, within a day. "
+        "If it was not you, ignore this email: nothing has changed.",
         SignUp,
         "sign-up",
     ),
 }
 KNOWN_ADDRESS = (
     "Your account on Soundlist",
-    "Somebody asked for an account with this address, which has one. Sign in, or ask for a new password there. "
-    "If it was not you, leave this mail alone: nothing has changed.",
+    "Someone asked for an account with this email, which already has one. Sign in, or ask for a new password there. "
+    "If it was not you, ignore this email: nothing has changed.",
 )
 
 
@@ -103,8 +103,8 @@ def write(session: Session, payload: Payload, *, base_url: str) -> None:
     )
 
 
-def make(session: Session, mail: Mail, *, base_url: str, is_only_mailed: bool) -> str | None:
-    """Return a mail's link: a new one where it is secret, so that every link before it is worthless.
+def make(session: Session, mail: Mail, *, base_url: str, is_sent_by_mail_only: bool) -> str | None:
+    """Return a mail's link: a new one where it is secret, so that every earlier link is revoked.
 
     None where it opens nothing any more.
     """
@@ -114,7 +114,7 @@ def make(session: Session, mail: Mail, *, base_url: str, is_only_mailed: bool) -
     opened: MailedLink | None = session.get(kind.table, mail.secret_of_id, with_for_update=True)
     if opened is None or is_over(opened):
         return None
-    return f"{base_url}/{kind.page}/{addresses.renew_secret(opened, is_only_mailed=is_only_mailed)}"
+    return f"{base_url}/{kind.page}/{addresses.renew_secret(opened, is_sent_by_mail_only=is_sent_by_mail_only)}"
 
 
 def is_over(opened: Any) -> bool:

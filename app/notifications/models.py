@@ -31,9 +31,9 @@ class Mail(Base):
     recipient: Mapped[str]
     subject: Mapped[str]
     lines: Mapped[list[str]]
-    event_ids: Mapped[list[str]]  # each event is told once, however often its job runs
+    event_ids: Mapped[list[str]]  # each event is mailed once, however often its job runs
     link: Mapped[str | None]  # cleared once the mail is sent
-    secret_of: Mapped[str | None]  # the event whose secret link it brings; made when it is sent or, without SMTP, shown
+    secret_of: Mapped[str | None]  # the event whose secret link it contains; made when sent or, without SMTP, shown
     secret_of_id: Mapped[UUID | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     sealed_at: Mapped[datetime | None]  # from here on nothing is added

@@ -1,4 +1,4 @@
-"""Mails, and the facts that they tell."""
+"""Emails, and the facts in them."""
 
 from collections.abc import Sequence
 from datetime import datetime, timedelta
@@ -12,8 +12,8 @@ from app.accounts.rules import Role
 from app.deliveries.models import Take
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
-from app.projects.queries import decider_id
-from app.projects.sight import engaged_and_past_nda
+from app.projects.queries import approver_id
+from app.projects.visibility import engaged_with_nda_accepted
 from app.reviews.models import ChangeRequest
 from app.sound_lists.models import Cue
 
@@ -21,7 +21,7 @@ OUTBOX_ROWS = 200
 
 
 def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
-    """Return the mail that still gathers news of this topic; nobody else changes it until this transaction ends."""
+    """Return the unsent digest of this topic, locked until this transaction ends."""
     return session.scalar(
         select(Mail).where(Mail.topic == topic, Mail.recipient == recipient, Mail.sealed_at.is_(None)).with_for_update()
     )
@@ -32,13 +32,13 @@ def has_mail(session: Session, topic: str) -> bool:
     return session.scalar(select(Mail.id).where(Mail.topic == topic).limit(1)) is not None
 
 
-def waiting_for(session: Session, recipient: str | None) -> Sequence[Mail]:
+def pending_for(session: Session, recipient: str | None) -> Sequence[Mail]:
     """Return the mails that were not sent, to one address or to all, the oldest first."""
     waiting = select(Mail).where(Mail.sent_at.is_(None)).order_by(Mail.id)
     return session.scalars(waiting.where(Mail.recipient == recipient) if recipient else waiting).all()
 
 
-def linkless_ids(session: Session) -> Sequence[UUID]:
+def ids_without_link(session: Session) -> Sequence[UUID]:
     """Return the mails that wait without the secret link that they are written for, the oldest first."""
     return session.scalars(
         select(Mail.id)
@@ -48,7 +48,7 @@ def linkless_ids(session: Session) -> Sequence[UUID]:
 
 
 def mail_locked(session: Session, mail_id: UUID) -> Mail | None:
-    """Return a mail that nobody else changes until this transaction ends."""
+    """Return a mail, locked until this transaction ends."""
     return session.get(Mail, mail_id, with_for_update=True)
 
 
@@ -76,13 +76,13 @@ def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequen
     ).all()
 
 
-def changes_of(session: Session, sending_id: UUID) -> Sequence[tuple[ChangeRequest, Take, Cue]]:
+def changes_of(session: Session, feedback_id: UUID) -> Sequence[tuple[ChangeRequest, Take, Cue]]:
     """Return what was sent together, with the takes and cues it is about."""
     return session.execute(
         select(ChangeRequest, Take, Cue)
         .join(Take, Take.id == ChangeRequest.take_id)
         .join(Cue, Cue.id == ChangeRequest.cue_id)
-        .where(ChangeRequest.sending_id == sending_id)
+        .where(ChangeRequest.feedback_id == feedback_id)
         .order_by(Cue.number, Take.variation)
     ).all()
 
@@ -98,21 +98,21 @@ def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
         select(Person.email)
         .join(Engagement, Engagement.designer_id == Person.id)
         .join(Project, Project.id == Engagement.project_id)
-        .where(Engagement.project_id == project_id, engaged_and_past_nda())
+        .where(Engagement.project_id == project_id, engaged_with_nda_accepted())
     ).all()
 
 
-def decider_address(session: Session, project: Project) -> str:
-    """Return the address of the project's decider."""
-    return session.scalars(select(Person.email).where(Person.id == decider_id(project))).one()
+def approver_address(session: Session, project: Project) -> str:
+    """Return the address of the project's approver."""
+    return session.scalars(select(Person.email).where(Person.id == approver_id(project))).one()
 
 
-def speaker_addresses(session: Session, project: Project) -> set[str]:
-    """Return the addresses of decider and liaisons: those who answer for the team."""
+def spokesperson_addresses(session: Session, project: Project) -> set[str]:
+    """Return the addresses of approver and liaisons: those who answer for the team."""
     liaisons = session.scalars(
         select(Person.email).join(Liaison, Liaison.person_id == Person.id).where(Liaison.project_id == project.id)
     )
-    return {decider_address(session, project), *liaisons}
+    return {approver_address(session, project), *liaisons}
 
 
 def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
@@ -123,3 +123,10 @@ def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
         .where(Membership.studio_id == studio_id)
     )
     return {email for email, roles in rows if Role.PRODUCER in roles}
+
+
+def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue | None]:
+    """Return a take with its project and its cue, None while it is unmatched."""
+    found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
+    take, project, cue = session.execute(found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == take_id)).one()
+    return take, project, cue

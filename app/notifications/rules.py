@@ -1,9 +1,9 @@
-"""How a mail reads, stated without a database."""
+"""Texts of mails, stated without a database."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-FOOTER = "Soundlist keeps what was asked, delivered and decided; answer there, not to this mail."
+FOOTER = "Please answer in Soundlist, not to this email."
 
 
 def counted(count: int, one: str, many: str) -> str:
@@ -21,5 +21,5 @@ def text_of(lines: Sequence[str], link: str | None) -> str:
 
 
 def finding_line(finding: Mapping[str, Any]) -> str:
-    """Return a finding on one line: what was found, and how to mend it."""
+    """Return a finding on one line: what was found, and how to fix it."""
     return f"{finding['message']}. {finding['fix']}" if finding.get("fix") else str(finding["message"])

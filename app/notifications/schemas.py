@@ -1,4 +1,4 @@
-"""What this room answers."""
+"""Answers of this room."""
 
 from datetime import datetime
 from uuid import UUID

@@ -1,4 +1,4 @@
-"""Writing mails with the facts they tell, and sending them."""
+"""Writes emails with the facts of their events, and sends them."""
 
 from collections.abc import Sequence
 from datetime import timedelta
@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor, Role
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
-from app.kit.db import insert_unless_there, new_id
+from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
 from app.notifications import queries
 from app.notifications.errors import MailBusy, MailNotFound
@@ -49,7 +49,7 @@ def write_mail(
     }
     # What another job has just begun is joined; a mail that is sealed between the two is followed by another.
     while (mail := queries.open_mail(session, topic, recipient)) is None:
-        if insert_unless_there(session, Mail, facts, unique=("topic", "recipient"), where=UNSEALED):
+        if insert_if_absent(session, Mail, facts, unique=("topic", "recipient"), where=UNSEALED):
             publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=facts["id"])
             return
     if event_id not in mail.event_ids:
@@ -58,7 +58,7 @@ def write_mail(
 
 
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:
-    """Return the mails that the studio's producer may see; mails about somebody's own account are not among them."""
+    """Return the mails that the studio's producer may see; mails about a person's account are left out."""
     ensure_producer_of(session, actor, studio_id)
     return list(queries.outbox(session, studio_id))
 

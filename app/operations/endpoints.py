@@ -2,13 +2,13 @@
 
 from uuid import UUID
 
-from app.accounts.endpoints import allows
-from app.accounts.errors import ProducerNeeded, StudioNotFound
-from app.accounts.rules import Actor, Sight
+from app.accounts.errors import OperatorNeeded, ProducerNeeded, StudioNotFound
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
 from app.kit.health import WORKER_SILENT_AFTER
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
 from app.operations import quotas, service
-from app.operations.errors import JobNotFound, JobNotParked, OperatorNeeded
+from app.operations.errors import JobNotFound, JobNotParked
 from app.operations.schemas import (
     JobRead,
     JobState,
@@ -17,6 +17,7 @@ from app.operations.schemas import (
     ServerStorage,
     StorageRead,
     StudioOperations,
+    StudioQuotas,
 )
 
 router = Router(prefix="/v1", tags=["operations"], route_class=Route)
@@ -24,14 +25,14 @@ router = Router(prefix="/v1", tags=["operations"], route_class=Route)
 
 @router.get("/studios/{studio_id}/operations", responses=problems(StudioNotFound, ProducerNeeded))
 def read_studio_operations(
-    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> StudioOperations:
-    """Return how much of the studio's work waits, runs or gave up, and whether somebody does it."""
+    """Return how many of the studio's jobs wait, run or failed, and whether a worker is running."""
     return service.studio_operations(session, actor, studio_id, queue=runtime.queue, alive_within=WORKER_SILENT_AFTER)
 
 
 @router.get("/studios/{studio_id}/storage", responses=problems(StudioNotFound, ProducerNeeded))
-def read_studio_storage(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> StorageRead:
+def read_studio_storage(studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> StorageRead:
     """Return what the studio keeps."""
     return service.studio_storage(session, actor, studio_id)
 
@@ -43,7 +44,7 @@ def list_studio_jobs(
     runtime: CurrentRuntime,
     state: JobState | None = None,
     cursor: str | None = None,
-    actor: Actor = allows(Sight.PRODUCER),
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> Page[JobRead]:
     """Return the studio's jobs that wait, run or gave up, the oldest first."""
     return service.studio_jobs(session, actor, studio_id, queue=runtime.queue, state=state, cursor=cursor)
@@ -54,7 +55,7 @@ def list_studio_jobs(
     responses=problems(StudioNotFound, ProducerNeeded, JobNotFound, JobNotParked),
 )
 def retry_studio_job(
-    studio_id: UUID, job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Sight.PRODUCER)
+    studio_id: UUID, job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> JobRead:
     """Let a job of the studio run again that gave up."""
     with runtime.database.reading(actor.reach) as session:
@@ -64,27 +65,36 @@ def retry_studio_job(
 
 @router.get("/operations", responses=problems(OperatorNeeded))
 def read_operations(
-    session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)
+    session: DbSession, runtime: CurrentRuntime, _actor: Actor = allows(Audience.OPERATOR)
 ) -> ServerOperations:
     """Return the whole server's jobs and workers."""
     return service.server_operations(
         session,
-        actor,
         queue=runtime.queue,
         alive_within=WORKER_SILENT_AFTER,
     )
 
 
 @router.get("/studios/{studio_id}/quotas", responses=problems(StudioNotFound, ProducerNeeded))
-def read_studio_quotas(studio_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> list[QuotaRead]:
+def read_studio_quotas(
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> list[QuotaRead]:
     """Return what a studio uses of its limits."""
     return quotas.studio_quotas(session, actor, studio_id)
 
 
+@router.get("/operations/quotas", responses=problems(OperatorNeeded))
+def read_quotas(session: DbSession, _actor: Actor = allows(Audience.OPERATOR)) -> list[StudioQuotas]:
+    """Return what every studio uses of its limits, the nearest to one first."""
+    return quotas.server_quotas(session)
+
+
 @router.get("/operations/storage", responses=problems(OperatorNeeded))
-def read_storage(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> ServerStorage:
+def read_storage(
+    session: DbSession, runtime: CurrentRuntime, _actor: Actor = allows(Audience.OPERATOR)
+) -> ServerStorage:
     """Return what every studio keeps."""
-    return service.server_storage(session, actor, store=runtime.store)
+    return service.server_storage(session, store=runtime.store)
 
 
 @router.get("/operations/jobs", responses=problems(OperatorNeeded, BadCursor))
@@ -93,15 +103,15 @@ def list_jobs(
     runtime: CurrentRuntime,
     state: JobState | None = None,
     cursor: str | None = None,
-    actor: Actor = allows(Sight.OPERATOR),
+    _actor: Actor = allows(Audience.OPERATOR),
 ) -> Page[JobRead]:
     """Return every job that waits, runs or gave up, the oldest first."""
-    return service.server_jobs(session, actor, queue=runtime.queue, state=state, cursor=cursor)
+    return service.server_jobs(session, queue=runtime.queue, state=state, cursor=cursor)
 
 
 @router.post("/operations/jobs/{job_id}/retry", responses=problems(OperatorNeeded, JobNotFound, JobNotParked))
-def retry_job(job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Sight.OPERATOR)) -> JobRead:
+def retry_job(job_id: str, runtime: CurrentRuntime, actor: Actor = allows(Audience.OPERATOR)) -> JobRead:
     """Let any job run again that gave up."""
     with runtime.database.reading(actor.reach) as session:
-        job = service.parked_job(session, actor, job_id, queue=runtime.queue)
+        job = service.parked_job(session, job_id, queue=runtime.queue)
     return service.retry(runtime.queue, job)

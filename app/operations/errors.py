@@ -1,10 +1,6 @@
 """Refusals of this room."""
 
-from app.kit.errors import Conflict, Forbidden, NotFound
-
-
-class OperatorNeeded(Forbidden):
-    """Only who runs the server sees the whole of it."""
+from app.kit.errors import Conflict, NotFound
 
 
 class JobNotFound(NotFound):

@@ -1,6 +1,7 @@
-"""What studios keep, summed up from what the rooms know; callers have checked who looks."""
+"""The storage of studios, summed up from the tables of the rooms; callers have checked access."""
 
 from collections import defaultdict
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 from uuid import UUID
 
@@ -8,9 +9,9 @@ from sqlalchemy import Boolean, ColumnElement, Select, String, func, literal, li
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
-from app.builds.models import PackedFile, StandIn
-from app.conformance.models import Mend
-from app.contracts.models import ContractVersion
+from app.agreements.models import ContractVersion
+from app.builds.models import PackedFile, PlaceholderFile
+from app.conformance.models import Fix
 from app.deliveries.models import Archive, DryStem, Take
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
@@ -20,7 +21,7 @@ Sums = Select[UUID, str, int, int | None]
 
 
 class Source(NamedTuple):
-    """Where files of one kind are on record: whose they are, the hash that each is kept under, and its size."""
+    """A table that refers to files of one kind: their owner, hash and size."""
 
     kind: KeptKind
     whose: Any
@@ -33,15 +34,15 @@ KEPT = (
     Source(KeptKind.DRY_STEMS, DryStem.studio_id, DryStem.sha256, DryStem.file_bytes),
     Source(KeptKind.ARCHIVES, Archive.studio_id, Archive.sha256, Archive.archive_bytes),
     Source(KeptKind.GAME_FILES, Render.studio_id, Render.sha256, Render.file_bytes),
-    Source(KeptKind.MENDS, Mend.studio_id, Mend.sha256, Mend.mended_bytes),
+    Source(KeptKind.FIXES, Fix.studio_id, Fix.sha256, Fix.fixed_bytes),
     Source(KeptKind.REELS, Reel.studio_id, Reel.sha256, Reel.file_bytes),
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
-    Source(KeptKind.STAND_INS, StandIn.studio_id, StandIn.sha256, StandIn.file_bytes),
+    Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
     Source(KeptKind.DOCUMENTS, ContractVersion.studio_id, ContractVersion.pdf_sha256, ContractVersion.pdf_bytes),
     Source(KeptKind.DOCUMENTS, PackedFile.studio_id, PackedFile.sha256, PackedFile.size_bytes),
 )
 ONLY: dict[type[Base], ColumnElement[bool]] = {
-    Mend: Mend.new_take_id.is_(None),  # the others are masters
+    Fix: Fix.new_take_id.is_(None),  # the others are masters
     PackedFile: literal_column(
         "kind = 'key'", Boolean
     ),  # as its index says it; all else in a pack is kept as what it is
@@ -97,3 +98,8 @@ def _drawn(studio_id: UUID | None) -> Sums:
     drawn = select(Picture.studio_id, literal(KeptKind.DRAWINGS.value, String), files, size_bytes)
     drawn = drawn.where(Picture.drawn_bytes.is_not(None))
     return (drawn if studio_id is None else drawn.where(Picture.studio_id == studio_id)).group_by(Picture.studio_id)
+
+
+def studios(session: Session) -> Sequence[Studio]:
+    """Return every studio, by name."""
+    return session.scalars(select(Studio).order_by(Studio.name)).all()

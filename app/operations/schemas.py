@@ -11,7 +11,7 @@ from app.kit.http import Schema
 
 
 class JobState(StrEnum):
-    """Where an unfinished job stands; done ones are not listed."""
+    """The state of an unfinished job; done ones are not listed."""
 
     PARKED = "parked"
     RUNNING = "running"
@@ -31,12 +31,12 @@ class JobRead(Schema):
     tries: int
     since: datetime
     reason: str | None = Field(
-        description="Why it failed last. A producer is told the kind of failure, an operator all of it."
+        description="The last failure. A producer sees the kind of failure, an operator the details."
     )
 
 
 class JobCountRead(Schema):
-    """How many jobs of one name are in one state."""
+    """The number of jobs of one name in one state."""
 
     job: str
     state: JobState
@@ -45,7 +45,7 @@ class JobCountRead(Schema):
 
 
 class Urgency(StrEnum):
-    """How soon a lane's jobs want to be done: what people wait for goes before a re-render of thousands."""
+    """The urgency of a lane's jobs: those that people wait for go before a re-render of thousands."""
 
     URGENT = "urgent"
     NORMAL = "normal"
@@ -65,22 +65,22 @@ class LaneRead(Schema):
 
 
 class KeptKind(StrEnum):
-    """What a kept file is."""
+    """The kind of a stored file."""
 
     MASTERS = "masters"
     DRY_STEMS = "dry_stems"  # withdrawn ones too
     ARCHIVES = "archives"  # ZIPs as they were delivered
     GAME_FILES = "game_files"
     DRAWINGS = "drawings"  # wave shapes, spectrum and preview of one sound together
-    MENDS = "mends"  # those that no designer has made a take of
+    FIXES = "fixes"  # those that no designer has made a take of
     REELS = "reels"
     EXPORTS = "exports"  # masters with what is known of them, made to be handed out
-    STAND_INS = "stand_ins"
+    PLACEHOLDER_FILES = "placeholder_files"
     DOCUMENTS = "documents"  # contracts, and the keys that go with packs
 
 
 class KeptFiles(Schema):
-    """How many files of one kind are kept, and how large they are together."""
+    """The number of stored files of one kind, and their total size."""
 
     kind: KeptKind
     files: int
@@ -96,8 +96,16 @@ class QuotaRead(Schema):
     default: int
 
 
+class StudioQuotas(Schema):
+    """The limits of one studio, the nearest first."""
+
+    studio_id: UUID
+    studio_name: str
+    quotas: list[QuotaRead]
+
+
 class StorageRead(Schema):
-    """What a studio keeps; of a kind, the same bytes are kept and counted once."""
+    """The storage of a studio; within a kind, the same bytes are stored and counted once."""
 
     studio_id: UUID
     studio_name: str
@@ -106,7 +114,7 @@ class StorageRead(Schema):
 
 
 class WorkerRead(Schema):
-    """A worker process, when it last said that it lives, and how many jobs it has in hand."""
+    """A worker process, its last heartbeat, and the number of jobs that it is running."""
 
     id: str
     beat_at: datetime
@@ -115,7 +123,7 @@ class WorkerRead(Schema):
 
 
 class StudioOperations(Schema):
-    """A studio's jobs, and whether somebody does the work."""
+    """A studio's jobs, and whether a worker is running."""
 
     counts: list[JobCountRead]
     lanes: list[LaneRead]
@@ -131,7 +139,7 @@ class ServerOperations(Schema):
 
 
 class ServerStorage(Schema):
-    """What the whole server keeps."""
+    """The storage of the whole server."""
 
     studios: list[StorageRead] = Field(description="The largest first.")
     free_bytes: int | None = Field(description="What the disk of the store has left; null where the store is a bucket.")

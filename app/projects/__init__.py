@@ -1,1 +1,1 @@
-"""Projects: their delivery spec, liaisons and decider, engagements and the invitations of designers."""
+"""Projects: their delivery spec, liaisons and approver, engagements and the invitations of designers."""

@@ -6,26 +6,26 @@ from uuid import UUID
 
 from fastapi import APIRouter, Query, Request, Response
 
-from app.accounts.endpoints import (
-    LateSession,
-    PatientRoute,
-    SecretRoute,
-    allows,
-    ensure_may_guess,
-    ensure_may_invite_more,
-    sha256_of,
-    sign_in_browser,
-)
+from app.accounts.authentication import sha256_of
+from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     BadAddress,
     NameNeeded,
     PasswordTooWeak,
     SignInNeeded,
     StudioNotFound,
-    TooManyTries,
+    TooManyAttempts,
 )
 from app.accounts.models import Person, Token
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.request_limits import (
+    DeferredSession,
+    RateLimitedRoute,
+    UnsavedResponseRoute,
+    ensure_invitation_allowed,
+    ensure_sign_in_allowed,
+)
+from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
 from app.kit.http import (
     CurrentRuntime,
@@ -36,25 +36,25 @@ from app.kit.http import (
     problems,
     uuid_cursor,
 )
-from app.projects import engagements, queries, schemas, service
+from app.projects import approvers, engagements, queries, schemas, service
 from app.projects.errors import (
     AlreadyEngaged,
-    CannotDecide,
+    CannotApprove,
     EngagementNotFound,
     InvitationNotFound,
-    LiaisonDecides,
+    LiaisonIsApprover,
     LiaisonNotFound,
     ProducerNeeded,
     ProjectNotFound,
     TeamNeeded,
     TokenNotFound,
 )
-from app.projects.models import DeciderChange, Engagement, ProjectInvitation
-from app.projects.sight import nda_is_open
+from app.projects.models import ApproverChange, Engagement, ProjectInvitation
+from app.projects.visibility import nda_is_pending
 
 PAGE_ROWS = 50
-router = Router(prefix="/v1", tags=["projects"], route_class=PatientRoute)
-_secret_router = APIRouter(route_class=SecretRoute)
+router = Router(prefix="/v1", tags=["projects"], route_class=RateLimitedRoute)
+_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
 def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
@@ -68,16 +68,16 @@ def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
         archived_at=project.archived_at,
         nda_needed=project.nda_needed,
         studio=StudioBrief.model_validate(project.studio),
-        decider=PersonBrief.model_validate(view.decider),
+        approver=PersonBrief.model_validate(view.approver),
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
         engagements=[schemas.EngagementRead.model_validate(engagement) for engagement in view.engagements],
         mine=schemas.Mine(
             is_team=bool(view.roles),
             is_producer=view.is_producer,
             is_liaison=view.is_liaison,
-            is_decider=view.is_decider,
+            is_approver=view.is_approver,
             engagement_kind=own.kind if own else None,
-            nda_open=own is not None and not view.roles and nda_is_open(project, own),
+            nda_open=own is not None and not view.roles and nda_is_pending(project, own),
         ),
         spec_version=view.spec_version,
     )
@@ -87,8 +87,8 @@ def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
 def list_projects(
     session: DbSession,
     cursor: str | None = None,
-    archived: Annotated[bool, Query(description="Those put away instead of the running ones.")] = False,
-    actor: Actor = allows(Sight.PERSON),
+    archived: Annotated[bool, Query(description="Archived projects instead of the running ones.")] = False,
+    actor: Actor = allows(Audience.PERSON),
 ) -> Page[schemas.ProjectRead]:
     """Return the projects of the caller's studios and engagements, newest first."""
     found = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
@@ -98,11 +98,11 @@ def list_projects(
 
 
 @router.post("/projects", status_code=201, responses=problems(StudioNotFound, ProducerNeeded))
-def open_project(
-    body: schemas.ProjectAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+def create_project(
+    body: schemas.ProjectAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
-    """Open a project with the field's default spec; whoever opens it decides until somebody is named."""
-    project = service.open_project(
+    """Open a project with the field's default spec; its creator is the approver until another is named."""
+    project = service.create_project(
         session,
         actor,
         body.studio_id,
@@ -115,14 +115,14 @@ def open_project(
 
 
 @router.get("/projects/{project_id}", responses=problems(ProjectNotFound))
-def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> schemas.ProjectRead:
+def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.ProjectRead:
     """Return a project as its page heads it."""
     return _project(service.overview(session, actor, project_id))
 
 
 @router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded))
 def change_project(
-    project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
     """Change what a project is called, or put it away."""
     service.change_project(
@@ -143,64 +143,79 @@ def change_project(
     responses=problems(ProjectNotFound, ProducerNeeded, LiaisonNotFound),
 )
 def add_liaison(
-    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
-    """Let a member of the studio speak for the team in this project."""
+    """Make a member of the studio a liaison of this project."""
     service.add_liaison(session, actor, project_id, person_id)
     return _project(service.overview(session, actor, project_id))
 
 
 @router.delete(
     "/projects/{project_id}/liaisons/{person_id}",
-    responses=problems(ProjectNotFound, ProducerNeeded, LiaisonNotFound, LiaisonDecides),
+    responses=problems(ProjectNotFound, ProducerNeeded, LiaisonNotFound, LiaisonIsApprover),
 )
 def remove_liaison(
-    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    project_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
-    """Let somebody speak for the team no longer."""
+    """Remove a liaison."""
     service.remove_liaison(session, actor, project_id, person_id)
     return _project(service.overview(session, actor, project_id))
 
 
 @router.put(
-    "/projects/{project_id}/decider",
-    responses=problems(ProjectNotFound, ProducerNeeded, CannotDecide),
+    "/projects/{project_id}/approver",
+    responses=problems(ProjectNotFound, ProducerNeeded, CannotApprove),
 )
-def name_decider(
-    project_id: UUID, body: schemas.DeciderAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+def name_approver(
+    project_id: UUID, body: schemas.ApproverAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
-    """Give the last word to a liaison, or take it over as a producer; the reason is kept."""
-    service.name_decider(session, actor, project_id, person_id=body.person_id, reason=body.reason)
+    """Make a liaison the approver, or become it as a producer; the reason is kept."""
+    service.name_approver(session, actor, project_id, person_id=body.person_id, reason=body.reason)
     return _project(service.overview(session, actor, project_id))
 
 
+@router.post(
+    "/projects/{project_id}/approver-invitations",
+    status_code=201,
+    responses=problems(ProjectNotFound, ProducerNeeded, BadAddress, TooManyAttempts),
+)
+def invite_approver(
+    project_id: UUID, body: schemas.ApproverInvite, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ApproverInvited:
+    """Invite an address into the studio as this project's approver; a member becomes it at once."""
+    service.project_access(session, actor, project_id).ensure_producer()
+    ensure_invitation_allowed(session, actor)
+    is_named = approvers.invite_approver(session, actor, project_id, email=body.email)
+    return schemas.ApproverInvited(email=body.email, is_named=is_named)
+
+
 @router.get(
-    "/projects/{project_id}/decider-history",
-    response_model=list[schemas.DeciderChangeRead],
+    "/projects/{project_id}/approver-history",
+    response_model=list[schemas.ApproverChangeRead],
     responses=problems(ProjectNotFound, TeamNeeded),
 )
-def list_decider_changes(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
-) -> Sequence[DeciderChange]:
-    """Return who had the last word, newest first."""
-    return service.decider_history(session, actor, project_id)
+def list_approver_changes(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> Sequence[ApproverChange]:
+    """Return the project's approvers, newest first."""
+    return service.approver_history(session, actor, project_id)
 
 
 @router.post(
     "/projects/{project_id}/invitations",
     status_code=201,
     response_model=schemas.InvitationRead,
-    responses=problems(ProjectNotFound, TeamNeeded, AlreadyEngaged, BadAddress, TooManyTries),
+    responses=problems(ProjectNotFound, TeamNeeded, AlreadyEngaged, BadAddress, TooManyAttempts),
 )
 def invite_designer(
     project_id: UUID,
     body: schemas.InvitationAdd,
     session: DbSession,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
 ) -> ProjectInvitation:
-    """Mail a designer a link that shows the list; whether the address has an account is not said."""
-    service.standing_in(session, actor, project_id).ensure_speaks()
-    ensure_may_invite_more(session, actor)
+    """Mail a designer a link that shows the list; the answer does not reveal whether the address has an account."""
+    service.project_access(session, actor, project_id).ensure_may_speak()
+    ensure_invitation_allowed(session, actor)
     return engagements.invite_designer(
         session,
         actor,
@@ -217,7 +232,7 @@ def invite_designer(
     responses=problems(ProjectNotFound, TeamNeeded),
 )
 def list_invitations(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> Sequence[ProjectInvitation]:
     """Return the project's invitations, but for those withdrawn."""
     return engagements.invitations_of(session, actor, project_id)
@@ -229,15 +244,15 @@ def list_invitations(
     responses=problems(ProjectNotFound, TeamNeeded, InvitationNotFound),
 )
 def revoke_invitation(
-    project_id: UUID, invitation_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    project_id: UUID, invitation_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> None:
     """Withdraw an invitation: its link shows nothing any more."""
     engagements.revoke_invitation(session, actor, project_id, invitation_id)
 
 
-@_secret_router.post(
+@_unsaved_router.post(
     "/invitations/{secret}/accept",
-    responses=problems(InvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyTries),
+    responses=problems(InvitationNotFound, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyAttempts),
 )
 def accept_invitation(
     secret: str,
@@ -245,11 +260,11 @@ def accept_invitation(
     request: Request,
     response: Response,
     runtime: CurrentRuntime,
-    begin: LateSession,
-    actor: Actor = allows(Sight.ANYONE),
+    begin: DeferredSession,
+    actor: Actor = allows(Audience.ANYONE),
 ) -> schemas.InvitationAccepted:
     """Engage the invited designer with the address's account, made now if there is none, and sign in."""
-    ensure_may_guess(request, sha256_of(secret))
+    ensure_sign_in_allowed(request, sha256_of(secret))
     with begin() as session:
         engagement = engagements.accept_invitation(session, actor, secret, name=body.name, password=body.password)
         designer: Person = engagement.designer
@@ -272,7 +287,7 @@ def change_engagement(
     engagement_id: UUID,
     body: schemas.EngagementChange,
     session: DbSession,
-    actor: Actor = allows(Sight.PRODUCER),
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> Engagement:
     """Change a designer's tie, end it or take it up again."""
     return engagements.change_engagement(session, actor, project_id, engagement_id, kind=body.kind, ended=body.ended)
@@ -283,16 +298,16 @@ def change_engagement(
     response_model=list[schemas.TokenRead],
     responses=problems(ProjectNotFound, ProducerNeeded),
 )
-def list_tokens(project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> Sequence[Token]:
+def list_tokens(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> Sequence[Token]:
     """Return the keys of the project's builds, without their secrets."""
     return service.tokens_of(session, actor, project_id)
 
 
-@_secret_router.post(
+@_unsaved_router.post(
     "/projects/{project_id}/tokens", status_code=201, responses=problems(ProjectNotFound, ProducerNeeded)
 )
 def create_token(
-    project_id: UUID, body: schemas.TokenAdd, session: DbSession, actor: Actor = allows(Sight.PRODUCER)
+    project_id: UUID, body: schemas.TokenAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.TokenMade:
     """Make a key for the project's builds; its secret is shown this once."""
     token, secret = service.create_token(session, actor, project_id, name=body.name, scopes=body.scopes)
@@ -304,9 +319,11 @@ def create_token(
     status_code=204,
     responses=problems(ProjectNotFound, ProducerNeeded, TokenNotFound),
 )
-def revoke_token(project_id: UUID, token_id: UUID, session: DbSession, actor: Actor = allows(Sight.PRODUCER)) -> None:
-    """Make a token worthless at once."""
+def revoke_token(
+    project_id: UUID, token_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> None:
+    """Revoke a token at once."""
     service.revoke_token(session, actor, project_id, token_id)
 
 
-router.include_router(_secret_router)
+router.include_router(_unsaved_router)

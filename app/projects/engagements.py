@@ -7,18 +7,18 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.people import person_for_link
+from app.accounts.people import person_by_link
 from app.accounts.rules import Actor, ensure_address
 from app.kit import clock
-from app.kit.db import beyond_reach
+from app.kit.db import bypass_row_policies
 from app.kit.events import publish
 from app.projects import queries
 from app.projects.errors import AlreadyEngaged, EngagementNotFound, InvitationNotFound
 from app.projects.models import Engagement, ProjectInvitation
 from app.projects.rules import EngagementKind
-from app.projects.service import invitation_by_secret, standing_in
+from app.projects.service import invitation_by_secret, project_access
 
-INVITATION_LASTS = timedelta(days=30)
+INVITATION_LIFETIME = timedelta(days=30)
 
 
 def invite_designer(
@@ -31,24 +31,24 @@ def invite_designer(
     note: str = "",
 ) -> ProjectInvitation:
     """Mail a designer a link that shows the list; an earlier one to the same address loses its worth."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_speaks()
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
     address = ensure_address(email)
     if queries.is_engaged_address(session, project_id, address):
-        message = "this designer is engaged on the project already"
+        message = "this designer is already engaged on the project"
         raise AlreadyEngaged(message, errors=[{"where": "email", "message": message}])
     for earlier in queries.invitations(session, project_id):
         if earlier.email == address:
             earlier.revoked_at = clock.now()
     inviter = session.get_one(Person, actor.person)
     invitation = ProjectInvitation(
-        studio_id=standing.project.studio_id,
-        project=standing.project,
+        studio_id=access.project.studio_id,
+        project=access.project,
         email=address,
         kind=kind,
         note=note,
         inviter=inviter,
-        expires_at=clock.now() + INVITATION_LASTS,
+        expires_at=clock.now() + INVITATION_LIFETIME,
     )
     session.add(invitation)
     session.flush()
@@ -60,7 +60,7 @@ def invite_designer(
         recipient=address,
         link_id=invitation.id,
         kind=kind.value,
-        subject_name=standing.project.name,
+        subject_name=access.project.name,
         from_name=inviter.name,
         note=note,
     )
@@ -69,12 +69,12 @@ def invite_designer(
 
 def invitations_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[ProjectInvitation]:
     """Return the project's invitations, but for those withdrawn."""
-    standing_in(session, actor, project_id).ensure_speaks()
+    project_access(session, actor, project_id).ensure_may_speak()
     return queries.invitations(session, project_id)
 
 
 def revoke_invitation(session: Session, actor: Actor, project_id: UUID, invitation_id: UUID) -> None:
-    """Make an invitation's link worthless; an engagement made by it remains."""
+    """Revoke an invitation's link; an engagement made by it remains."""
     for invitation in invitations_of(session, actor, project_id):
         if invitation.id == invitation_id:
             invitation.revoked_at = clock.now()
@@ -91,8 +91,8 @@ def accept_invitation(
     Accepting again is accepting once.
     """
     invitation = invitation_by_secret(session, secret)
-    designer = person_for_link(session, actor, invitation.email, invitation, name=name, password=password)
-    with beyond_reach(session):  # the project is not in sight of whoever is engaged on it now
+    designer = person_by_link(session, actor, invitation.email, invitation, name=name, password=password)
+    with bypass_row_policies(session):  # the designer being engaged cannot see the project yet
         engagement = queries.any_engagement_of(session, invitation.project_id, designer.id)
         if invitation.accepted_at is not None and engagement is not None:
             return engagement
@@ -122,7 +122,7 @@ def change_engagement(
     ended: bool | None = None,
 ) -> Engagement:
     """Change a designer's tie, end it or take it up again; what is None stays. The designer's work remains."""
-    standing_in(session, actor, project_id).ensure_producer()
+    project_access(session, actor, project_id).ensure_producer()
     engagement = queries.engagement_by_id(session, project_id, engagement_id)
     if engagement is None:
         raise EngagementNotFound(f"no engagement {engagement_id} in this project")

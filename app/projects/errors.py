@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
 
@@ -35,8 +35,8 @@ class ProducerNeeded(Forbidden):
     """Only a producer of the studio may do this."""
 
 
-class DeciderNeeded(Forbidden):
-    """Only the project's decider may do this."""
+class ApproverNeeded(Forbidden):
+    """Only the project's approver may do this."""
 
 
 class DesignerNeeded(Forbidden):
@@ -47,21 +47,21 @@ class NdaNeeded(Forbidden):
     """The project shows brief, list and spec to designers who accepted its non-disclosure agreement."""
 
 
-class LiaisonDecides(Conflict):
-    """The liaison has the last word; somebody else must have it before they can go."""
+class LiaisonIsApprover(Conflict):
+    """The liaison is the approver; another approver must be named first."""
 
 
-class SpecMovedOn(Conflict):
-    """The spec was changed by somebody else since it was read."""
+class SpecChanged(Conflict):
+    """The spec was changed by another person since it was read."""
 
 
 class AlreadyEngaged(Conflict):
     """The designer is engaged on the project already."""
 
 
-class CannotDecide(Invalid):
-    """The last word belongs to a liaison of the project or a producer of the studio."""
+class CannotApprove(Invalid):
+    """The approver is a liaison of the project or a producer of the studio."""
 
 
 class BadSpec(Invalid):
-    """What was sent is no delivery spec; `errors` names the places."""
+    """The text is no delivery spec; `errors` names the places."""

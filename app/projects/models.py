@@ -28,6 +28,11 @@ class Project(Base):
     nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
     studio: Mapped[Studio] = relationship(lazy="raise")
 
+    @property
+    def project_id(self) -> UUID:
+        """The project itself, as everything else in it names it."""
+        return self.id
+
 
 class Spec(Base):
     """One version of a project's delivery spec, as TOML; the newest holds."""
@@ -48,7 +53,7 @@ class Spec(Base):
 
 
 class Liaison(Base):
-    """A person of the studio who speaks for the team in a project."""
+    """A member of the studio who acts for the team in a project."""
 
     __tablename__ = "projects_liaisons"
 
@@ -59,10 +64,10 @@ class Liaison(Base):
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class DeciderChange(Base):
-    """Who has had the last word since when, and why it changed; the newest row holds."""
+class ApproverChange(Base):
+    """The approvers of a project, since when, and why it changed; the newest row holds."""
 
-    __tablename__ = "projects_decider_changes"
+    __tablename__ = "projects_approver_changes"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -76,7 +81,7 @@ class DeciderChange(Base):
 
 
 class Engagement(Base):
-    """A designer's tie to a project; while it lasts the designer sees spec, list and their own work."""
+    """A designer's engagement on a project; while it lasts the designer sees spec, list and their own work."""
 
     __tablename__ = "projects_engagements"
     __table_args__ = (

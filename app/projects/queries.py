@@ -11,11 +11,11 @@ from sqlalchemy.orm import Session, joinedload
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Actor
 from app.kit import clock
-from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
+from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 
 
 def project_by_id(session: Session, project_id: UUID) -> Project | None:
-    """Return a project without asking who looks; for services that check the caller's standing, and for jobs."""
+    """Return a project without a check of the caller; for services that check the caller's standing, and for jobs."""
     return session.get(Project, project_id)
 
 
@@ -24,13 +24,13 @@ def projects_count(session: Session, studio_id: UUID) -> int:
     return session.scalar(select(func.count()).where(Project.studio_id == studio_id)) or 0
 
 
-def facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
-    """Return the statement for the fields of StandingFacts, of `person_id`, in whichever projects the caller adds."""
+def access_facts_query() -> Select[Project, Engagement, bool, UUID]:
+    """Return the statement for the fields of AccessFacts, of `person_id`, in whichever projects the caller adds."""
     person_id = bindparam("person_id", type_=Uuid())
     named = (
-        select(DeciderChange.person_id)
-        .where(DeciderChange.project_id == Project.id)
-        .order_by(DeciderChange.id.desc())
+        select(ApproverChange.person_id)
+        .where(ApproverChange.project_id == Project.id)
+        .order_by(ApproverChange.id.desc())
         .limit(1)
         .scalar_subquery()
     )
@@ -42,31 +42,31 @@ def facts_of_standing() -> Select[Project, Engagement, bool, UUID]:
 
 
 # Built once: nearly every request asks for it.
-_STANDING = facts_of_standing().where(Project.id == bindparam("project_id", type_=Uuid()))
+_ACCESS_FACTS = access_facts_query().where(Project.id == bindparam("project_id", type_=Uuid()))
 
 
-class StandingFacts(NamedTuple):
-    """A project, and what makes somebody something in it."""
+class AccessFacts(NamedTuple):
+    """A project, and the caller's roles in it."""
 
     project: Project
     engagement: Engagement | None
     is_liaison: bool
-    named_decider_id: UUID | None
+    named_approver_id: UUID | None
 
     @property
-    def decider_id(self) -> UUID:
-        """Who has the last word: the one named last, else the producer who opened the project."""
-        return self.named_decider_id or self.project.created_by
+    def approver_id(self) -> UUID:
+        """The approver: the one named last, else the producer who opened the project."""
+        return self.named_approver_id or self.project.created_by
 
 
-def standing_facts(session: Session, project_id: UUID, person_id: UUID) -> StandingFacts | None:
+def access_facts(session: Session, project_id: UUID, person_id: UUID) -> AccessFacts | None:
     """Return what a person's standing in a project depends on, without asking what they may see."""
-    row = session.execute(_STANDING, {"project_id": project_id, "person_id": person_id}).one_or_none()
-    return StandingFacts._make(row) if row else None
+    row = session.execute(_ACCESS_FACTS, {"project_id": project_id, "person_id": person_id}).one_or_none()
+    return AccessFacts._make(row) if row else None
 
 
 def lock_project(session: Session, project_id: UUID) -> None:
-    """Let nobody else number a version in this project until the transaction ends."""
+    """Lock the numbering of versions in this project until the transaction ends."""
     session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
 
 
@@ -125,23 +125,23 @@ def is_engaged_address(session: Session, project_id: UUID, email: str) -> bool:
     return session.scalar(running) is not None
 
 
-def decider_id(project: Project) -> ColumnElement[UUID]:
-    """Return, as part of a query, who has the last word: the one named last, else who opened the project."""
-    named = select(DeciderChange.person_id).where(DeciderChange.project_id == project.id)
-    return func.coalesce(named.order_by(DeciderChange.id.desc()).limit(1).scalar_subquery(), project.created_by)
+def approver_id(project: Project) -> ColumnElement[UUID]:
+    """Return the approver as part of a query: the one named last, else who opened the project."""
+    named = select(ApproverChange.person_id).where(ApproverChange.project_id == project.id)
+    return func.coalesce(named.order_by(ApproverChange.id.desc()).limit(1).scalar_subquery(), project.created_by)
 
 
-def decider_of(session: Session, project: Project) -> UUID:
-    """Return who has the last word in a project."""
-    return session.scalars(select(decider_id(project))).one()
+def approver_of(session: Session, project: Project) -> UUID:
+    """Return the approver of a project."""
+    return session.scalars(select(approver_id(project))).one()
 
 
-def deciders_of(session: Session, projects: Collection[Project]) -> dict[UUID, Person]:
-    """Return who has the last word in each project, by its id."""
-    order = func.row_number().over(partition_by=DeciderChange.project_id, order_by=DeciderChange.id.desc())
+def approvers_of(session: Session, projects: Collection[Project]) -> dict[UUID, Person]:
+    """Return the approver of each project, by its id."""
+    order = func.row_number().over(partition_by=ApproverChange.project_id, order_by=ApproverChange.id.desc())
     numbered = (
-        select(DeciderChange.project_id, DeciderChange.person_id, order.label("place"))
-        .where(DeciderChange.project_id.in_([project.id for project in projects]))
+        select(ApproverChange.project_id, ApproverChange.person_id, order.label("place"))
+        .where(ApproverChange.project_id.in_([project.id for project in projects]))
         .subquery()
     )
     newest = select(numbered.c.project_id, numbered.c.person_id).where(numbered.c.place == 1)
@@ -153,18 +153,18 @@ def deciders_of(session: Session, projects: Collection[Project]) -> dict[UUID, P
     return {project_id: people[person_id] for project_id, person_id in ids.items()}
 
 
-def decider_changes(session: Session, project_id: UUID) -> Sequence[DeciderChange]:
-    """Return who had the last word, newest first."""
+def approver_changes(session: Session, project_id: UUID) -> Sequence[ApproverChange]:
+    """Return the project's approvers, newest first."""
     return session.scalars(
-        select(DeciderChange)
-        .where(DeciderChange.project_id == project_id)
-        .options(joinedload(DeciderChange.person), joinedload(DeciderChange.changer))
-        .order_by(DeciderChange.id.desc())
+        select(ApproverChange)
+        .where(ApproverChange.project_id == project_id)
+        .options(joinedload(ApproverChange.person), joinedload(ApproverChange.changer))
+        .order_by(ApproverChange.id.desc())
     ).all()
 
 
 def is_liaison(session: Session, project_id: UUID, person_id: UUID) -> bool:
-    """Whether a person speaks for the team in a project."""
+    """Whether a person acts for the team in a project."""
     return session.get(Liaison, (project_id, person_id)) is not None
 
 
@@ -204,7 +204,7 @@ def current_spec(session: Session, project_id: UUID) -> Spec:
 
 
 def current_spec_and_author(session: Session, project_id: UUID) -> Spec:
-    """Return the newest version of the delivery spec with whoever saved it."""
+    """Return the newest version of the delivery spec with the person who saved it."""
     with_author = _newest_spec().options(joinedload(Spec.author))
     return session.scalars(with_author, {"project_id": project_id}).one()
 

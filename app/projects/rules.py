@@ -1,10 +1,10 @@
-"""Who decides, who is engaged, what a number looks like, what a form says: without a database."""
+"""Approvers, engagements, numbers of cues and forms: without a database."""
 
 from collections.abc import Mapping
 from enum import StrEnum
 from typing import Any
 
-from app.projects.errors import CannotDecide
+from app.projects.errors import CannotApprove
 
 
 class EngagementKind(StrEnum):
@@ -15,11 +15,14 @@ class EngagementKind(StrEnum):
     IN_HOUSE = "in-house"
 
 
-def ensure_can_decide(*, is_liaison: bool, is_producer: bool) -> None:
-    """Raise CannotDecide unless the person may be given the last word."""
+def ensure_can_approve(*, is_liaison: bool, is_producer: bool) -> None:
+    """Raise CannotApprove unless the person may be the approver."""
     if not (is_liaison or is_producer):
-        message = "the approver is a liaison of this project or a producer of the studio; make them a liaison first"
-        raise CannotDecide(message, errors=[{"where": "person_id", "message": message}])
+        message = (
+            "the approver must be an audio lead of this project or a producer of the studio; "
+            "make them an audio lead first"
+        )
+        raise CannotApprove(message, errors=[{"where": "person_id", "message": message}])
 
 
 def stated(tables: Mapping[str, Any]) -> dict[str, Any]:

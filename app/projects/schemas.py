@@ -1,4 +1,4 @@
-"""What projects are asked and answer."""
+"""Bodies and answers of projects."""
 
 from datetime import datetime
 from typing import Annotated, Any, Literal
@@ -27,7 +27,7 @@ class ProjectAdd(Schema):
 
 
 class ProjectChange(Schema):
-    """What is to be different; what is left out stays."""
+    """Changes; omitted fields stay."""
 
     name: Line | None = None
     description: Prose | None = None
@@ -48,18 +48,18 @@ class EngagementRead(Schema):
 
 
 class Mine(Schema):
-    """What the caller is in the project."""
+    """The caller's roles in the project."""
 
     is_team: bool
     is_producer: bool
     is_liaison: bool
-    is_decider: bool
+    is_approver: bool
     engagement_kind: EngagementKind | None
     nda_open: bool = Field(description="Brief, list and spec open once the caller has accepted the project's NDA.")
 
 
 class ProjectRead(Schema):
-    """A project as its page heads it; a designer is shown no engagement but their own."""
+    """A project as its page's header shows it; a designer sees only their own engagement."""
 
     id: UUID
     name: str
@@ -69,22 +69,35 @@ class ProjectRead(Schema):
     archived_at: datetime | None
     nda_needed: bool = Field(description="Designers see brief, list and spec once they accepted an NDA.")
     studio: StudioBrief
-    decider: PersonBrief
+    approver: PersonBrief
     liaisons: list[PersonBrief]
     engagements: list[EngagementRead]
     mine: Mine
     spec_version: int
 
 
-class DeciderAdd(Schema):
-    """Who has the last word from now on, and why."""
+class ApproverAdd(Schema):
+    """The new approver, and why."""
 
     person_id: UUID
     reason: Reason
 
 
-class DeciderChangeRead(Schema):
-    """Who got the last word, from whom, and why."""
+class ApproverInvite(Schema):
+    """The address of the person who becomes the approver."""
+
+    email: Email
+
+
+class ApproverInvited(Schema):
+    """Whether the address is the approver now, or becomes it on joining."""
+
+    email: str
+    is_named: bool = Field(description="A member of the studio is named at once; others once they join.")
+
+
+class ApproverChangeRead(Schema):
+    """The new approver, the former one, and why."""
 
     person: PersonBrief
     reason: str
@@ -100,7 +113,7 @@ class RangeRead(Schema):
 
 
 class AcceptRead(Schema):
-    """What a delivered file may be; null accepts anything that can be read."""
+    """The accepted formats of delivered files; null accepts anything that can be read."""
 
     containers: list[str] | None
     encodings: list[str] | None
@@ -137,7 +150,7 @@ class NameTokenRead(Schema):
 
 
 class NamingRead(Schema):
-    """How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System."""
+    """The naming of files: by a pattern, by tokens, or by the grammar of the Universal Category System."""
 
     pattern: str | None
     extension: str | None
@@ -148,13 +161,13 @@ class NamingRead(Schema):
 
 
 class EngineRead(Schema):
-    """What the game adds, so files come without it."""
+    """Effects that the game adds, so files come without them."""
 
     adds: list[str]
 
 
 class TargetRead(Schema):
-    """What renders are made to."""
+    """The format of renders."""
 
     name: str
     sample_rate_hz: int
@@ -218,7 +231,7 @@ class SpecFormChange(Schema):
     based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
 
 
-class SpecTry(Schema):
+class SpecDraftCheck(Schema):
     """A spec to look at before it is saved: its text, or its tables."""
 
     model_config = ConfigDict(str_strip_whitespace=False)
@@ -227,13 +240,13 @@ class SpecTry(Schema):
     tables: dict[str, Any] | None = None
 
     @model_validator(mode="after")
-    def _is_one_of_both(self) -> "SpecTry":
+    def _is_one_of_both(self) -> "SpecDraftCheck":
         if (self.toml is None) == (self.tables is None):
             raise ValueError("send either toml or tables")
         return self
 
 
-class SpecTried(Schema):
+class SpecDraftChecked(Schema):
     """The text, the tables it says and what they come to, with what is probably not meant."""
 
     model_config = ConfigDict(str_strip_whitespace=False)
@@ -275,14 +288,14 @@ class InvitationAccepted(Schema):
 
 
 class EngagementChange(Schema):
-    """What is to be different; what is left out stays."""
+    """Changes; omitted fields stay."""
 
     kind: EngagementKind | None = None
     ended: bool | None = None
 
 
 class TokenAdd(Schema):
-    """What a build's key is for, and what it may do."""
+    """The purpose and rights of a build's token."""
 
     name: Line
     scopes: list[Scope] = Field(min_length=1)

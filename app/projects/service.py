@@ -1,4 +1,4 @@
-"""Projects: who stands where in one, and the steps that change it."""
+"""Projects: access to them, and the steps that change them."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
@@ -8,46 +8,46 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 import audio_checks
-from app.accounts.doors import sha256_of
+from app.accounts.authentication import sha256_of
 from app.accounts.models import Person, Token
 from app.accounts.queries import membership, project_token, project_tokens
 from app.accounts.quotas import QuotaKind, ensure_room
 from app.accounts.rules import Actor, Role, Scope
 from app.accounts.service import add_token, ensure_producer_of
 from app.kit import clock
-from app.kit.db import beyond_reach, reach_further
+from app.kit.db import bypass_row_policies, widen_reach
 from app.kit.events import publish
 from app.kit.reach import Reach
 from app.projects import queries
 from app.projects.errors import (
-    DeciderNeeded,
+    ApproverNeeded,
     DesignerNeeded,
     InvitationNotFound,
-    LiaisonDecides,
+    LiaisonIsApprover,
     LiaisonNotFound,
     NdaNeeded,
     ProducerNeeded,
     ProjectNotFound,
-    SpecMovedOn,
+    SpecChanged,
     SpecVersionNotFound,
     TeamNeeded,
     TokenNotFound,
 )
-from app.projects.models import DeciderChange, Engagement, Liaison, Project, ProjectInvitation, Spec
-from app.projects.rules import ensure_can_decide
-from app.projects.sight import nda_is_open
+from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
+from app.projects.rules import ensure_can_approve
 from app.projects.specs import add_version, read_spec
+from app.projects.visibility import nda_is_pending
 
 
 @dataclass(frozen=True)
-class Standing:
-    """What a caller is in one project; whoever has one sees the project."""
+class ProjectAccess:
+    """A caller's roles in one project; a caller with access sees the project."""
 
     project: Project
     actor: Actor
     roles: frozenset[Role]
     is_liaison: bool
-    is_decider: bool
+    is_approver: bool
     engagement: Engagement | None
 
     @property
@@ -75,23 +75,23 @@ class Standing:
         if not self.is_producer:
             raise ProducerNeeded("only a producer of the studio can do this")
 
-    def ensure_speaks(self) -> None:
-        """Raise TeamNeeded unless the caller speaks for the team: a producer, a liaison or the decider."""
-        if not (self.is_producer or self.is_liaison or self.is_decider):
-            raise TeamNeeded("only a producer or a liaison of this project can do this")
+    def ensure_may_speak(self) -> None:
+        """Raise TeamNeeded unless the caller acts for the team: a producer, a liaison or the approver."""
+        if not (self.is_producer or self.is_liaison or self.is_approver):
+            raise TeamNeeded("only a producer or an audio lead of this project can do this")
 
     def ensure_party(self) -> None:
-        """Raise TeamNeeded for members of the studio who do not speak for it, and so see no contract and no money.
+        """Raise TeamNeeded for members of the studio who do not act for it, and so see no contract and no money.
 
         Designers pass: they see their own.
         """
         if self.is_team:
-            self.ensure_speaks()
+            self.ensure_may_speak()
 
-    def ensure_decider(self) -> None:
-        """Raise DeciderNeeded unless the caller has the last word."""
-        if not self.is_decider:
-            raise DeciderNeeded("you advise here: only the project's approver decides; comment instead")
+    def ensure_approver(self) -> None:
+        """Raise ApproverNeeded unless the caller is the approver."""
+        if not self.is_approver:
+            raise ApproverNeeded("only the project's approver decides; add a comment instead")
 
     def ensure_designer(self) -> Engagement:
         """Return the caller's engagement, or raise DesignerNeeded."""
@@ -100,8 +100,8 @@ class Standing:
         return self.engagement
 
 
-def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda: bool = False) -> Standing:
-    """Return what the caller is in a project; raise ProjectNotFound where they may not see it.
+def project_access(session: Session, actor: Actor, project_id: UUID, *, before_nda: bool = False) -> ProjectAccess:
+    """Return the caller's access to a project; raise ProjectNotFound if they may not see it.
 
     Raises NdaNeeded for a designer who has not accepted the NDA that the project asks for, but for what may be seen
     `before_nda`.
@@ -110,40 +110,45 @@ def standing_in(session: Session, actor: Actor, project_id: UUID, *, before_nda:
         built = queries.project_by_id(session, project_id)
         if built is None or actor.token_project_id != built.id:
             raise ProjectNotFound(f"no project {project_id}")
-        return Standing(built, actor, frozenset(), is_liaison=False, is_decider=False, engagement=None)
-    facts = queries.standing_facts(session, project_id, actor.person_id) if actor.person_id else None
+        return ProjectAccess(built, actor, frozenset(), is_liaison=False, is_approver=False, engagement=None)
+    facts = queries.access_facts(session, project_id, actor.person_id) if actor.person_id else None
     if facts is None:
         raise ProjectNotFound(f"no project {project_id}")
-    return standing_of(actor, facts, before_nda=before_nda)
+    return access_from_facts(actor, facts, before_nda=before_nda)
 
 
-def standing_of(actor: Actor, facts: queries.StandingFacts, *, before_nda: bool = False) -> Standing:
-    """Return what a person is in a project by these facts of theirs; raise as `standing_in` does."""
+def ensure_speaks_in(session: Session, actor: Actor, project_id: UUID) -> None:
+    """Raise TeamNeeded unless the caller acts for the studio in a project."""
+    project_access(session, actor, project_id).ensure_may_speak()
+
+
+def access_from_facts(actor: Actor, facts: queries.AccessFacts, *, before_nda: bool = False) -> ProjectAccess:
+    """Return what a person is in a project by these facts of theirs; raise as `project_access` does."""
     project, engagement = facts.project, facts.engagement
     roles = actor.roles_in(project.studio_id)
     if not roles and engagement is None:
         raise ProjectNotFound(f"no project {project.id}")
-    if not roles and not before_nda and engagement is not None and nda_is_open(project, engagement):
+    if not roles and not before_nda and engagement is not None and nda_is_pending(project, engagement):
         raise NdaNeeded(
-            "this project shows its brief, list and spec once its non-disclosure agreement is accepted",
-            fix="read and accept it under Contract; if nothing waits there, the studio has not sent it yet",
+            "this project shows its brief, list and spec once its non-disclosure agreement is signed",
+            fix="read and sign it under Contract; if there is none, the studio has not sent it yet",
         )
-    return Standing(
+    return ProjectAccess(
         project=project,
         actor=actor,
         roles=roles,
         is_liaison=bool(roles) and facts.is_liaison,
-        is_decider=bool(roles) and facts.decider_id == actor.person_id,
+        is_approver=bool(roles) and facts.approver_id == actor.person_id,
         engagement=engagement,
     )
 
 
 @dataclass(frozen=True)
 class ProjectOverview:
-    """A project as its page heads it; a designer is shown no engagement but their own."""
+    """A project as its page's header shows it; a designer sees only their own engagement."""
 
     project: Project
-    decider: Person
+    approver: Person
     liaisons: Sequence[Person]
     engagements: Sequence[Engagement]
     spec_version: int
@@ -157,13 +162,13 @@ class ProjectOverview:
 
     @property
     def is_liaison(self) -> bool:
-        """Whether the caller speaks for the team."""
+        """Whether the caller acts for the team."""
         return bool(self.roles) and any(person.id == self.person_id for person in self.liaisons)
 
     @property
-    def is_decider(self) -> bool:
-        """Whether the caller has the last word."""
-        return bool(self.roles) and self.decider.id == self.person_id
+    def is_approver(self) -> bool:
+        """Whether the caller is the approver."""
+        return bool(self.roles) and self.approver.id == self.person_id
 
     @property
     def own_engagement(self) -> Engagement | None:
@@ -175,7 +180,7 @@ class ProjectOverview:
 def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> list[ProjectOverview]:
     """Return projects that the caller sees as their pages head them, in the given order."""
     ids = [project.id for project in projects]
-    deciders = queries.deciders_of(session, projects)
+    approvers = queries.approvers_of(session, projects)
     versions = queries.spec_versions_of(session, ids)
     liaisons: defaultdict[UUID, list[Person]] = defaultdict(list)
     for liaison in queries.liaisons_of(session, ids):
@@ -186,7 +191,7 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
     return [
         ProjectOverview(
             project=project,
-            decider=deciders[project.id],
+            approver=approvers[project.id],
             liaisons=liaisons[project.id],
             engagements=[
                 engagement
@@ -203,12 +208,12 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
 
 def overview(session: Session, actor: Actor, project_id: UUID) -> ProjectOverview:
     """Return one project as its page heads it."""
-    standing = standing_in(session, actor, project_id, before_nda=True)
-    session.refresh(standing.project, ["studio"])
-    return overviews(session, actor, [standing.project])[0]
+    access = project_access(session, actor, project_id, before_nda=True)
+    session.refresh(access.project, ["studio"])
+    return overviews(session, actor, [access.project])[0]
 
 
-def open_project(
+def create_project(
     session: Session,
     actor: Actor,
     studio_id: UUID,
@@ -218,7 +223,7 @@ def open_project(
     description: str = "",
     preset: str = "44k1",
 ) -> Project:
-    """Make a project with the field's default spec; whoever opens it decides until somebody is named."""
+    """Create a project with the field's default spec; its creator is the approver until another is named."""
     ensure_producer_of(session, actor, studio_id)
     ensure_room(session, studio_id, QuotaKind.PROJECTS, queries.projects_count)
     project = Project(
@@ -242,10 +247,10 @@ def change_project(
     archived: bool | None = None,
     nda_needed: bool | None = None,
 ) -> None:
-    """Change what a project is called and asks for, or put it away; what is None stays."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_producer()
-    project = standing.project
+    """Change a project's name and settings, or archive it; None leaves a value as it is."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    project = access.project
     project.name = project.name if name is None else name
     project.description = project.description if description is None else description
     project.cue_prefix = project.cue_prefix if cue_prefix is None else cue_prefix
@@ -256,10 +261,10 @@ def change_project(
 
 
 def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
-    """Let a member of the studio speak for the team in this project."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_producer()
-    studio_id = standing.project.studio_id
+    """Make a member of the studio a liaison of this project."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    studio_id = access.project.studio_id
     if membership(session, studio_id, person_id) is None:
         raise LiaisonNotFound(f"no person {person_id} in this studio", fix="invite them into the studio first")
     if not queries.is_liaison(session, project_id, person_id):
@@ -268,30 +273,30 @@ def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUI
 
 
 def remove_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
-    """Let somebody speak for the team no longer; raise LiaisonDecides while they have the last word."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_producer()
+    """Remove a liaison; raise LiaisonIsApprover while they are the approver."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
     liaison = session.get(Liaison, (project_id, person_id))
     if liaison is None:
-        raise LiaisonNotFound(f"no liaison {person_id} in this project")
-    if queries.decider_of(session, standing.project) == person_id:
-        raise LiaisonDecides("this liaison is the project's approver", fix="name another approver first")
+        raise LiaisonNotFound(f"no audio lead {person_id} in this project")
+    if queries.approver_of(session, access.project) == person_id:
+        raise LiaisonIsApprover("this audio lead is the project's approver", fix="name another approver first")
     session.delete(liaison)
     session.flush()
 
 
-def name_decider(session: Session, actor: Actor, project_id: UUID, *, person_id: UUID, reason: str) -> None:
-    """Give the last word to a liaison, or to a producer who takes it over; who, when and why is kept."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_producer()
-    project = standing.project
+def name_approver(session: Session, actor: Actor, project_id: UUID, *, person_id: UUID, reason: str) -> None:
+    """Make a liaison the approver, or a producer who takes over; who, when and why is kept."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    project = access.project
     place = membership(session, project.studio_id, person_id)
-    ensure_can_decide(
+    ensure_can_approve(
         is_liaison=place is not None and queries.is_liaison(session, project_id, person_id),
         is_producer=place is not None and Role.PRODUCER in place.roles,
     )
     session.add(
-        DeciderChange(
+        ApproverChange(
             studio_id=project.studio_id,
             project_id=project_id,
             person_id=person_id,
@@ -302,21 +307,21 @@ def name_decider(session: Session, actor: Actor, project_id: UUID, *, person_id:
     session.flush()
 
 
-def decider_history(session: Session, actor: Actor, project_id: UUID) -> Sequence[DeciderChange]:
-    """Return who had the last word, newest first."""
-    standing_in(session, actor, project_id).ensure_team()
-    return queries.decider_changes(session, project_id)
+def approver_history(session: Session, actor: Actor, project_id: UUID) -> Sequence[ApproverChange]:
+    """Return the project's approvers, newest first."""
+    project_access(session, actor, project_id).ensure_team()
+    return queries.approver_changes(session, project_id)
 
 
 def spec_in_force(session: Session, actor: Actor, project_id: UUID) -> Spec:
     """Return the spec that holds now."""
-    standing_in(session, actor, project_id)
+    project_access(session, actor, project_id)
     return queries.current_spec_and_author(session, project_id)
 
 
 def spec_version(session: Session, actor: Actor, project_id: UUID, number: int) -> Spec:
     """Return one version of the spec."""
-    standing_in(session, actor, project_id)
+    project_access(session, actor, project_id)
     spec = queries.spec_version(session, project_id, number)
     if spec is None:
         raise SpecVersionNotFound(f"this project has no spec of version {number}")
@@ -325,30 +330,30 @@ def spec_version(session: Session, actor: Actor, project_id: UUID, number: int) 
 
 def spec_versions(session: Session, actor: Actor, project_id: UUID, *, below: int | None, limit: int) -> Sequence[Spec]:
     """Return the versions of the spec, newest first."""
-    standing_in(session, actor, project_id)
+    project_access(session, actor, project_id)
     return queries.spec_versions(session, project_id, below=below, limit=limit)
 
 
 def save_spec(
     session: Session, actor: Actor, project_id: UUID, *, toml: str, based_on_version: int, note: str = ""
 ) -> Spec:
-    """Add a version to the spec, and have the takes that it touches judged anew.
+    """Add a version to the spec, and have the affected takes checked again.
 
-    Raises BadSpec for what is no spec, SpecMovedOn when the newest version is not the one that was edited.
+    Raises BadSpec for what is no spec, SpecChanged when the newest version is not the one that was edited.
     """
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_speaks()
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
     read = read_spec(toml)
     queries.lock_project(session, project_id)
     newest = queries.current_spec_and_author(session, project_id)
     if newest.version != based_on_version:
-        raise SpecMovedOn(
+        raise SpecChanged(
             f"{newest.author.name} saved version {newest.version}; yours began from version {based_on_version}",
             fix=f"compare with version {newest.version}, then save what you still want",
         )
     if newest.toml == toml:
         return newest
-    spec = add_version(session, standing.project, actor.person, toml=toml, number=newest.version + 1, note=note)
+    spec = add_version(session, access.project, actor.person, toml=toml, number=newest.version + 1, note=note)
     if read.sha256 != newest.sha256:
         publish(
             session,
@@ -366,11 +371,11 @@ def invitation_by_secret(session: Session, secret: str) -> ProjectInvitation:
 
     Raises InvitationNotFound for a link that is unknown, withdrawn or too old; an accepted one still shows the list.
     """
-    with beyond_reach(session):  # the secret is all that says whose invitation it is
+    with bypass_row_policies(session):  # only the secret identifies the invitation
         invitation = queries.invitation_by_secret(session, sha256_of(secret))
     if invitation is None:
-        raise InvitationNotFound("this invitation is unknown, withdrawn or too old", fix="ask the studio for a new one")
-    reach_further(session, Reach(project_id=invitation.project_id))
+        raise InvitationNotFound("this invitation is unknown, withdrawn or expired", fix="ask the studio for a new one")
+    widen_reach(session, Reach(project_id=invitation.project_id))
     return invitation
 
 
@@ -378,11 +383,11 @@ def create_token(
     session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope]
 ) -> tuple[Token, str]:
     """Make a key for the project's builds; its secret is shown this once."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_producer()
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
     return add_token(
         session,
-        studio_id=standing.project.studio_id,
+        studio_id=access.project.studio_id,
         project_id=project_id,
         created_by=actor.person,
         name=name,
@@ -408,13 +413,13 @@ def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collec
 
 def tokens_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Token]:
     """Return the project's tokens, without their secrets."""
-    standing_in(session, actor, project_id).ensure_producer()
+    project_access(session, actor, project_id).ensure_producer()
     return project_tokens(session, project_id)
 
 
 def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUID) -> None:
-    """Make a token worthless at once."""
-    standing_in(session, actor, project_id).ensure_producer()
+    """Revoke a token at once."""
+    project_access(session, actor, project_id).ensure_producer()
     token = project_token(session, project_id, token_id)
     if token is None:
         raise TokenNotFound(f"no token {token_id} in this project")

@@ -5,17 +5,16 @@ from uuid import UUID
 
 from fastapi import Depends, Header, Path, Request, Response
 from fastapi.responses import PlainTextResponse
-from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 import audio_checks
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
-from app.kit.parsing_turns import ParsingBusy, parse_request
+from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects import schemas, service, specs
-from app.projects.errors import BadSpec, ProjectNotFound, SpecMovedOn, SpecVersionNotFound, TeamNeeded
+from app.projects.errors import BadSpec, ProjectNotFound, SpecChanged, SpecVersionNotFound, TeamNeeded
 from app.projects.models import Spec
 
 PAGE_ROWS = 50
@@ -23,8 +22,8 @@ router = Router(prefix="/v1", tags=["projects"], route_class=Route)
 SentForm: TypeAlias = tuple[schemas.SpecFormChange, str]  # with the text that it comes to
 
 
-def _tried(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecTried:
-    return schemas.SpecTried(
+def _checked_draft(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecDraftChecked:
+    return schemas.SpecDraftChecked(
         toml=toml,
         sha256=spec.sha256,
         tables=spec.tables,
@@ -34,14 +33,14 @@ def _tried(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecTried:
 
 
 def _spec(spec: Spec) -> schemas.SpecRead:
-    tried = _tried(spec.toml, specs.read_spec(spec.toml))
+    tried = _checked_draft(spec.toml, specs.read_spec(spec.toml))
     brief = schemas.SpecBrief.model_validate(spec)
     return schemas.SpecRead.model_validate(tried.model_dump() | brief.model_dump())
 
 
 @router.get("/projects/{project_id}/spec", responses=problems(ProjectNotFound))
 def read_spec(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.SPEC_READ)
 ) -> schemas.SpecRead:
     """Return the delivery spec that holds now."""
     return _spec(service.spec_in_force(session, actor, project_id))
@@ -56,7 +55,7 @@ def download_spec(
     project_id: UUID,
     session: DbSession,
     if_none_match: Annotated[str | None, Header()] = None,
-    actor: Actor = allows(Sight.PROJECT, build=Scope.SPEC_READ),
+    actor: Actor = allows(Audience.PROJECT, build=Scope.SPEC_READ),
 ) -> Response:
     """Return the delivery spec as the file that audio-checks reads."""
     spec = service.spec_in_force(session, actor, project_id)
@@ -71,7 +70,7 @@ def download_spec(
 
 @router.get("/projects/{project_id}/spec/versions", responses=problems(ProjectNotFound, BadCursor))
 def list_spec_versions(
-    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Sight.PROJECT)
+    project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.PROJECT)
 ) -> Page[schemas.SpecBrief]:
     """Return the versions of the spec, newest first."""
     below = number_cursor(cursor)
@@ -86,21 +85,17 @@ def read_spec_version(
     project_id: UUID,
     version: Annotated[int, Path(ge=1, le=2**31 - 1)],
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> schemas.SpecRead:
     """Return one version of the spec."""
     return _spec(service.spec_version(session, actor, project_id, version))
 
 
 async def _ensure_readable(request: Request, project_id: UUID, toml: str, *, saves: bool) -> None:
-    def permit(session: Session, actor: Actor) -> None:
-        standing = service.standing_in(session, actor, project_id)
-        if saves:
-            standing.ensure_speaks()
-
     specs.ensure_short(toml)
+    permit = service.ensure_speaks_in if saves else service.project_access
     try:
-        await parse_request(request, audio_checks.parse_spec, toml, refusal=BadSpec, permit=permit)
+        await parse_request(request, audio_checks.parse_spec, toml, refusal=BadSpec, permit=permit, whose=project_id)
     except audio_checks.SpecError as error:
         raise specs.refusal_of(error) from None
 
@@ -116,7 +111,7 @@ async def _readable_form(request: Request, project_id: UUID, body: schemas.SpecF
     return body, toml
 
 
-async def _readable_draft(request: Request, project_id: UUID, body: schemas.SpecTry) -> str:
+async def _readable_draft(request: Request, project_id: UUID, body: schemas.SpecDraftCheck) -> str:
     toml = body.toml if body.toml is not None else await run_in_threadpool(specs.toml_of_form, body.tables or {})
     await _ensure_readable(request, project_id, toml, saves=False)
     return toml
@@ -124,16 +119,16 @@ async def _readable_draft(request: Request, project_id: UUID, body: schemas.Spec
 
 @router.put(
     "/projects/{project_id}/spec",
-    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec, ParsingBusy),
+    responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
     max_body_size=LARGE_BODY_BYTES,
 )
 def save_spec(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
     body: schemas.SpecChange = Depends(_readable_text),
 ) -> schemas.SpecRead:
-    """Save the spec from its text; takes that it touches are judged anew."""
+    """Save the spec from its text; affected takes are checked again."""
     return _spec(
         service.save_spec(
             session, actor, project_id, toml=body.toml, note=body.note, based_on_version=body.based_on_version
@@ -143,16 +138,16 @@ def save_spec(
 
 @router.post(
     "/projects/{project_id}/spec/form",
-    responses=problems(ProjectNotFound, TeamNeeded, SpecMovedOn, BadSpec, ParsingBusy),
+    responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
     max_body_size=LARGE_BODY_BYTES,
 )
 def save_spec_form(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
     sent: SentForm = Depends(_readable_form),
 ) -> schemas.SpecRead:
-    """Save the spec from the tables of a form; takes that it touches are judged anew."""
+    """Save the spec from the tables of a form; affected takes are checked again."""
     body, toml = sent
     return _spec(
         service.save_spec(session, actor, project_id, toml=toml, note=body.note, based_on_version=body.based_on_version)
@@ -164,12 +159,12 @@ def save_spec_form(
     responses=problems(ProjectNotFound, BadSpec, ParsingBusy),
     max_body_size=LARGE_BODY_BYTES,
 )
-def try_spec(
+def check_spec_draft(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
     toml: str = Depends(_readable_draft),
-) -> schemas.SpecTried:
-    """Say what a text or a form's tables come to, and what is wrong with them; nothing is saved."""
-    service.standing_in(session, actor, project_id)
-    return _tried(toml, specs.read_spec(toml))
+) -> schemas.SpecDraftChecked:
+    """Return the resolved spec of a text or a form's tables, and their errors; nothing is saved."""
+    service.project_access(session, actor, project_id)
+    return _checked_draft(toml, specs.read_spec(toml))

@@ -16,13 +16,13 @@ from app.projects.models import Project, Spec
 from app.projects.rules import stated
 
 FILE_NAME = "spec.toml"  # as parse_spec calls a text without a file
-MOST_CHARACTERS = 200_000
+MAX_CHARACTERS = 200_000
 
 
 def read_spec(toml: str) -> audio_checks.DeliverySpec:
-    """Return the spec that a TOML text says, or raise BadSpec naming the place.
+    """Return the spec of a TOML text, or raise BadSpec naming the place.
 
-    What a request brings is read in a child process first.
+    Text from a request is parsed in a child process first.
     """
     try:
         return _parsed(toml)
@@ -32,8 +32,8 @@ def read_spec(toml: str) -> audio_checks.DeliverySpec:
 
 def ensure_short(toml: str) -> None:
     """Raise BadSpec for a text that is longer than any spec needs."""
-    if len(toml) > MOST_CHARACTERS:
-        message = f"a spec may have {MOST_CHARACTERS:,} characters; this one has {len(toml):,}"
+    if len(toml) > MAX_CHARACTERS:
+        message = f"a spec may have {MAX_CHARACTERS:,} characters; this one has {len(toml):,}"
         raise BadSpec(message, errors=[{"where": "", "message": message}])
 
 
@@ -51,12 +51,12 @@ def refusal_of(error: audio_checks.SpecError) -> BadSpec:
 
 
 def toml_of_form(tables: Mapping[str, Any]) -> str:
-    """Return the TOML that says what a form states, or raise BadSpec."""
+    """Return the TOML of a form, or raise BadSpec."""
     try:
         toml = audio_checks.DeliverySpec(tables=stated(tables)).to_toml()
         toml.encode()
     except (RecursionError, UnicodeEncodeError):
-        message = "the form holds what no spec can say"
+        message = "the form has a value that no spec can have"
         raise BadSpec(message, errors=[{"where": "", "message": message}]) from None
     return toml
 

@@ -1,7 +1,7 @@
-"""Batches: every game file of a project made anew in one action, one by one, each on record before the next.
+"""Batches: every game file of a project rendered again in one action, one by one, each recorded before the next.
 
-A batch is planned in one go and then walked along a few lanes. Each lane is one job at a time, which writes its
-successor with what it made: so single uploads go before, nothing is made twice after a kill, and to cancel a batch
+A batch is planned in one go and then walked in a few lanes. Each lane is one job at a time, which writes its
+successor with what it made: so single uploads go first, nothing is made twice after a kill, and to cancel a batch
 is to change one row.
 """
 
@@ -23,7 +23,7 @@ from app.kit.queue import BULK, queue_of
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project, Spec
 from app.projects.queries import current_spec, lock_project, project_by_id
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.renders import queries, service
 from app.renders.errors import BatchEnded, BatchNotFound, NothingToRender, TargetUnknown
 from app.renders.models import Batch, BatchItem, Picture, Render, RenderSet
@@ -33,16 +33,16 @@ from app.sound_lists.rules import label
 
 LANES = 4
 TROUBLE_SHOWN = 100
-MAKE_NEXT = "renders.make_next_of_batch"
-CHECKED_FIRST = "its version is not admitted just now; its game files are made when it is"
-MOVED_ON = "the spec moved on; the batch of the newer spec makes it"
+RENDER_NEXT = "renders.render_next_of_batch"
+CHECKED_FIRST = "its version may not ship at the moment; its game files are made once it may"
+MOVED_ON = "the spec has changed; the batch of the newer spec makes it"
 
 
-def ask_for_batch(session: Session, actor: Actor, project_id: UUID, targets: Sequence[str]) -> Batch:
+def request_batch(session: Session, actor: Actor, project_id: UUID, targets: Sequence[str]) -> Batch:
     """Begin a batch over everything that may ship; raise NothingToRender where there is nothing, or no target."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_team()
-    standing.ensure_speaks()
+    access = project_access(session, actor, project_id)
+    access.ensure_team()
+    access.ensure_may_speak()
     known = list(queries.parsed_spec(current_spec(session, project_id).toml).targets)
     unknown = [target for target in targets if target not in known]
     if unknown:
@@ -50,11 +50,11 @@ def ask_for_batch(session: Session, actor: Actor, project_id: UUID, targets: Seq
     if not known or not queries.has_admitted_takes(session, project_id):
         missing = "version conforms" if known else "target is in the spec"
         raise NothingToRender(f"no {missing} yet, so there is no game file to make")
-    return begin(session, standing.project, asked_by=actor.person, targets=targets)
+    return begin(session, access.project, asked_by=actor.person, targets=targets)
 
 
 def begin(session: Session, project: Project, *, asked_by: UUID | None, targets: Sequence[str] = ()) -> Batch:
-    """Open a batch and ask for its plan; one that still runs in the project ends."""
+    """Open a batch and schedule its plan; a running one of the project ends."""
     lock_project(session, project.id)
     number = queries.last_batch_number(session, project.id) + 1
     for earlier in queries.open_batches(session, project.id):
@@ -144,11 +144,11 @@ class ItemOrder:
     batch_id: UUID
     place: int
     target: str
-    take: service.RenderOrder | None  # None: it may not ship just now
+    take: service.RenderOrder | None  # None: it may not ship at the moment
 
     @property
     def recipe(self) -> Recipe | None:
-        """How the file is to be made; None where it is there, or nobody wants it any more."""
+        """How to make the file; None if it exists, or is no longer needed."""
         return self.take.missing.get(self.target) if self.take else None
 
 
@@ -163,13 +163,13 @@ def order_next(session: Session, batch_id: UUID, lane: int) -> ItemOrder | None:
 def record(
     session: Session, order: ItemOrder, lane: int, render: Render | None, picture: Picture | None, fault: str = ""
 ) -> None:
-    """Put one game file on record, say what became of it, and ask for the lane's next."""
+    """Record one game file and its result, and schedule the lane's next."""
     batch = queries.batch_by_id(session, order.batch_id, locked=True)
     item = session.get(BatchItem, (order.batch_id, order.place))
     if batch is None or item is None:
         return
     if render is not None:
-        service.keep_made(session, [(render, picture)])
+        service.save_renders(session, [(render, picture)])
     if item.state is ItemState.WAITING:
         _become(item, order, render, fault)
         session.flush()
@@ -198,9 +198,9 @@ def _ask_for_next(session: Session, batch: Batch, lane: int) -> None:
     if item is not None:
         queue_of(session).enqueue(
             session,
-            MAKE_NEXT,
+            RENDER_NEXT,
             {"batch_id": str(batch.id), "lane": lane},
-            key=f"{batch.id}:{MAKE_NEXT}:{item.place}",
+            key=f"{batch.id}:{RENDER_NEXT}:{item.place}",
             studio_id=batch.studio_id,
             priority=BULK,
         )
@@ -213,8 +213,8 @@ def _end_when_done(session: Session, batch: Batch) -> None:
 
 def cancel(session: Session, actor: Actor, batch_id: UUID) -> Batch:
     """End a batch; what it has made stays."""
-    batch = batch_in_sight(session, actor, batch_id)
-    standing_in(session, actor, batch.project_id).ensure_speaks()
+    batch = visible_batch(session, actor, batch_id)
+    project_access(session, actor, batch.project_id).ensure_may_speak()
     batch = queries.batch_by_id(session, batch.id, locked=True) or batch
     if batch.state not in OPEN_BATCHES:
         raise BatchEnded(f"batch {batch.number} is {batch.state} already", fix="read it again")
@@ -222,21 +222,21 @@ def cancel(session: Session, actor: Actor, batch_id: UUID) -> Batch:
     return batch
 
 
-def batch_in_sight(session: Session, actor: Actor, batch_id: UUID) -> Batch:
+def visible_batch(session: Session, actor: Actor, batch_id: UUID) -> Batch:
     """Return a batch; raise BatchNotFound without sight of its project."""
     batch = queries.batch_by_id(session, batch_id)
     if batch is None:
         raise BatchNotFound(f"no batch {batch_id}")
     try:
-        standing = standing_in(session, actor, batch.project_id)
+        access = project_access(session, actor, batch.project_id)
     except ProjectNotFound:
         raise BatchNotFound(f"no batch {batch_id}") from None
-    standing.ensure_team()
+    access.ensure_team()
     return batch
 
 
-def begin_for_spec(session: Session, project_id: UUID) -> None:
-    """Open the batch that a changed spec asks for; none where nothing may ship yet."""
+def start_for_spec(session: Session, project_id: UUID) -> None:
+    """Open the batch for a changed spec; none if nothing may ship yet."""
     project = project_by_id(session, project_id)
     if project is not None and queries.has_admitted_takes(session, project_id):
         begin(session, project, asked_by=None)
@@ -282,5 +282,5 @@ def batch_read(session: Session, batch: Batch) -> BatchRead:
 
 def batches_in(session: Session, actor: Actor, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Batch]:
     """Return the batches of a project, the newest first."""
-    standing_in(session, actor, project_id).ensure_team()
+    project_access(session, actor, project_id).ensure_team()
     return queries.batches_of(session, project_id, before=before, limit=limit)

@@ -1,6 +1,6 @@
 """What runs in the sandbox's child: a sound's pictures and preview, and game files, written into a folder.
 
-Answers are plain values, the only ones that may come out of a sandbox.
+Answers are of the types that functions declare here: no other comes out of a sandbox.
 """
 
 import tempfile
@@ -8,7 +8,7 @@ import wave
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias, TypedDict, cast
 
 import numpy as np
 from pydantic_core import to_json
@@ -18,11 +18,12 @@ from audio_checks import (
     AudioChecksError,
     AudioFile,
     BandLevels,
+    Rendered,
     RenderRefused,
     Target,
     Unreadable,
     average_spectrum,
-    plays_as_preview,
+    is_preview,
     preview,
     rehearse_check,
     render_master,
@@ -36,18 +37,58 @@ PEAKS_POINTS = 4096
 THUMB_FULL_SCALE = 127
 PEAKS_FULL_SCALE = 10_000  # a step is 80 dB below, less than a pixel
 PLAYABLE_RATE_HZ = 48_000
-MASTER = ""  # beside the names of targets, none of which is empty
+MASTER = ""  # no target's name is empty
 PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
+
+
+class Facts(TypedDict):
+    """The format of a sound, by its header."""
+
+    container: str
+    encoding: str
+    sample_rate_hz: int
+    bit_depth: int
+    channels: int
+    frames: int
+
+
+class Thumb(TypedDict):
+    """A small waveform; THUMB_FULL_SCALE is full scale."""
+
+    points: int
+    min: list[int]
+    max: list[int]
+    rms: list[int]
+
+
+class Drawn(TypedDict):
+    """The drawings of a sound."""
+
+    duration_s: float
+    facts: Facts
+    thumb: Thumb
+    plays_itself: bool
+    preview_of: str  # the target whose file serves as the preview; empty if there is a separate preview
+
+
+class Made(TypedDict):
+    """A game file, and what was drawn of it."""
+
+    rendered: Rendered
+    drawing: Drawn
+
+
+Outcome: TypeAlias = Made | Drawn | AudioChecksError
 
 
 def prepare(
     path: str, folder: str, recipes: dict[str, dict[str, Any]], *, loop: bool, draws_master: bool
-) -> dict[str, dict[str, Any] | AudioChecksError]:
+) -> dict[str, Outcome]:
     """Make game files of a master and draw them and, where asked, the master; `places` says where each goes.
 
-    What became of each stands under the name of its target, and under MASTER; or why it cannot be made, or drawn.
+    Results are by the name of the target, and MASTER; or the reason why it cannot be made, or drawn.
     """
-    found: dict[str, dict[str, Any] | AudioChecksError] = {}
+    found: dict[str, Outcome] = {}
     known = _Known()
     Path(folder).mkdir(exist_ok=True)
     places_of = places(folder, recipes)
@@ -67,25 +108,25 @@ def prepare(
 
 
 def places(folder: str, targets: Iterable[str]) -> dict[str, Path]:
-    """Return where what is made for each target lies in a folder, and what is drawn of the master."""
+    """Return the path of each target's file in a folder, and of the master's drawing."""
     return {target: Path(folder, str(number)) for number, target in enumerate(targets)} | {MASTER: Path(folder)}
 
 
 @dataclass
 class _Known:
-    """What was found of a master while game files were made of it."""
+    """The results on a master from making its game files."""
 
     preview_of: str = ""  # the target whose file plays as the master's preview does
     preview_png: bytes = b""
     bands: BandLevels | None = None
 
 
-def draw(path: str, folder: str, *, loop: bool) -> dict[str, Any]:
+def draw(path: str, folder: str, *, loop: bool) -> Drawn:
     """Write a sound's peaks, spectrum and preview; return its duration, facts and thumb, and what plays it."""
     return _drawn(path, Path(folder), loop=loop, known=_Known())
 
 
-def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, Any]:
+def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
     with AudioFile(path) as file:
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
@@ -99,7 +140,7 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, A
         "bands": _in_tenths(bands),
     }
     (folder / PEAKS).write_bytes(to_json(shape))
-    plays_itself = _plays_itself(path)
+    plays_itself = _is_playable(path)
     preview_of = "" if plays_itself else known.preview_of
     if not plays_itself and not preview_of:
         preview(path, folder / PREVIEW, loop=loop, durable=False)
@@ -116,7 +157,7 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> dict[str, A
             "channels": facts.channels,
             "frames": facts.frames,
         },
-        "thumb": small.in_steps(THUMB_FULL_SCALE),
+        "thumb": cast(Thumb, small.in_steps(THUMB_FULL_SCALE)),
         "plays_itself": plays_itself,
         "preview_of": preview_of,
     }
@@ -134,7 +175,7 @@ def _in_tenths(bands: BandLevels) -> dict[str, list[float | None]]:
     }
 
 
-def _plays_itself(path: str) -> bool:
+def _is_playable(path: str) -> bool:
     """Whether every browser plays this readable file as it is: plain 16-bit WAV, mono or stereo, at most 48 kHz."""
     try:
         with wave.open(path) as file:
@@ -144,25 +185,21 @@ def _plays_itself(path: str) -> bool:
         return False
 
 
-def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> dict[str, Any]:
+def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> Made:
     """Make a game file and draw it; return what was made, and its drawing."""
     out = folder / GAME_FILE
     with AudioFile(path) as file:
         master_rate_hz = file.facts.sample_rate_hz
-    rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its own copy
+    rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its copy
     own = _Known()
     if rendered.loss is not None and rendered.sample_rate_hz == master_rate_hz:
         spectra = rendered.loss.spectra
         known.bands = BandLevels(np.array(spectra.hz), np.array(spectra.master_dbfs))
         own.bands = BandLevels(np.array(spectra.hz), np.array(spectra.render_dbfs))
     drawing = _drawn(str(out), folder, loop=recipe["loop"], known=own)
-    if (
-        not known.preview_of
-        and drawing["plays_itself"]
-        and plays_as_preview(rendered, recipe["target"], master_rate_hz)
-    ):
+    if not known.preview_of and drawing["plays_itself"] and is_preview(rendered, recipe["target"], master_rate_hz):
         known.preview_of, known.preview_png = recipe["target"].name, (folder / SPECTRUM).read_bytes()
-    return {"rendered": rendered.to_dict(), "drawing": drawing}
+    return {"rendered": rendered, "drawing": drawing}
 
 
 def rehearse() -> None:

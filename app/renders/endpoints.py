@@ -4,10 +4,10 @@ from uuid import UUID
 
 from fastapi import Request, Response
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import TakeNotFound
-from app.kit.blob_answer import blob_answer
+from app.kit.blob_response import blob_response
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -20,7 +20,7 @@ from app.renders.errors import (
     MasterExportNotMade,
     NotDrawn,
     NothingRendered,
-    NothingToHear,
+    NothingToPlay,
     NothingToRender,
     ReelNotFound,
     ReelNotMade,
@@ -44,14 +44,14 @@ from app.renders.schemas import (
 from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["renders"], route_class=Route)
-MAY_SEE: Actor = allows(Sight.PROJECT)
-TEAM: Actor = allows(Sight.TEAM)
+MAY_SEE: Actor = allows(Audience.PROJECT)
+TEAM: Actor = allows(Audience.TEAM)
 PAGE = 50
 
 
 @router.get("/takes/{take_id}/sounds", response_model=TakeSoundsRead, responses=problems(TakeNotFound))
 def get_take_sounds(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> TakeSoundsRead:
-    """Return what can be seen and heard of a take: its master, and its game files at the current spec."""
+    """Return a take's master and its game files at the current spec, with what is needed to show and play them."""
     return service.take_sounds(session, actor, take_id)
 
 
@@ -66,7 +66,7 @@ def get_preview(
     """Play a sound: at most 48 kHz, 16 bit, in a form that every browser plays; parts of it by Range."""
     picture = service.picture_in_sight(session, actor, picture_id)
     sha256, media_type = service.drawn(picture.preview_sha256), picture.preview_media_type or "audio/wav"
-    return blob_answer(request, runtime.store, picture.studio_id, sha256, media_type=media_type, by_link=True)
+    return blob_response(request, runtime.store, picture.studio_id, sha256, media_type=media_type, by_link=True)
 
 
 @router.get(
@@ -80,7 +80,7 @@ def get_peaks(
     """Return the shape of a sound across a screen."""
     picture = service.picture_in_sight(session, actor, picture_id)
     sha256 = service.drawn(picture.peaks_sha256)
-    return blob_answer(request, runtime.store, picture.studio_id, sha256, media_type="application/json")
+    return blob_response(request, runtime.store, picture.studio_id, sha256, media_type="application/json")
 
 
 @router.get(
@@ -94,7 +94,7 @@ def get_spectrum(
     """Return the spectrum over time: 20 kHz at the top, 60 Hz at the bottom, white is loudest, 72 dB to black."""
     picture = service.picture_in_sight(session, actor, picture_id)
     sha256 = service.drawn(picture.spectrum_sha256)
-    return blob_answer(request, runtime.store, picture.studio_id, sha256, media_type="image/png")
+    return blob_response(request, runtime.store, picture.studio_id, sha256, media_type="image/png")
 
 
 @router.get(
@@ -107,7 +107,7 @@ def get_render_file(
 ) -> Response:
     """Download a game file under the name that the game expects."""
     render, sha256, file_name = service.render_file(session, actor, render_id)
-    return blob_answer(
+    return blob_response(
         request, runtime.store, render.studio_id, sha256, media_type="audio/wav", file_name=file_name, by_link=True
     )
 
@@ -125,8 +125,8 @@ def get_render_loss(render_id: UUID, session: DbSession, actor: Actor = MAY_SEE)
     responses=problems(ProjectNotFound, TeamNeeded, NothingToRender, TargetUnknown),
 )
 def add_batch(project_id: UUID, body: BatchAdd, session: DbSession, actor: Actor = TEAM) -> BatchSummary:
-    """Make every game file of the project anew, or those of some targets; earlier files are kept."""
-    (summary,) = batches.summaries(session, [batches.ask_for_batch(session, actor, project_id, body.targets)])
+    """Render every game file of the project again, or those of some targets; earlier files are kept."""
+    (summary,) = batches.summaries(session, [batches.request_batch(session, actor, project_id, body.targets)])
     return summary
 
 
@@ -149,7 +149,7 @@ def list_batches(
 @router.get("/batches/{batch_id}", response_model=BatchRead, responses=problems(BatchNotFound, TeamNeeded))
 def get_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchRead:
     """Return how far a batch is, and what it does to the sizes."""
-    return batches.batch_read(session, batches.batch_in_sight(session, actor, batch_id))
+    return batches.batch_read(session, batches.visible_batch(session, actor, batch_id))
 
 
 @router.post(
@@ -166,17 +166,17 @@ def cancel_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> Bat
     "/cues/{cue_id}/reels",
     status_code=201,
     response_model=ReelRead,
-    responses=problems(CueNotFound, NothingToHear, TakesBeingDrawn, ReelTooLong),
+    responses=problems(CueNotFound, NothingToPlay, TakesBeingDrawn, ReelTooLong),
 )
 def add_reel(cue_id: UUID, body: ReelAdd, session: DbSession, actor: Actor = MAY_SEE) -> ReelRead:
     """Put all takes of a cue that the caller sees in a row, to be listened to; the same takes give the same reel."""
-    return reels.reel_read(reels.ask_for_reel(session, actor, cue_id, body))
+    return reels.reel_read(reels.request_reel(session, actor, cue_id, body))
 
 
 @router.get("/reels/{reel_id}", response_model=ReelRead, responses=problems(ReelNotFound))
 def get_reel(reel_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> ReelRead:
     """Return whether a reel is made, and where each take begins in it."""
-    return reels.reel_read(reels.reel_in_sight(session, actor, reel_id))
+    return reels.reel_read(reels.visible_reel(session, actor, reel_id))
 
 
 @router.get(
@@ -188,9 +188,9 @@ def get_reel_file(
     reel_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
     """Play or download a reel: 16-bit WAV, which never ships."""
-    reel = reels.reel_in_sight(session, actor, reel_id)
+    reel = reels.visible_reel(session, actor, reel_id)
     sha256 = reels.file_of(reel)
-    return blob_answer(
+    return blob_response(
         request, runtime.store, reel.studio_id, sha256, media_type="audio/wav", file_name=reel.file_name, by_link=True
     )
 
@@ -203,15 +203,15 @@ def get_reel_file(
 )
 def add_master_export(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
     """Have a take's master copied with what is known of it written into it; the master stays as it was delivered."""
-    return master_exports.export_read(master_exports.ask_for_export(session, actor, take_id))
+    return master_exports.export_read(master_exports.request_export(session, actor, take_id))
 
 
 @router.get(
     "/master-exports/{master_export_id}", response_model=MasterExportRead, responses=problems(MasterExportNotFound)
 )
 def get_master_export(master_export_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
-    """Return whether a master with its provenance is made, and what it says."""
-    return master_exports.export_read(master_exports.export_in_sight(session, actor, master_export_id))
+    """Return the state of a master with its provenance, and its metadata."""
+    return master_exports.export_read(master_exports.visible_export(session, actor, master_export_id))
 
 
 @router.get(
@@ -225,10 +225,10 @@ def get_master_export(master_export_id: UUID, session: DbSession, actor: Actor =
 def get_master_export_file(
     master_export_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
-    """Download a master that says where it comes from, in bext and in iXML with the fields of ASWG-G006."""
-    export = master_exports.export_in_sight(session, actor, master_export_id)
+    """Download a master with its provenance, in bext and in iXML with the fields of ASWG-G006."""
+    export = master_exports.visible_export(session, actor, master_export_id)
     sha256 = master_exports.file_of(export)
-    return blob_answer(
+    return blob_response(
         request,
         runtime.store,
         export.studio_id,

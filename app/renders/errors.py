@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Invalid, NotFound
 
@@ -43,7 +43,7 @@ class ReelNotFound(NotFound):
     """No reel of that id within the caller's sight."""
 
 
-class NothingToHear(Conflict):
+class NothingToPlay(Conflict):
     """The cue has no take that the caller sees and that can be played."""
 
 

@@ -26,10 +26,10 @@ from audio_checks import Provenance
 EXPORT_VERSION = 1  # counts up when the same master and provenance would give another file
 
 
-def ask_for_export(session: Session, actor: Actor, take_id: UUID) -> MasterExport:
+def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExport:
     """Return a take's master with what is known of it now, and have it made unless it was or is."""
-    take, standing = take_for(session, actor, take_id)
-    known = asdict(_provenance(session, take, standing.project))
+    take, access = take_for(session, actor, take_id)
+    known = asdict(_provenance(session, take, access.project))
     made_of = [EXPORT_VERSION, take.master_sha256, known]
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     export = queries.master_export_of(session, take_id, key)
@@ -53,7 +53,7 @@ def ask_for_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
 
 
 def _provenance(session: Session, take: Take, project: Project) -> Provenance:
-    """Return what is on record of a take; on which day it was made only its file can tell."""
+    """Return the recorded provenance of a take; the date of recording is known only from its file."""
     studio = session.get_one(Studio, project.studio_id)
     known = Provenance(project=project.name, studio=studio.name, originator=take.designer.name)
     cue = take.cue
@@ -68,16 +68,16 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     )
 
 
-def export_in_sight(session: Session, actor: Actor, export_id: UUID) -> MasterExport:
+def visible_export(session: Session, actor: Actor, export_id: UUID) -> MasterExport:
     """Return a handed-out master; raise MasterExportNotFound unless the caller sees its take."""
     export = queries.master_export_by_id(session, export_id)
-    if export is None or not queries.sees_takes(session, actor, [export.take_id]):
+    if export is None or not queries.can_see_takes(session, actor, [export.take_id]):
         raise MasterExportNotFound(f"no handed-out master {export_id}")
     return export
 
 
 def file_of(export: MasterExport) -> str:
-    """Return the hash of a handed-out master; raise MasterExportNotMade where there is none."""
+    """Return the hash of a handed-out master; raise MasterExportNotMade if there is none."""
     if export.sha256 is None:
         raise MasterExportNotMade(
             export.refusal or "this copy is still being made",
@@ -93,7 +93,7 @@ def export_read(export: MasterExport) -> MasterExportRead:
         take_id=export.take_id,
         state="made" if export.sha256 else "refused" if export.refusal else "making",
         refusal=export.refusal,
-        told=_provenance_of(export).aswg(),
+        fields=_provenance_of(export).aswg(),
         left=export.left,
         file_bytes=export.file_bytes,
         file_name=export.file_name,
@@ -121,7 +121,7 @@ def keep(session: Session, export_id: UUID, blob: StoredBlob, *, left: list[str]
 
 
 def refuse(session: Session, export_id: UUID, refusal: str) -> None:
-    """Put on record why there is none; whoever asks again has it tried again."""
+    """Record why it failed; the next request tries again."""
     export = session.get_one(MasterExport, export_id)
     if export.sha256 is None:
         export.refusal = refusal

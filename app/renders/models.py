@@ -29,7 +29,7 @@ class Render(Base):
     target: Mapped[str]
     key: Mapped[str]  # hash of master, resolved target, peak limits, loop and renderer version
     state: Mapped[RenderState]
-    refusal: Mapped[str | None]  # in words, with the mend
+    refusal: Mapped[str | None]  # in words, with the fix
     sha256: Mapped[str | None]
     pcm_sha256: Mapped[str | None]
     file_bytes: Mapped[int | None]
@@ -54,7 +54,7 @@ class RenderSet(Base):
 
 
 class Batch(Base):
-    """Every game file of a project made anew, in one action: at a changed spec, or for a new target."""
+    """A re-render of a project's game files in one action: at a changed spec, or for a new target."""
 
     __tablename__ = "renders_batches"
     __table_args__ = (
@@ -97,7 +97,7 @@ class BatchItem(Base):
 
 
 class Picture(Base):
-    """What the eye and ear need of one stored sound: its shape at two sizes, its spectrum, a preview to play."""
+    """The pictures and preview of one stored sound: its waveform at two sizes, its spectrum, a preview to play."""
 
     __tablename__ = "renders_pictures"
     __table_args__ = (
@@ -122,7 +122,7 @@ class Picture(Base):
 
 
 class Timbre(Base):
-    """What a stored sound is like beside others: its colour, and how its energy is spread over frequency."""
+    """Features of a stored sound for comparison with others: its timbre and its spectrum."""
 
     __tablename__ = "renders_timbres"
     __table_args__ = (UniqueConstraint("studio_id", "sound_sha256"),)
@@ -130,13 +130,13 @@ class Timbre(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     sound_sha256: Mapped[str]  # of a master
-    timbre: Mapped[list[float]] = mapped_column(default=list)  # empty, like the bands, where there is nothing to hear
+    timbre: Mapped[list[float]] = mapped_column(default=list)  # empty, like the bands, for silence
     bands_db: Mapped[list[float]] = mapped_column(default=list)  # from 20 Hz on, under the loudest
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class Reel(Base):
-    """All takes of a cue that somebody sees, in a row, to be listened to; it never ships."""
+    """All takes of a cue that a person may see, joined into one file for listening; it never ships."""
 
     __tablename__ = "renders_reels"
     __table_args__ = (
@@ -163,7 +163,7 @@ class Reel(Base):
 
 
 class MasterExport(Base):
-    """A copy of a take's master that says where it comes from, as it was known when somebody asked for it."""
+    """A copy of a take's master with its provenance, as known when it was requested."""
 
     __tablename__ = "renders_master_exports"
     __table_args__ = (

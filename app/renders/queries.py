@@ -11,11 +11,11 @@ from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eag
 
 import audio_checks
 from app.accounts.rules import Actor
-from app.conformance.models import Mend
+from app.conformance.models import Fix
 from app.deliveries.models import Take
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.projects.models import Spec
-from app.projects.sight import work_in_sight
+from app.projects.visibility import visible_work
 from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
@@ -27,7 +27,7 @@ RenderRow = Row[UUID, str, str, RenderState, int | None, str | None]
 
 @lru_cache(maxsize=64)
 def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
-    """Return what a stored spec says."""
+    """Return the spec from its stored form."""
     return audio_checks.parse_spec(toml)
 
 
@@ -65,13 +65,13 @@ def renders_by_key(session: Session, take_ids: Collection[UUID]) -> dict[tuple[U
 
 @cache  # built once: that takes longer than to send it
 def _renders() -> Select[Render]:
-    return select(Render).where(among(Render.take_id, "take_ids"))
+    return select(Render).where(in_array(Render.take_id, "take_ids"))
 
 
 def pictures_of_sounds(session: Session, studio_ids: Collection[UUID], sha256s: Collection[str]) -> dict[str, Picture]:
     """Return the pictures of stored sounds, by their hashes."""
     pictures = session.scalars(
-        select(Picture).where(among(Picture.studio_id, studio_ids), among(Picture.sound_sha256, sha256s))
+        select(Picture).where(in_array(Picture.studio_id, studio_ids), in_array(Picture.sound_sha256, sha256s))
     )
     return {picture.sound_sha256: picture for picture in pictures}
 
@@ -89,7 +89,7 @@ def _picture_of() -> Select[Picture]:
 
 
 def timbre_of(session: Session, studio_id: UUID, sha256: str) -> Timbre | None:
-    """Return what one stored sound is like."""
+    """Return the features of one stored sound."""
     return session.scalar(select(Timbre).where(Timbre.studio_id == studio_id, Timbre.sound_sha256 == sha256))
 
 
@@ -102,21 +102,21 @@ def _marks_a_palette(cue: type[Cue], project_id: UUID | InstrumentedAttribute[UU
     return exists().where(cue.project_id == project_id, cue.palette, cue.state != CueState.CUT)
 
 
-def what_stands(session: Session, take: Take) -> tuple[bool, bool]:
+def current_state(session: Session, take: Take) -> tuple[bool, bool]:
     """Return whether a take's master is drawn, and whether any game file was made of it or refused."""
     sought = {"studio_id": take.studio_id, "sha256": take.master_sha256, "take_id": take.id}
-    is_drawn, has_renders = session.execute(_what_stands(), sought).one()
+    is_drawn, has_renders = session.execute(_current_state(), sought).one()
     return is_drawn, has_renders
 
 
 @cache
-def _what_stands() -> Select[bool, bool]:
+def _current_state() -> Select[bool, bool]:
     of_sound = (Picture.studio_id == bindparam("studio_id"), Picture.sound_sha256 == bindparam("sha256"))
     return select(exists().where(*of_sound), exists().where(Render.take_id == bindparam("take_id")))
 
 
-class TakeNow(NamedTuple):
-    """What tells whether an order for a take still holds, and whether its project has a palette."""
+class TakeSnapshot(NamedTuple):
+    """The facts that decide whether an order for a take is still valid, and whether its project has a palette."""
 
     edition: int
     spec_id: UUID
@@ -125,21 +125,21 @@ class TakeNow(NamedTuple):
     has_palette: bool
 
 
-def take_now(session: Session, take_id: UUID) -> TakeNow | None:
-    """Return how a matched take, its cue and the newest spec of its project stand at this moment."""
-    row = session.execute(_take_now(), {"take_id": take_id}).one_or_none()
-    return TakeNow._make(row) if row else None
+def take_snapshot(session: Session, take_id: UUID) -> TakeSnapshot | None:
+    """Return the current facts of a matched take, its cue and the newest spec of its project."""
+    row = session.execute(_take_snapshot(), {"take_id": take_id}).one_or_none()
+    return TakeSnapshot._make(row) if row else None
 
 
 @cache
-def _take_now() -> Select[int, UUID, str, bool, bool]:
+def _take_snapshot() -> Select[int, UUID, str, bool, bool]:
     newest = select(Spec.id).where(Spec.project_id == Take.project_id).order_by(Spec.version.desc()).limit(1)
     palette = _marks_a_palette(aliased(Cue), Take.project_id)
     found = select(Take.edition, newest.scalar_subquery(), Cue.category, Cue.loop, palette)
     return found.select_from(Take).join(Cue, Cue.id == Take.cue_id).where(Take.id == bindparam("take_id"))
 
 
-def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
+def take_ids_without_timbre(session: Session, project_id: UUID) -> Sequence[UUID]:
     """Return the matched takes of a project that may still ship and whose sound has not been measured yet."""
     heard = exists().where(Timbre.studio_id == Take.studio_id, Timbre.sound_sha256 == Take.master_sha256)
     query = select(Take.id).where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES), ~heard)
@@ -148,11 +148,11 @@ def unheard_take_ids(session: Session, project_id: UUID) -> Sequence[UUID]:
 
 def _in_reach(actor: Actor) -> ColumnElement[bool]:
     """Admit the takes that the caller sees."""
-    return work_in_sight(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
+    return visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
 
 
 def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture | None:
-    """Return a picture when it shows the master, a render or a mend of a take that the caller sees."""
+    """Return a picture when it shows the master, a render or a fix of a take that the caller sees."""
     of_master = exists().where(
         Take.studio_id == Picture.studio_id, Take.master_sha256 == Picture.sound_sha256, _in_reach(actor)
     )
@@ -162,13 +162,13 @@ def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture
         Render.take_id == Take.id,
         _in_reach(actor),
     )
-    of_mend = exists().where(
-        Mend.studio_id == Picture.studio_id,
-        Mend.sha256 == Picture.sound_sha256,
-        Mend.take_id == Take.id,
+    of_fix = exists().where(
+        Fix.studio_id == Picture.studio_id,
+        Fix.sha256 == Picture.sound_sha256,
+        Fix.take_id == Take.id,
         _in_reach(actor),
     )
-    return session.scalar(select(Picture).where(Picture.id == picture_id, or_(of_master, of_render, of_mend)))
+    return session.scalar(select(Picture).where(Picture.id == picture_id, or_(of_master, of_render, of_fix)))
 
 
 def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Render, Take] | None:
@@ -185,7 +185,7 @@ def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Ren
 def current_renders(
     session: Session, specs: Mapping[UUID, Spec], takes: Iterable[Take]
 ) -> dict[UUID, dict[str, Render | None]]:
-    """Return what stands for each target of the newest spec, by take (its cue loaded); None: not made yet.
+    """Return the current render of each target of the newest spec, by take (its cue loaded); None: not made yet.
 
     `specs` are the newest specs by project.
     """
@@ -196,7 +196,7 @@ def current_renders(
 def current(
     specs: Mapping[UUID, Spec], takes: Iterable[Take], stored: Mapping[tuple[UUID, str, str], Stored]
 ) -> dict[UUID, dict[str, Stored | None]]:
-    """Return those of what is stored of renders that stand now, by take (its cue loaded) and target."""
+    """Return the current ones of the stored renders, by take (its cue loaded) and target."""
     return {
         take.id: {
             target: stored.get((take.id, target, key))
@@ -209,7 +209,7 @@ def current(
 def admitted_take_ids(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> Sequence[UUID]:
     """Return the matched takes of some cues that may still ship."""
     query = select(Take.id).where(
-        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), among(Take.cue_id, cue_ids)
+        Take.project_id == project_id, Take.state.in_(RENDERED_STATES), in_array(Take.cue_id, cue_ids)
     )
     return session.scalars(query.order_by(Take.id)).all()
 
@@ -232,7 +232,7 @@ def has_admitted_takes(session: Session, project_id: UUID) -> bool:
 
 
 def renders_so_far(session: Session, project_id: UUID) -> dict[tuple[UUID, str], list[RenderRow]]:
-    """Return what tells every render of a project apart, by take and target, the oldest first."""
+    """Return the keys of all renders of a project, by take and target, the oldest first."""
     found: dict[tuple[UUID, str], list[RenderRow]] = defaultdict(list)
     rows = session.execute(
         select(Render.take_id, Render.target, Render.key, Render.state, Render.file_bytes, Render.refusal)
@@ -245,7 +245,7 @@ def renders_so_far(session: Session, project_id: UUID) -> dict[tuple[UUID, str],
 
 
 def batch_by_id(session: Session, batch_id: UUID, *, locked: bool = False) -> Batch | None:
-    """Return a batch without asking who looks; locked where it is going to change."""
+    """Return a batch without a check of the caller; locked where it is going to change."""
     query = select(Batch).where(Batch.id == batch_id)
     if locked:
         query = query.with_for_update().execution_options(populate_existing=True)
@@ -277,7 +277,7 @@ def item_counts(session: Session, batch_ids: Collection[UUID]) -> dict[UUID, dic
     counts: dict[UUID, dict[ItemState, int]] = defaultdict(dict)
     rows = session.execute(
         select(BatchItem.batch_id, BatchItem.state, func.count())
-        .where(among(BatchItem.batch_id, batch_ids))
+        .where(in_array(BatchItem.batch_id, batch_ids))
         .group_by(BatchItem.batch_id, BatchItem.state)
     )
     for batch_id, state, count in rows:
@@ -344,29 +344,29 @@ def visible_takes_of_cue(session: Session, actor: Actor, cue_id: UUID, *, newest
     ).all()
 
 
-def sees_takes(session: Session, actor: Actor, take_ids: Collection[UUID]) -> bool:
+def can_see_takes(session: Session, actor: Actor, take_ids: Collection[UUID]) -> bool:
     """Whether the caller sees every one of some takes."""
-    seen = session.scalar(select(func.count()).where(among(Take.id, take_ids), _in_reach(actor)))
+    seen = session.scalar(select(func.count()).where(in_array(Take.id, take_ids), _in_reach(actor)))
     return seen == len(take_ids)
 
 
 def reel_by_id(session: Session, reel_id: UUID) -> Reel | None:
-    """Return a reel without asking who looks."""
+    """Return a reel without a check of the caller."""
     return session.get(Reel, reel_id)
 
 
 def reel_of(session: Session, cue_id: UUID, key: str) -> Reel | None:
-    """Return the reel of a cue under one key; nobody else adds one until the transaction ends."""
+    """Return the reel of a cue under one key; locked against others until the transaction ends."""
     session.execute(select(Cue.id).where(Cue.id == cue_id).with_for_update(key_share=True))
     return session.scalar(select(Reel).where(Reel.cue_id == cue_id, Reel.key == key))
 
 
 def master_export_by_id(session: Session, export_id: UUID) -> MasterExport | None:
-    """Return a handed-out master without asking who looks."""
+    """Return a handed-out master without a check of the caller."""
     return session.get(MasterExport, export_id)
 
 
 def master_export_of(session: Session, take_id: UUID, key: str) -> MasterExport | None:
-    """Return the handed-out master of a take under one key; nobody else adds one until the transaction ends."""
+    """Return the handed-out master of a take under one key; locked against others until the transaction ends."""
     session.execute(select(Take.id).where(Take.id == take_id).with_for_update(key_share=True))
     return session.scalar(select(MasterExport).where(MasterExport.take_id == take_id, MasterExport.key == key))

@@ -1,9 +1,9 @@
-"""What runs in the sandbox's child: takes put in a row with pydub, to be listened to and for nothing else."""
+"""Code of the sandbox's child: takes joined into a reel with pydub, for listening only."""
 
 import warnings
 import wave
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,16 +17,23 @@ SPEECH_RATE_HZ = 22_050
 
 
 class Slate(NamedTuple):
-    """What says which take comes: spoken where there is speech, beeps otherwise."""
+    """The announcement of a take: spoken if speech is available, beeps otherwise."""
 
     variation: int  # low beeps; 0 where the cue has but one
     version: int  # high beeps
     speech: bytes | None  # 16-bit mono at SPEECH_RATE_HZ
 
 
+class Reel(TypedDict):
+    """The length of a reel, and the start of each sound in it."""
+
+    duration_s: float
+    starts_s: list[float]
+
+
 def make_reel(
     paths: Sequence[str], slates: Sequence[Slate] | None, out: str, *, gap_ms: int, crossfade_ms: int
-) -> dict[str, Any]:
+) -> Reel:
     """Write previews in a row, each behind its slate; return the length and where each sound begins.
 
     The reel has the highest rate and the most channels among them. A crossfade takes the place of the gap, and is

@@ -10,21 +10,21 @@ from app.accounts.rules import Actor
 from app.kit.events import publish
 from app.kit.storage import StoredBlob
 from app.renders import queries
-from app.renders.errors import NothingToHear, ReelNotFound, ReelNotMade, ReelTooLong, TakesBeingDrawn
+from app.renders.errors import NothingToPlay, ReelNotFound, ReelNotMade, ReelTooLong, TakesBeingDrawn
 from app.renders.models import Picture, Reel
 from app.renders.schemas import ReelAdd, ReelRead, ReelTake
-from app.sound_lists.service import cue_in_sight
+from app.sound_lists.service import visible_cue
 from audio_checks import slug
 
 REEL_VERSION = 1  # counts up when the same takes would sound otherwise
-MOST_TAKES = 60
-LONGEST_S = 600.0  # of all sounds together: the child holds them in memory
+MAX_TAKES = 60
+MAX_DURATION_S = 600.0  # of all sounds together: the child holds them in memory
 ENDING = "_reel"
 
 
-def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) -> Reel:
+def request_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) -> Reel:
     """Return the reel of the takes that the caller sees of a cue, and have it made unless it was or is."""
-    standing, cue = cue_in_sight(session, actor, cue_id)
+    access, cue = visible_cue(session, actor, cue_id)
     takes = queries.visible_takes_of_cue(session, actor, cue_id, newest_first=wanted.order == "newest")
     pictures = queries.pictures_of_sounds(session, [cue.studio_id], [take.master_sha256 for take in takes])
     if any(take.master_sha256 not in pictures for take in takes):
@@ -35,7 +35,7 @@ def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
         if (picture := pictures[take.master_sha256]).preview_sha256 is not None
     ]
     if not heard:
-        raise NothingToHear("this cue has no take that can be played", fix="ask again when one was delivered")
+        raise NothingToPlay("this cue has no take that can be played", fix="ask again when one was delivered")
     _ensure_short(len(heard), [pictures[take.master_sha256] for take, _ in heard])
     order = [
         {"take_id": str(take.id), "preview_sha256": preview, "variation": take.variation, "number": take.number}
@@ -64,7 +64,7 @@ def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
     publish(
         session,
         "reel.asked",
-        studio_id=standing.project.studio_id,
+        studio_id=access.project.studio_id,
         reel_id=reel.id,
         sets=int(cue.variations > 1),
         speaks=int(wanted.slates == "spoken"),
@@ -74,23 +74,23 @@ def ask_for_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
 
 def _ensure_short(takes: int, pictures: list[Picture]) -> None:
     total_s = sum(picture.duration_s or 0.0 for picture in pictures)
-    if takes > MOST_TAKES or total_s > LONGEST_S:
+    if takes > MAX_TAKES or total_s > MAX_DURATION_S:
         raise ReelTooLong(
-            f"{takes} takes of {total_s:.0f} s together; a reel has at most {MOST_TAKES} takes and {LONGEST_S:.0f} s",
-            fix="hear them one by one",
+            f"{takes} takes of {total_s:.0f} s together; a reel has at most {MAX_TAKES} and {MAX_DURATION_S:.0f} s",
+            fix="play them one by one",
         )
 
 
-def reel_in_sight(session: Session, actor: Actor, reel_id: UUID) -> Reel:
+def visible_reel(session: Session, actor: Actor, reel_id: UUID) -> Reel:
     """Return a reel; raise ReelNotFound unless the caller sees every take in it."""
     reel = queries.reel_by_id(session, reel_id)
-    if reel is None or not queries.sees_takes(session, actor, [UUID(take["take_id"]) for take in reel.takes]):
+    if reel is None or not queries.can_see_takes(session, actor, [UUID(take["take_id"]) for take in reel.takes]):
         raise ReelNotFound(f"no reel {reel_id}")
     return reel
 
 
 def file_of(reel: Reel) -> str:
-    """Return the hash of a reel's file; raise ReelNotMade where there is none."""
+    """Return the hash of a reel's file; raise ReelNotMade if there is none."""
     if reel.sha256 is None:
         raise ReelNotMade(reel.refusal or "this reel is still being made", fix="ask again in a moment")
     return reel.sha256
@@ -135,7 +135,7 @@ def keep(
 
 
 def refuse(session: Session, reel_id: UUID, refusal: str) -> None:
-    """Put on record why there is no reel; whoever asks again has it tried again."""
+    """Record why the reel failed; the next request tries again."""
     reel = session.get_one(Reel, reel_id)
     if reel.sha256 is None:
         reel.refusal = refusal

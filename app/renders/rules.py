@@ -1,4 +1,4 @@
-"""What a render may be and what tells one from another, stated without a database."""
+"""States and keys of renders, stated without a database."""
 
 from enum import StrEnum
 from typing import NamedTuple
@@ -17,7 +17,7 @@ class RenderState(StrEnum):
 
 
 class BatchState(StrEnum):
-    """How far a batch is."""
+    """The state of a batch."""
 
     PLANNING = "planning"
     RUNNING = "running"
@@ -29,7 +29,7 @@ OPEN_BATCHES = frozenset({BatchState.PLANNING, BatchState.RUNNING})
 
 
 class ItemState(StrEnum):
-    """What became of one game file of a batch."""
+    """The result for one game file of a batch."""
 
     WAITING = "waiting"
     MADE = "made"
@@ -48,7 +48,7 @@ class Recipe(NamedTuple):
     tolerance_db: float
 
     def key(self, master_sha256: str) -> str:
-        """Return what tells one render from another: another key means another file."""
+        """Return the key that identifies a render: another key means another file."""
         return render_key(master_sha256, **self._asdict())
 
 

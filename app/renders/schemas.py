@@ -20,10 +20,10 @@ class ThumbRead(Schema):
 
 
 class BandsRead(Schema):
-    """How the energy of a sound is spread over frequency, in sixths of an octave."""
+    """The spectrum of a sound, in sixths of an octave."""
 
-    hz: list[float] = Field(description="The middle of each band.")
-    dbfs: list[float | None] = Field(description="RMS of what lies in it, over the whole sound; null for nothing.")
+    hz: list[float] = Field(description="The centre of each band.")
+    dbfs: list[float | None] = Field(description="RMS within it, over the whole sound; null for silence.")
 
 
 class PeaksRead(Schema):
@@ -33,7 +33,7 @@ class PeaksRead(Schema):
     frames: int
     sample_rate_hz: int
     duration_s: float
-    full_scale: int = Field(1, description="What stands for full scale; sounds drawn by an earlier version have 1.")
+    full_scale: int = Field(1, description="The value of full scale; sounds drawn by an earlier version have 1.")
     min: list[float]
     max: list[float]
     rms: list[float]
@@ -41,7 +41,7 @@ class PeaksRead(Schema):
 
 
 class SoundBrief(Schema):
-    """Where the preview, peaks and spectrum of one stored sound are; null where drawing it failed."""
+    """The addresses of preview, peaks and spectrum of one stored sound; null if drawing it failed."""
 
     picture_id: UUID | None
     duration_s: float | None
@@ -52,7 +52,7 @@ class SoundBrief(Schema):
 
 
 class MasterSoundRead(SoundBrief):
-    """A take's master, to see and to hear; its measurements are in its check."""
+    """A take's master, to show and play; its measurements are in its check."""
 
     state: Literal["drawn", "drawing", "undrawable"]
     facts: dict[str, Any]
@@ -78,12 +78,12 @@ class TakeSoundsRead(Schema):
 
     take_id: UUID
     master: MasterSoundRead
-    mend: SoundBrief | None = Field(description="Its newest mended copy, once it is drawn.")
+    fix: SoundBrief | None = Field(description="Its newest fixed copy, once it is drawn.")
     renders: list[RenderSoundRead]
 
 
 class BatchAdd(Schema):
-    """What is to be made anew."""
+    """What to render again."""
 
     targets: list[str] = Field(default_factory=list, max_length=100, description="Empty: all of the spec's.")
 
@@ -104,7 +104,7 @@ class BatchSummary(Schema):
     made: int
     kept: int = Field(description="Game files that are what is wanted already.")
     refused: int
-    left: int = Field(description="Game files whose version may not ship just now, or whose master is lost.")
+    left: int = Field(description="Game files whose version may not ship at the moment, or whose master is lost.")
 
 
 class BatchSizes(Schema):
@@ -160,7 +160,7 @@ class SeamRead(Schema):
 
 
 class LossRead(BaseModel):
-    """What a game file lost against its master; null in dB stands for nothing at all."""
+    """What a game file lost against its master; null in dB means silence."""
 
     before: LossLevels
     after: LossLevels
@@ -184,12 +184,12 @@ Slates = Literal["spoken", "beeped", "none"]
 
 
 class ReelAdd(Schema):
-    """How the takes of a cue are to follow one another."""
+    """The order and gaps of a cue's takes in a reel."""
 
     gap_ms: int = Field(500, ge=0, le=5_000, description="Silence between takes.")
     crossfade_ms: int = Field(0, ge=0, le=5_000, description="In place of the gap; 0: none.")
     slates: Slates = Field(
-        "spoken", description="What says before each take which it is; beeps too where the server cannot speak."
+        "spoken", description="How each take is announced; by beeps too if the server has no speech."
     )
     order: Literal["oldest", "newest"] = Field("oldest", description="Which take comes first, of each variation.")
 
@@ -227,8 +227,8 @@ class MasterExportRead(Schema):
     take_id: UUID
     state: Literal["making", "made", "refused"]
     refusal: str | None
-    told: dict[str, str] = Field(description="What it says, by the names of ASWG-G006.")
-    left: list[str] = Field(description="What could not be written, in words.")
+    fields: dict[str, str] = Field(description="Its metadata, by the field names of ASWG-G006.")
+    left: list[str] = Field(description="What could not be written, as sentences.")
     file_bytes: int | None
     file_name: str
     file_url: str | None

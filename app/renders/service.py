@@ -1,54 +1,52 @@
-"""Renders and pictures: what a caller sees of them, and how they are put on record."""
+"""Renders and pictures: what a caller sees of them, and how they are recorded."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.conformance.models import Mend
-from app.conformance.queries import made_mend_of
+from app.conformance.models import Fix
+from app.conformance.queries import made_fix_of
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_with_cue
-from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
-from app.kit.db import insert_all_unless_there, insert_unless_there, row_of
+from app.kit.db import insert_all_if_absent, insert_if_absent, row_of
 from app.kit.events import publish
 from app.kit.queue import BULK
-from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
 from app.renders.models import Picture, Render, RenderSet, Timbre
 from app.renders.rules import RENDERED_STATES, Recipe
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
-from app.renders.shown import ShownPicture
+from app.renders.shown_renders import ShownPicture
 from app.renders.thumbs import Thumb
 
 Made = list[tuple[Render, Picture | None]]  # game files, each with its picture where there is a file
 
 
 def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead:
-    """Return what can be seen and heard of a take: its master, and its game files at the current spec."""
+    """Return a take's master and its game files at the current spec, with what is needed to show and play them."""
     take, _ = take_for(session, actor, take_id)
     specs = {take.project_id: current_spec(session, take.project_id)}
     renders = queries.current_renders(session, specs, [take])[take.id]
-    mend = made_mend_of(session, take.id)
+    fix = made_fix_of(session, take.id)
     hashes = [take.master_sha256, *(one.sha256 for one in renders.values() if one and one.sha256)]
-    if mend is not None and mend.sha256 is not None:
-        hashes.append(mend.sha256)
+    if fix is not None and fix.sha256 is not None:
+        hashes.append(fix.sha256)
     pictures = queries.pictures_of_sounds(session, [take.studio_id], hashes)
     return TakeSoundsRead(
         take_id=take.id,
         master=master_sound(take, pictures.get(take.master_sha256)),
-        mend=_mend_sound(mend, pictures),
+        fix=_fix_sound(fix, pictures),
         renders=[render_sound(target, one, picture_of_render(one, pictures)) for target, one in renders.items()],
     )
 
 
-def _mend_sound(mend: Mend | None, pictures: dict[str, Picture]) -> SoundBrief | None:
-    picture = pictures.get(mend.sha256) if mend and mend.sha256 else None
+def _fix_sound(fix: Fix | None, pictures: dict[str, Picture]) -> SoundBrief | None:
+    picture = pictures.get(fix.sha256) if fix and fix.sha256 else None
     return SoundBrief(**_sound(picture)) if picture else None
 
 
@@ -111,9 +109,9 @@ def picture_in_sight(session: Session, actor: Actor, picture_id: UUID) -> Pictur
 
 
 def drawn(sha256: str | None) -> str:
-    """Return the hash of something drawn; raise NotDrawn where there is none."""
+    """Return the hash of something drawn; raise NotDrawn if there is none."""
     if sha256 is None:
-        raise NotDrawn("this sound could not be drawn; that is our fault, and its master is whole")
+        raise NotDrawn("the waveform could not be drawn; that is our fault, and the master is not affected")
     return sha256
 
 
@@ -130,21 +128,21 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
 
 
 def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:
-    """Return what a game file lost; raise LossUnknown where nobody measured it."""
+    """Return what a game file lost; raise LossUnknown if it was not measured."""
     found = queries.visible_render(session, actor, render_id)
     if found is None:
         raise RenderNotFound(f"no render {render_id}")
     if found[0].loss is None:
         raise LossUnknown(
-            "what this file lost was not measured: it was refused, or made by an earlier version",
-            fix="have the game files made again",
+            "the quality loss of this file was not measured: it was refused, or rendered by an earlier version",
+            fix="re-render the game files",
         )
     return LossRead.model_validate(found[0].loss)
 
 
 @dataclass(frozen=True)
 class RenderOrder:
-    """What is to be made of a take, as of one moment."""
+    """The renders to make of a take, read at one moment."""
 
     may_ship: bool
     draws: bool  # its master
@@ -163,31 +161,24 @@ class RenderOrder:
 
 def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return what is to be made of a take; None where it may not ship, or is for no cue yet."""
-    order = order_making(session, take_id)
+    order = order_renders_and_drawing(session, take_id)
     return order if order is not None and order.may_ship else None
 
 
-def order_making(session: Session, take_id: UUID) -> RenderOrder | None:
+def order_renders_and_drawing(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return what is to be made of a take that may ship, and whether its master is to be drawn; None for neither."""
     take = take_with_cue(session, take_id)
-    return settled(foresee(session, take, current_spec(session, take.project_id)), take.state) if take else None
-
-
-def settled(order: RenderOrder, state: TakeState) -> RenderOrder | None:
-    """Return what is to be made of a take in this state; None where nothing is."""
-    may_ship = order.may_ship and state in RENDERED_STATES
-    if not may_ship and not order.draws:
+    if take is None:
         return None
-    return order if may_ship else replace(order, may_ship=False, missing={})
-
-
-def foresee(session: Session, take: Take, spec: Spec) -> RenderOrder:
-    """Return what is to be made of a take (its cue loaded) by this spec, its newest, once its state lets it ship."""
-    is_drawn, has_renders = queries.what_stands(session, take)
-    recipes = queries.wanted_recipes(spec, take)
+    is_drawn, has_renders = queries.current_state(session, take)
+    may_ship = take.cue is not None and take.state in RENDERED_STATES
+    if is_drawn and not may_ship:
+        return None
+    spec = current_spec(session, take.project_id)
+    recipes = queries.wanted_recipes(spec, take) if may_ship else {}
     made = queries.current_renders(session, {take.project_id: spec}, [take])[take.id] if has_renders else {}
     return RenderOrder(
-        may_ship=take.cue is not None,
+        may_ship=may_ship,
         draws=not is_drawn,
         loop=take.cue is not None and take.cue.loop,
         category=take.cue.category if take.cue is not None else "",
@@ -203,29 +194,29 @@ def foresee(session: Session, take: Take, spec: Spec) -> RenderOrder:
     )
 
 
-def keep_made(session: Session, renders: Made, picture: Picture | None = None) -> None:
+def save_renders(session: Session, renders: Made, picture: Picture | None = None) -> None:
     """Put game files with their pictures, and the picture of another sound, on record, each once."""
     pictures = [row_of(one) for one in (*(drawn for _, drawn in renders), picture) if one is not None]
-    insert_all_unless_there(session, Picture, pictures, unique=("studio_id", "sound_sha256"))
+    insert_all_if_absent(session, Picture, pictures, unique=("studio_id", "sound_sha256"))
     made = [row_of(render) for render, _ in renders]
-    insert_all_unless_there(session, Render, made, unique=("take_id", "target", "key"))
+    insert_all_if_absent(session, Render, made, unique=("take_id", "target", "key"))
 
 
 def complete(session: Session, order: RenderOrder) -> bool:
-    """Say that every render of a take is made or refused; return False where take, spec or cue moved on meanwhile."""
-    now = queries.take_now(session, order.take_id)
-    asked = (order.edition, order.spec_id, order.category, order.loop)
-    if now is None or (now.edition, now.spec_id, now.category, now.loop) != asked:
+    """Say that every render of a take is made or refused; return False if take, spec or cue changed meanwhile."""
+    now = queries.take_snapshot(session, order.take_id)
+    ordered = (order.edition, order.spec_id, order.category, order.loop)
+    if now is None or (now.edition, now.spec_id, now.category, now.loop) != ordered:
         return False
     whole = {"studio_id": order.studio_id, "spec_id": order.spec_id, "edition": order.edition}
-    if not insert_unless_there(session, RenderSet, {"take_id": order.take_id, **whole}, unique=("take_id",)):
+    if not insert_if_absent(session, RenderSet, {"take_id": order.take_id, **whole}, unique=("take_id",)):
         session.merge(RenderSet(take_id=order.take_id, **whole))
     if now.has_palette:
         publish(session, "take.rendered", studio_id=order.studio_id, priority=BULK, take_id=order.take_id)
     return True
 
 
-def keep_timbre(session: Session, timbre: Timbre) -> None:
+def save_timbre(session: Session, timbre: Timbre) -> None:
     """Put what a sound is like on record, once."""
     if queries.timbre_of(session, timbre.studio_id, timbre.sound_sha256) is None:
         session.add(timbre)

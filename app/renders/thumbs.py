@@ -8,23 +8,23 @@ from uuid import UUID
 from sqlalchemy import Select, select
 from sqlalchemy.orm import Session
 
-from app.kit.among import among
-from app.kit.remembered import Remembered
+from app.kit.in_array import in_array
+from app.kit.lru_cache import LRUCache
 from app.renders.models import Picture
 
 Thumb = dict[str, Any]  # points, min, max, rms
-_remembered: Remembered[UUID, Thumb] = Remembered(2_000)  # some 7 kB each
+_remembered: LRUCache[UUID, Thumb] = LRUCache(2_000)  # some 7 kB each
 
 
 def thumbs(session: Session, picture_ids: Iterable[UUID]) -> dict[UUID, Thumb]:
     """Return the thumbs of pictures that the caller was found to see; read are those that are not remembered."""
-    told = {id_: _remembered.get(id_) for id_ in picture_ids}
-    if unknown := [id_ for id_, thumb in told.items() if thumb is None]:
+    thumbs = {id_: _remembered.get(id_) for id_ in picture_ids}
+    if unknown := [id_ for id_, thumb in thumbs.items() if thumb is None]:
         for id_, thumb in session.execute(_thumbs(), {"ids": unknown}):
-            told[id_] = _remembered.keep(id_, thumb)
-    return {id_: thumb for id_, thumb in told.items() if thumb is not None}
+            thumbs[id_] = _remembered.keep(id_, thumb)
+    return {id_: thumb for id_, thumb in thumbs.items() if thumb is not None}
 
 
 @cache  # built once: that takes longer than to send it
 def _thumbs() -> Select[UUID, Thumb]:
-    return select(Picture.id, Picture.thumb).where(among(Picture.id, "ids"))
+    return select(Picture.id, Picture.thumb).where(in_array(Picture.id, "ids"))

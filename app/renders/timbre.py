@@ -1,19 +1,19 @@
-"""What runs in the sandbox's child: the colour of a sound, told by librosa, and its spectrum.
+"""Code of the sandbox's child: the timbre of a sound, computed by librosa, and its spectrum.
 
-For comparing sounds with each other, never for judging one: it goes by the preview, mixed to mono.
+For comparing sounds with each other, never for judging one: it uses the preview, mixed to mono.
 """
 
 import math
 import wave
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import average_spectrum, preview
 
-LONGEST_S = 30.0
+MAX_DURATION_S = 30.0
 WINDOW_FRAMES, HOP_FRAMES = 2_048, 1_024
 LOWEST_HZ, HIGHEST_HZ = 50.0, 10_000.0  # what every sample rate in use has
 MEL_BANDS = 40
@@ -21,17 +21,24 @@ COEFFICIENTS = 12  # of the cepstrum, the first after its level
 CONTRAST_BANDS = 4  # octaves from 200 Hz on, and what is below
 HEARD_DB = 40.0  # windows this far under the loudest one do not count
 BAND_FLOOR_DB = 60.0  # under the loudest band
-PLAYED = "played.wav"
+LOADED = "played.wav"
 
 
-def measure(path: str, folder: str, *, loop: bool) -> dict[str, list[float]] | None:
+class Heard(TypedDict):
+    """The timbre and spectrum of a sound."""
+
+    timbre: list[float]
+    bands_db: list[float]
+
+
+def measure(path: str, folder: str, *, loop: bool) -> Heard | None:
     """Return a sound's `timbre` and its `bands_db`, both free of its level; None for silence.
 
     `timbre` holds the mean and the spread of the mel cepstrum, then the mean contrast of peaks and valleys by octave,
     so scaled that a difference of two such lists is one of decibels: see `distance_db` of app/reviews/fit_rules.py.
     """
     bands = average_spectrum(path).levels_dbfs
-    played = Path(folder, PLAYED)
+    played = Path(folder, LOADED)
     preview(path, played, loop=loop)
     samples, rate_hz = _mono(played)
     if not samples.any() or not np.isfinite(bands).any():
@@ -42,7 +49,7 @@ def measure(path: str, folder: str, *, loop: bool) -> dict[str, list[float]] | N
 
 def _mono(path: Path) -> tuple[NDArray[np.float32], int]:
     with wave.open(str(path)) as file:
-        frames = file.readframes(min(file.getnframes(), round(LONGEST_S * file.getframerate())))
+        frames = file.readframes(min(file.getnframes(), round(MAX_DURATION_S * file.getframerate())))
         samples = np.frombuffer(frames, "<i2").reshape(-1, file.getnchannels()).mean(axis=1)
         return (samples / 32_768).astype(np.float32), file.getframerate()
 

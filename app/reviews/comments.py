@@ -25,7 +25,7 @@ def add_comment(
     session: Session, actor: Actor, take_id: UUID, *, text: str, start_s: float | None, end_s: float | None
 ) -> CommentRead:
     """Write advice on a take, at a time in the sound or on the whole of it."""
-    take, standing = take_for(session, actor, take_id)
+    take, access = take_for(session, actor, take_id)
     ensure_range(start_s, end_s, queries.duration_of(session, take))
     comment = Comment(
         studio_id=take.studio_id,
@@ -35,7 +35,7 @@ def add_comment(
         start_s=start_s,
         end_s=end_s,
         written_by=actor.person,
-        decides=standing.is_decider,
+        decides=access.is_approver,
     )
     session.add(comment)
     session.flush()

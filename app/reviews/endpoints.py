@@ -3,18 +3,17 @@
 from typing import Literal
 from uuid import UUID
 
-from app.accounts.endpoints import allows
-from app.accounts.rules import Actor, Sight
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
-from app.projects.errors import DeciderNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import comments, fit, review_room, sendings, service
+from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
+from app.reviews import comments, feedback, fit, review_room, service
 from app.reviews.errors import (
     AlreadyAccepted,
     AlreadySent,
     ChangeRequestNotFound,
     CommentNotFound,
-    DecidedSince,
     NoteNeeded,
     NothingToSend,
     NothingToUndo,
@@ -24,6 +23,7 @@ from app.reviews.errors import (
     SetIncomplete,
     StaleView,
     TooLateToUndo,
+    VerdictSince,
 )
 from app.reviews.rules import VerdictKind
 from app.reviews.schemas import (
@@ -34,11 +34,11 @@ from app.reviews.schemas import (
     CueCutRead,
     CueReviewRead,
     DeliveryFitRead,
+    FeedbackAdd,
+    FeedbackRead,
     HistoryEntry,
     QueueCount,
     QueueItem,
-    SendingAdd,
-    SendingRead,
     SetAccept,
     SetAccepted,
     TakeFitRead,
@@ -57,7 +57,7 @@ def get_review_queue(
     session: DbSession,
     project_id: UUID | None = None,
     cursor: str | None = None,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
 ) -> Page[QueueItem]:
     """Return what waits for review, oldest first: of one project, or of all projects of the caller's studios."""
     return review_room.review_queue(session, actor, project_id=project_id, cursor=cursor)
@@ -65,14 +65,14 @@ def get_review_queue(
 
 @router.get("/review-queue/count", response_model=QueueCount, responses=problems(ProjectNotFound, TeamNeeded))
 def count_review_queue(
-    session: DbSession, project_id: UUID | None = None, actor: Actor = allows(Sight.TEAM)
+    session: DbSession, project_id: UUID | None = None, actor: Actor = allows(Audience.TEAM)
 ) -> QueueCount:
     """Count the cues that wait for review, up to 99: of one project, or of all projects of the caller's studios."""
     return review_room.queue_count(session, actor, project_id=project_id)
 
 
 @router.get("/cues/{cue_id}/review", response_model=CueReviewRead, responses=problems(CueNotFound, TeamNeeded))
-def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueReviewRead:
+def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> CueReviewRead:
     """Return everything of one cue that the review room shows, takes in every state included."""
     return review_room.cue_review(session, actor, cue_id)
 
@@ -81,11 +81,11 @@ def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Sight
     "/takes/{take_id}/verdict",
     response_model=VerdictGiven,
     responses=problems(
-        TakeNotFound, DeciderNeeded, StaleView, NotReviewable, WrongState, CueIsCut, NoteNeeded, RangeInvalid
+        TakeNotFound, ApproverNeeded, StaleView, NotReviewable, WrongState, CueIsCut, NoteNeeded, RangeInvalid
     ),
 )
 def give_verdict(
-    take_id: UUID, body: VerdictGive, session: DbSession, actor: Actor = allows(Sight.DECIDER)
+    take_id: UUID, body: VerdictGive, session: DbSession, actor: Actor = allows(Audience.APPROVER)
 ) -> VerdictGiven:
     """Approve a take, set it aside, or note a change as a draft."""
     return service.give_verdict(
@@ -103,9 +103,9 @@ def give_verdict(
 @router.delete(
     "/takes/{take_id}/verdict",
     response_model=VerdictUndone,
-    responses=problems(TakeNotFound, DeciderNeeded, NothingToUndo, TooLateToUndo, DecidedSince, CueIsCut),
+    responses=problems(TakeNotFound, ApproverNeeded, NothingToUndo, TooLateToUndo, VerdictSince, CueIsCut),
 )
-def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> VerdictUndone:
+def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.APPROVER)) -> VerdictUndone:
     """Take back what the last click on a take decided, a whole accepted set included, within a minute."""
     return service.undo_verdict(session, actor, take_id)
 
@@ -114,10 +114,12 @@ def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.
     "/cues/{cue_id}/accept-set",
     response_model=SetAccepted,
     responses=problems(
-        CueNotFound, DeciderNeeded, SetIncomplete, AlreadyAccepted, NotReviewable, NotOfThisCue, CueIsCut
+        CueNotFound, ApproverNeeded, SetIncomplete, AlreadyAccepted, NotReviewable, NotOfThisCue, CueIsCut
     ),
 )
-def accept_set(cue_id: UUID, body: SetAccept, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> SetAccepted:
+def accept_set(
+    cue_id: UUID, body: SetAccept, session: DbSession, actor: Actor = allows(Audience.APPROVER)
+) -> SetAccepted:
     """Approve one take of every variation at once, or none where a variation lacks one."""
     return service.accept_set(session, actor, cue_id, note=body.note, take_ids=body.take_ids)
 
@@ -132,37 +134,37 @@ def list_change_requests(
     session: DbSession,
     state: Literal["draft", "sent"] = "sent",
     cursor: str | None = None,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> Page[ChangeRequestRead]:
     """Return drafts (the team's alone) or sent change requests, newest first."""
-    return sendings.change_requests(session, actor, project_id, state=state, cursor=cursor)
+    return feedback.change_requests(session, actor, project_id, state=state, cursor=cursor)
 
 
 @router.delete(
     "/change-requests/{change_request_id}",
     status_code=204,
-    responses=problems(ChangeRequestNotFound, DeciderNeeded, AlreadySent),
+    responses=problems(ChangeRequestNotFound, ApproverNeeded, AlreadySent),
 )
-def drop_change_request(change_request_id: UUID, session: DbSession, actor: Actor = allows(Sight.DECIDER)) -> None:
+def drop_change_request(change_request_id: UUID, session: DbSession, actor: Actor = allows(Audience.APPROVER)) -> None:
     """Drop a draft."""
-    sendings.drop_change_request(session, actor, change_request_id)
+    feedback.drop_change_request(session, actor, change_request_id)
 
 
 @router.post(
-    "/projects/{project_id}/sendings",
+    "/projects/{project_id}/feedback",
     status_code=201,
-    response_model=SendingRead,
-    responses=problems(ProjectNotFound, DeciderNeeded, NothingToSend),
+    response_model=FeedbackRead,
+    responses=problems(ProjectNotFound, ApproverNeeded, NothingToSend),
 )
 def send_change_requests(
-    project_id: UUID, body: SendingAdd, session: DbSession, actor: Actor = allows(Sight.DECIDER)
-) -> SendingRead:
+    project_id: UUID, body: FeedbackAdd, session: DbSession, actor: Actor = allows(Audience.APPROVER)
+) -> FeedbackRead:
     """Send all drafts together; one sending counts one round for each cue or set it names."""
-    return sendings.send_changes(session, actor, project_id, note=body.note)
+    return feedback.send_changes(session, actor, project_id, note=body.note)
 
 
 @router.get("/takes/{take_id}/comments", response_model=list[CommentRead], responses=problems(TakeNotFound))
-def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[CommentRead]:
+def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[CommentRead]:
     """Return the advice on a take, oldest first."""
     return comments.take_comments(session, actor, take_id)
 
@@ -174,7 +176,7 @@ def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Sight
     responses=problems(TakeNotFound, RangeInvalid),
 )
 def add_comment(
-    take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+    take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> CommentRead:
     """Write advice on a take, at a time in the sound or on the whole of it."""
     return comments.add_comment(session, actor, take_id, text=body.text, start_s=body.start_s, end_s=body.end_s)
@@ -185,13 +187,13 @@ def add_comment(
     response_model=CommentRead,
     responses=problems(CommentNotFound),
 )
-def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CommentRead:
+def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CommentRead:
     """Mark advice as seen to."""
     return comments.resolve_comment(session, actor, comment_id)
 
 
 @router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))
-def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> list[HistoryEntry]:
+def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[HistoryEntry]:
     """Return what happened to a take, oldest first."""
     return review_room.take_history(session, actor, take_id)
 
@@ -201,20 +203,20 @@ def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Si
     response_model=CueCutRead,
     responses=problems(CueNotFound, ProducerNeeded, CueIsCut),
 )
-def cut_cue(cue_id: UUID, body: CueCut, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> Cue:
+def cut_cue(cue_id: UUID, body: CueCut, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> Cue:
     """Cut a cue that the game no longer needs; it is kept with its reason and its takes."""
     return service.cut_cue(session, actor, cue_id, reason=body.reason)
 
 
 @router.get("/takes/{take_id}/fit", response_model=TakeFitRead, responses=problems(TakeNotFound, TeamNeeded))
-def see_take_fit(take_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> TakeFitRead:
-    """Show how a take lies among the approved sounds of its category, or of the palette."""
+def see_take_fit(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> TakeFitRead:
+    """Compare a take with the approved sounds of its category, or of the palette."""
     return fit.take_fit(session, actor, take_id)
 
 
 @router.get(
     "/deliveries/{delivery_id}/fit", response_model=DeliveryFitRead, responses=problems(DeliveryNotFound, TeamNeeded)
 )
-def see_delivery_fit(delivery_id: UUID, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> DeliveryFitRead:
-    """Show how a delivery lies among what other designers made before and was approved."""
+def see_delivery_fit(delivery_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> DeliveryFitRead:
+    """Compare a delivery with other designers' approved sounds."""
     return fit.delivery_fit(session, actor, delivery_id)

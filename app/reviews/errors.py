@@ -1,10 +1,10 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Invalid, NotFound
 
 
 class StaleView(Conflict):
-    """The take does not stand where the caller saw it."""
+    """The take is no longer in the state that the caller saw."""
 
 
 class NotReviewable(Conflict):
@@ -16,10 +16,10 @@ class TooLateToUndo(Conflict):
 
 
 class NothingToUndo(Conflict):
-    """No verdict of the caller's stands that could be taken back."""
+    """There is no verdict of the caller that can be undone."""
 
 
-class DecidedSince(Conflict):
+class VerdictSince(Conflict):
     """Something was decided after the verdict, so it cannot be taken back."""
 
 

@@ -1,4 +1,4 @@
-"""Fit with the palette: how far takes stand from what was approved before."""
+"""Fit with the palette: the distance of takes from approved sounds."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -30,16 +30,16 @@ from app.reviews.schemas import DeliveryFitRead, DeliveryShift, FitPoint, Measur
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 
-NO_PALETTE = "The list marks no cue as the palette. Mark those that set the tone, and sounds are compared."
-TOO_FEW = f"Fewer than {FEWEST} other cues are approved, in this category or in the palette: there is no middle yet."
+NO_PALETTE = "No cue is marked as palette. Mark the reference sounds, and new sounds are compared with them."
+TOO_FEW = f"Fewer than {FEWEST} other cues are approved in this category or the palette: too few to compare with."
 NOT_CHECKED = "This version has not been checked, or is for no cue yet."
 BEING_HEARD = " Spectrum and timbre are still being measured."
 
 
 def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
-    """Return how a take lies among the approved sounds of its category; for the team."""
-    take, standing = take_for(session, actor, take_id)
-    standing.ensure_team()
+    """Compare a take with the approved sounds of its category; for the team."""
+    take, access = take_for(session, actor, take_id)
+    access.ensure_team()
     sound = queries.take_compared(session, take_id)
     delivery, _ = delivery_for(session, actor, take.delivery_id)
     approved = queries.approved_sounds(session, take.project_id)
@@ -49,19 +49,19 @@ def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
         return TakeFitRead.nothing(take, NOT_CHECKED, first_delivery_id=first)
     if not has_palette(session, take.project_id):
         return TakeFitRead.nothing(take, NO_PALETTE, first_delivery_id=first)
-    return _fit(standing.project, sound, approved, first_delivery_id=first)
+    return _fit(access.project, sound, approved, first_delivery_id=first)
 
 
 def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryFitRead:
-    """Return how each take of a delivery lies among what other designers made and was approved; for the team."""
-    delivery, standing = delivery_for(session, actor, delivery_id)
-    standing.ensure_team()
+    """Compare each take of a delivery with other designers' approved sounds; for the team."""
+    delivery, access = delivery_for(session, actor, delivery_id)
+    access.ensure_team()
     before = [
         one
         for one in queries.approved_sounds(session, delivery.project_id)
         if one.take.designer_id != delivery.designer_id
     ]
-    takes = [_fit(standing.project, one, before) for one in queries.takes_compared(session, delivery_id)]
+    takes = [_fit(access.project, one, before) for one in queries.takes_compared(session, delivery_id)]
     return DeliveryFitRead(
         delivery_id=delivery.id,
         project_id=delivery.project_id,
@@ -82,7 +82,7 @@ def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryF
 def _fit(
     project: Project, sound: Compared, approved: Sequence[Compared], *, first_delivery_id: UUID | None = None
 ) -> TakeFitRead:
-    """Return where one sound lies among the approved cues of its category, else of the palette."""
+    """Compare one sound with the approved cues of its category, else of the palette."""
     cues = _by_cue([one for one in approved if one.cue.id != sound.cue.id])
     of_category = [one for one in cues if one[0].category == sound.cue.category]
     of_palette = [one for one in cues if one[0].palette]
@@ -97,7 +97,7 @@ def _fit(
         cue=cue,
         basis=basis,
         category=sound.cue.category,
-        says=in_words(fits) + ("" if sound.is_heard else BEING_HEARD),
+        says=in_words(fits) + ("" if sound.is_analysed else BEING_HEARD),
         is_apart=any(fit.stands is not Stands.WITHIN for fit in fits.values()),
         measures=[_read(project, measure, fit, [one for one, _ in others]) for measure, fit in fits.items()],
         first_delivery_id=first_delivery_id,
@@ -105,7 +105,7 @@ def _fit(
 
 
 def _by_cue(sounds: Sequence[Compared]) -> list[tuple[Cue, Likeness]]:
-    """Return each cue with what lies in the middle of its variations."""
+    """Return each cue with the medians of its variations."""
     variations: dict[Cue, list[Likeness]] = {}
     for one in sounds:
         variations.setdefault(one.cue, []).append(one.likeness)

@@ -1,4 +1,4 @@
-"""What takes are compared in, read from the database; callers have checked who looks."""
+"""Features for comparing takes, read from the database; callers have checked access."""
 
 from dataclasses import dataclass
 from uuid import UUID
@@ -19,16 +19,16 @@ DECIDABLE = (TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE, Take
 
 @dataclass(frozen=True)
 class Compared:
-    """A matched take, and what of it is compared; `is_heard` is false until its timbre has been measured."""
+    """A matched take, and what of it is compared; `is_analysed` is false until its timbre has been measured."""
 
     take: Take
     cue: Cue
     likeness: Likeness
-    is_heard: bool
+    is_analysed: bool
 
 
 def approved_sounds(session: Session, project_id: UUID) -> list[Compared]:
-    """Return the approved takes of a project's living cues, in list order."""
+    """Return the approved takes of a project's cues that are not cut, in list order."""
     return _compared(
         session, Take.project_id == project_id, Take.state == TakeState.APPROVED, Cue.state != CueState.CUT
     )
@@ -46,10 +46,10 @@ def takes_compared(session: Session, delivery_id: UUID) -> list[Compared]:
 
 
 def _compared(session: Session, *conditions: ColumnElement[bool]) -> list[Compared]:
-    told = CheckRun.report
-    integrated = told[("measurements", "integrated_lufs")].as_float()
-    shortest = told[("measurements", "short_loudness_lufs")].as_float()
-    score = told[("judgements", "reverb", "score")].as_float()
+    report = CheckRun.report
+    integrated = report[("measurements", "integrated_lufs")].as_float()
+    shortest = report[("measurements", "short_loudness_lufs")].as_float()
+    score = report[("judgements", "reverb", "score")].as_float()
     rows = session.execute(
         select(Take, Cue, Timbre, integrated, shortest, score)
         .join(Cue, Cue.id == Take.cue_id)
@@ -69,7 +69,7 @@ def _compared(session: Session, *conditions: ColumnElement[bool]) -> list[Compar
                 bands_db=(timbre.bands_db or None) if timbre else None,
                 timbre=(timbre.timbre or None) if timbre else None,
             ),
-            is_heard=timbre is not None,
+            is_analysed=timbre is not None,
         )
         for take, cue, timbre, whole, shortest, reverb in rows
     ]

@@ -1,6 +1,6 @@
-"""How far a sound stands from others, stated without a database.
+"""Rules for comparing a sound with others, stated without a database.
 
-A figure lies within where it is among the others' or at most a slack beyond. What has many numbers (spectrum,
+A figure is within range if it is between the others' or at most a slack beyond. What has many numbers (spectrum,
 timbre) is compared by its distance from the middle of the others; each of them has its own, from the middle of the
 rest.
 """
@@ -18,7 +18,7 @@ FEWEST = 3  # cues to be compared with: fewer have no middle
 
 
 class Measure(StrEnum):
-    """What sounds are compared in."""
+    """The measures by which sounds are compared."""
 
     LOUDNESS = "loudness"
     SPECTRUM = "spectrum"
@@ -27,14 +27,14 @@ class Measure(StrEnum):
 
 
 class FitBasis(StrEnum):
-    """Which approved sounds a take is compared with."""
+    """The approved sounds that a take is compared with."""
 
     CATEGORY = "category"
     PALETTE = "palette"
 
 
 class Stands(StrEnum):
-    """Where a figure lies among others."""
+    """The position of a figure among others."""
 
     WITHIN = "within"
     ABOVE = "above"
@@ -45,15 +45,15 @@ SLACK = {Measure.LOUDNESS: 2.0, Measure.SPECTRUM: 2.0, Measure.DRYNESS: 0.15, Me
 UNITS = {Measure.LOUDNESS: "LUFS", Measure.SPECTRUM: "dB", Measure.DRYNESS: "of 1", Measure.TIMBRE: "dB"}
 WORDS = {
     Measure.LOUDNESS: {Stands.ABOVE: "louder", Stands.BELOW: "quieter"},
-    Measure.SPECTRUM: {Stands.ABOVE: "spread otherwise over frequency"},
+    Measure.SPECTRUM: {Stands.ABOVE: "different spectrum"},
     Measure.DRYNESS: {Stands.ABOVE: "more reverberant", Stands.BELOW: "drier"},
-    Measure.TIMBRE: {Stands.ABOVE: "of another timbre"},
+    Measure.TIMBRE: {Stands.ABOVE: "different timbre"},
 }
 
 
 @dataclass(frozen=True)
 class Likeness:
-    """What of a sound is compared; None where it was not measured, or there is nothing to hear."""
+    """The compared features of a sound; None if not measured, or for silence."""
 
     loudness_lufs: float | None = None
     reverb_score: float | None = None  # 0 is surely dry, 1 surely reverberant
@@ -62,7 +62,7 @@ class Likeness:
 
 
 class Fit(NamedTuple):
-    """Where a sound lies among others by one measure."""
+    """The position of a sound among others by one measure."""
 
     value: float
     others: list[float | None]  # in the order that they were given
@@ -84,7 +84,7 @@ def timbre_distance_db(one: Numbers, other: Numbers) -> float:
 
 
 def middle_of(sounds: Sequence[Likeness]) -> Likeness:
-    """Return what lies in the middle of some sounds, number for number: how the variations of one cue count as one."""
+    """Return the medians of some sounds, number by number: so the variations of one cue count as one sound."""
     loudness = [one.loudness_lufs for one in sounds if one.loudness_lufs is not None]
     reverb = [one.reverb_score for one in sounds if one.reverb_score is not None]
     bands = [one.bands_db for one in sounds if one.bands_db]
@@ -98,7 +98,7 @@ def middle_of(sounds: Sequence[Likeness]) -> Likeness:
 
 
 def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
-    """Return where a sound lies among others, by every measure that it and three of them have."""
+    """Return the position of a sound among others, by every measure that it and three of them have."""
     plain: dict[Measure, Callable[[Likeness], float | None]] = {
         Measure.LOUDNESS: lambda one: one.loudness_lufs,
         Measure.DRYNESS: lambda one: one.reverb_score,
@@ -150,13 +150,13 @@ def _middle(lists: Sequence[Numbers]) -> list[float]:
 
 
 def in_words(fits: dict[Measure, Fit]) -> str:
-    """Say where a sound stands apart, or that it fits."""
+    """Return a sentence on how a sound differs, or that it fits."""
     apart = [
         f"{WORDS[measure][fit.stands]}{_by_how_much(measure, fit)}"
         for measure, fit in fits.items()
         if fit.stands is not Stands.WITHIN
     ]
-    return f"Stands apart: {', '.join(apart)}." if apart else "Lies among them in everything that was measured."
+    return f"Stands apart: {', '.join(apart)}." if apart else "Within their range in everything measured."
 
 
 def _by_how_much(measure: Measure, fit: Fit) -> str:
@@ -167,9 +167,9 @@ def _by_how_much(measure: Measure, fit: Fit) -> str:
 
 
 def shift(placed: Sequence[tuple[float, float, Stands]]) -> tuple[int, float]:
-    """Return how many of some sounds stand apart, and by how much the middle one lies off what it is compared with.
+    """Return how many of some sounds are out of range, and the median of their distances from the others.
 
-    Each is its value, the middle of the others, and where it stands.
+    Each is its value, the median of the others, and its position.
     """
     apart = sum(stands is not Stands.WITHIN for _, _, stands in placed)
     return apart, median(value - middle for value, middle, _ in placed)

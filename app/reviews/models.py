@@ -13,10 +13,11 @@ from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.reviews.rules import VerdictKind
+from app.sound_lists.models import Cue
 
 
 class Verdict(Base):
-    """What the decider said of a take; rows are added, never changed."""
+    """The approver's verdict on a take; rows are added, never changed."""
 
     __tablename__ = "reviews_verdicts"
     __table_args__ = (Index("ix_reviews_verdicts_project_id_id", "project_id", "id"),)
@@ -26,7 +27,7 @@ class Verdict(Base):
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
-    action_id: Mapped[UUID] = mapped_column(index=True)  # what one click decided is taken back together
+    action_id: Mapped[UUID] = mapped_column(index=True)  # decisions of one click are undone together
     kind: Mapped[VerdictKind]
     note: Mapped[str] = mapped_column(default="")
     state_before: Mapped[TakeState]
@@ -35,13 +36,13 @@ class Verdict(Base):
     withdraws_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_verdicts.id"), unique=True)
     given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     # By whose clause it was decided, because `given_by` said nothing; None: they did.
-    silence_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    deemed_by_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person] = relationship(lazy="raise")
 
 
 class Reminder(Base):
-    """One mail to the decider of a cue that a clause on silence will accept."""
+    """One mail to the approver of a cue that a clause on silence will accept."""
 
     __tablename__ = "reviews_reminders"
     __table_args__ = (UniqueConstraint("cue_id", "waiting_since", "number"),)
@@ -50,15 +51,15 @@ class Reminder(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
-    waiting_since: Mapped[datetime]  # another version of the cue waits anew
+    waiting_since: Mapped[datetime]  # another version of the cue starts a new wait
     number: Mapped[int]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Sending(Base):
-    """One consolidated set of notes that the decider sent to a designer."""
+class Feedback(Base):
+    """One consolidated set of notes that the approver sent to a designer."""
 
-    __tablename__ = "reviews_sendings"
+    __tablename__ = "reviews_feedback"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -69,7 +70,7 @@ class Sending(Base):
 
 
 class ChangeRequest(Base):
-    """What to change in a take, at a time in the sound; a draft until it is sent with others."""
+    """A change request for a take, at a time in the sound; a draft until it is sent with others."""
 
     __tablename__ = "reviews_change_requests"
     __table_args__ = (
@@ -78,14 +79,14 @@ class ChangeRequest(Base):
             "uq_reviews_change_requests_draft",
             "take_id",
             unique=True,
-            sqlite_where=text("sending_id is null"),
-            postgresql_where=text("sending_id is null"),
+            sqlite_where=text("feedback_id is null"),
+            postgresql_where=text("feedback_id is null"),
         ),
         Index(
             "ix_reviews_change_requests_drafts",
             "project_id",
-            sqlite_where=text("sending_id is null"),
-            postgresql_where=text("sending_id is null"),
+            sqlite_where=text("feedback_id is null"),
+            postgresql_where=text("feedback_id is null"),
         ),
         Index("ix_reviews_change_requests_project_id_id", "project_id", "id"),
     )
@@ -100,10 +101,11 @@ class ChangeRequest(Base):
     end_s: Mapped[float | None]
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    sending_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_sendings.id"), index=True)
+    feedback_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_feedback.id"), index=True)
+    cue: Mapped[Cue] = relationship(lazy="raise")  # its take may be moved to another one, or to none
     take: Mapped[Take] = relationship(lazy="raise")
     author: Mapped[Person] = relationship(lazy="raise")
-    sending: Mapped[Sending | None] = relationship(lazy="raise")
+    sending: Mapped[Feedback | None] = relationship(lazy="raise")
 
 
 class Round(Base):
@@ -111,7 +113,7 @@ class Round(Base):
 
     __tablename__ = "reviews_rounds"
     __table_args__ = (
-        UniqueConstraint("cue_id", "sending_id"),
+        UniqueConstraint("cue_id", "feedback_id"),
         UniqueConstraint("cue_id", "number"),
         CheckConstraint("(number is null) = (why_not_counted is not null)", name="counted_or_why_not"),
     )
@@ -120,7 +122,7 @@ class Round(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
-    sending_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_sendings.id"))
+    feedback_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_feedback.id"))
     number: Mapped[int | None]  # None: not counted
     why_not_counted: Mapped[str | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
@@ -140,14 +142,14 @@ class Comment(Base):
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    decides: Mapped[bool]  # whether the author had the last word when writing; all others advise
+    decides: Mapped[bool]  # whether the author was the approver when writing; all others advise
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
 
 
-# Of a cue's variation at most one take is picked, whoever clicks at once.
+# Of a cue's variation at most one take is picked, even when two people click at once.
 Index(
     "uq_reviews_one_approved",
     Take.cue_id,

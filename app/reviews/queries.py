@@ -1,4 +1,4 @@
-"""What was said and decided of takes, read from the database; callers have checked who looks."""
+"""Verdicts, change requests and comments on takes, read from the database; callers have checked access."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
@@ -11,7 +11,7 @@ from app.accounts.models import Person
 from app.conformance.models import CheckRun, Waiver
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
@@ -21,12 +21,12 @@ from app.sound_lists.rules import CueState
 
 def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Reminder]:
     """Return the reminders that were sent of cues."""
-    return session.scalars(select(Reminder).where(among(Reminder.cue_id, cue_ids))).all()
+    return session.scalars(select(Reminder).where(in_array(Reminder.cue_id, cue_ids))).all()
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
     """Return how many rounds count for cues."""
-    query = select(Round.cue_id, func.count(Round.number)).where(among(Round.cue_id, cue_ids)).group_by(Round.cue_id)
+    query = select(Round.cue_id, func.count(Round.number)).where(in_array(Round.cue_id, cue_ids)).group_by(Round.cue_id)
     return dict(session.execute(query).all())
 
 
@@ -40,7 +40,7 @@ def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUI
     found: dict[UUID, list[int]] = defaultdict(list)
     query = (
         select(Take.cue_id, Take.variation)
-        .where(among(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED)
+        .where(in_array(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED)
         .order_by(Take.variation)
     )
     for cue_id, variation in session.execute(query):
@@ -91,7 +91,7 @@ def lock_cue(session: Session, cue_id: UUID) -> None:
 
 
 def open_takes(session: Session, cue_id: UUID, *, variation: int | None = None) -> Sequence[Take]:
-    """Return a cue's takes that wait or are approved, as they stand now, newest first."""
+    """Return a cue's takes that wait or are approved, newest first."""
     query = (
         select(Take)
         .where(Take.cue_id == cue_id, Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)))
@@ -104,18 +104,18 @@ def open_takes(session: Session, cue_id: UUID, *, variation: int | None = None) 
 
 
 def takes_by_id(session: Session, take_ids: Collection[UUID]) -> dict[UUID, Take]:
-    """Return takes by id, as they stand now."""
-    query = select(Take).where(among(Take.id, take_ids)).execution_options(populate_existing=True)
+    """Return takes by id, refreshed."""
+    query = select(Take).where(in_array(Take.id, take_ids)).execution_options(populate_existing=True)
     return {take.id: take for take in session.scalars(query)}
 
 
-def standing_verdicts(session: Session, take_ids: Collection[UUID]) -> Sequence[Verdict]:
+def effective_verdicts(session: Session, take_ids: Collection[UUID]) -> Sequence[Verdict]:
     """Return the verdicts on takes that were not taken back, oldest first."""
     back = aliased(Verdict)
     return session.scalars(
         select(Verdict)
         .where(
-            among(Verdict.take_id, take_ids),
+            in_array(Verdict.take_id, take_ids),
             Verdict.kind != VerdictKind.WITHDRAW,
             ~exists().where(back.withdraws_id == Verdict.id),
         )
@@ -137,7 +137,8 @@ def verdicts_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Verdi
 
 def _change_requests() -> Select[ChangeRequest]:
     return select(ChangeRequest).options(
-        joinedload(ChangeRequest.take).joinedload(Take.cue),
+        joinedload(ChangeRequest.cue),
+        joinedload(ChangeRequest.take),
         joinedload(ChangeRequest.author),
         joinedload(ChangeRequest.sending),
     )
@@ -146,14 +147,14 @@ def _change_requests() -> Select[ChangeRequest]:
 def open_drafts(session: Session, take_ids: Collection[UUID]) -> Sequence[ChangeRequest]:
     """Return the drafts on takes."""
     return session.scalars(
-        _change_requests().where(among(ChangeRequest.take_id, take_ids), ChangeRequest.sending_id.is_(None))
+        _change_requests().where(in_array(ChangeRequest.take_id, take_ids), ChangeRequest.feedback_id.is_(None))
     ).all()
 
 
 def draft_of(session: Session, take_id: UUID) -> ChangeRequest | None:
     """Return the draft on a take."""
     return session.scalar(
-        _change_requests().where(ChangeRequest.take_id == take_id, ChangeRequest.sending_id.is_(None))
+        _change_requests().where(ChangeRequest.take_id == take_id, ChangeRequest.feedback_id.is_(None))
     )
 
 
@@ -162,7 +163,7 @@ def drafts_of_project(session: Session, project_id: UUID) -> Sequence[ChangeRequ
     return session.scalars(
         _change_requests()
         .join(Cue, Cue.id == ChangeRequest.cue_id)
-        .where(ChangeRequest.project_id == project_id, ChangeRequest.sending_id.is_(None))
+        .where(ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None))
         .order_by(Cue.number, ChangeRequest.id)
         .execution_options(populate_existing=True)
     ).all()

@@ -1,4 +1,4 @@
-"""What waits for review with all that its cards show, read in few columns; callers have checked who looks."""
+"""The review queue with all that its cards show, read in few columns; callers have checked access."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -25,17 +25,17 @@ from sqlalchemy.orm import Session, aliased, joinedload, load_only
 from sqlalchemy.sql.functions import aggregate_strings
 
 from app.accounts.models import Person
+from app.agreements.models import Contract, ContractCue
+from app.agreements.rules import ContractState
 from app.conformance.models import CheckRun, Waiver
 from app.conformance.rules import Report
-from app.contracts.models import Contract, ContractCue
-from app.contracts.rules import ContractState
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.kit.among import among
-from app.kit.there_is import there_is
+from app.kit.exists import row_exists
+from app.kit.in_array import in_array
 from app.projects.models import Project, Spec
 from app.renders.models import Picture, RenderSet
-from app.renders.shown import PICTURE, ShownPicture, ShownRender, shown_renders
+from app.renders.shown_renders import PICTURE, ShownPicture, ShownRender, shown_renders
 from app.renders.thumbs import Thumb, thumbs
 from app.reviews.models import ChangeRequest, Comment, Round
 from app.reviews.queries import open_drafts
@@ -44,7 +44,7 @@ from app.sound_lists.rules import CueState
 
 SHOWN_OF_TAKES = (
     *(Take.studio_id, Take.project_id, Take.delivery_id, Take.cue_id, Take.variation, Take.number, Take.alternate),
-    *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.mend_of_id),
+    *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.fix_of_id),
     Take.master_sha256,
 )
 STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
@@ -57,7 +57,7 @@ def in_project(project_id: UUID) -> ColumnElement[bool]:
 
 def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
     """Admit the takes of some studios."""
-    return among(Take.studio_id, studio_ids)
+    return in_array(Take.studio_id, studio_ids)
 
 
 def _newest_spec_id() -> ScalarSelect[UUID]:
@@ -74,18 +74,18 @@ def _newest_spec_id() -> ScalarSelect[UUID]:
 
 @cache
 def _waits() -> ColumnElement[bool]:
-    """Say which takes wait: conforming, of a cue that is still wanted, drawn, and every render made or refused."""
+    """Return the condition of waiting: conforming, cue not cut, drawn, every render made or refused."""
     made = select(RenderSet.take_id).where(
         RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
     )
-    rendered = there_is(made, Take)  # of EXISTS PostgreSQL may gather all that was ever rendered
+    rendered = row_exists(made, Take)  # of EXISTS PostgreSQL may gather all that was ever rendered
     drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
     wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
     return and_(Take.state == TakeState.CONFORMING, wanted.correlate(Take), drawn.correlate(Take), rendered)
 
 
 class WaitingCue(NamedTuple):
-    """A cue that waits for the decider, since its first take does."""
+    """A cue that waits for the approver, since its first take does."""
 
     id: UUID
     since: datetime
@@ -123,7 +123,7 @@ def cues_under_contract(session: Session, cue_ids: Collection[UUID]) -> Sequence
     return session.scalars(
         select(ContractCue.cue_id)
         .join(Contract, Contract.id == ContractCue.contract_id)
-        .where(among(ContractCue.cue_id, cue_ids), *_is_open())
+        .where(in_array(ContractCue.cue_id, cue_ids), *_is_open())
     ).all()
 
 
@@ -156,7 +156,7 @@ def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, l
 # Statements of a page are built once: that takes longer than to send them.
 @cache
 def _waiting() -> Select[UUID | None, UUID]:
-    waiting = select(Take.cue_id, Take.id).where(among(Take.cue_id, "cue_ids"), _waits())
+    waiting = select(Take.cue_id, Take.id).where(in_array(Take.cue_id, "cue_ids"), _waits())
     return waiting.order_by(Take.state_since, Take.id)
 
 
@@ -176,12 +176,12 @@ class TakeOnReview:
 
 
 def _takes() -> Select[*tuple[Any, ...]]:
-    drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.sending_id.is_(None))
+    drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.feedback_id.is_(None))
     waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
     comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
         select(
-            *(Take, CheckRun.report, there_is(drafts, Take), there_is(waivers, Take)),
+            *(Take, CheckRun.report, row_exists(drafts, Take), row_exists(waivers, Take)),
             *(comments.correlate(Take).scalar_subquery(), *PICTURE),
         )
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
@@ -200,7 +200,7 @@ def _takes() -> Select[*tuple[Any, ...]]:
 
 @cache
 def _takes_by_id() -> Select[*tuple[Any, ...]]:
-    return _takes().where(among(Take.id, "ids"))
+    return _takes().where(in_array(Take.id, "ids"))
 
 
 @cache
@@ -246,7 +246,7 @@ def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]])
 
 
 def _waivers_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Waiver]:
-    return session.scalars(select(Waiver).where(among(Waiver.take_id, take_ids)).order_by(Waiver.id)).all()
+    return session.scalars(select(Waiver).where(in_array(Waiver.take_id, take_ids)).order_by(Waiver.id)).all()
 
 
 def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, Spec]:
@@ -258,7 +258,7 @@ def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, 
 def _newest_specs() -> Select[Spec]:
     newest = (
         select(Spec.project_id, func.max(Spec.version).label("version"))
-        .where(among(Spec.project_id, "project_ids"))
+        .where(in_array(Spec.project_id, "project_ids"))
         .group_by(Spec.project_id)
         .subquery()
     )
@@ -266,7 +266,7 @@ def _newest_specs() -> Select[Spec]:
 
 
 class CueOnReview(NamedTuple):
-    """What a card of the queue says of a cue beside its takes."""
+    """The facts of a cue that a card of the queue shows in addition to its takes."""
 
     prefix: str  # the letters that cue numbers of its project start with
     rounds: int
@@ -276,7 +276,7 @@ class CueOnReview(NamedTuple):
 
 
 def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, CueOnReview]:
-    """Return what is told of some cues."""
+    """Return these facts of some cues."""
     rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
     return {
         cue_id: CueOnReview(prefix, rounds, sorted(map(int, approved.split(","))) if approved else [], *whether)
@@ -289,7 +289,7 @@ def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
     rounds = select(func.count(Round.number)).where(Round.cue_id == Cue.id)
     variations = aggregate_strings(cast(Take.variation, String), ",")
     approved = select(variations).where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED)
-    changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.sending_id.is_not(None))
+    changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.feedback_id.is_not(None))
     contracted = (
         select(ContractCue.cue_id)
         .join(Contract, Contract.id == ContractCue.contract_id)
@@ -299,10 +299,10 @@ def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
         select(
             *(Cue.id, Project.cue_prefix),
             *(each.correlate(Cue).scalar_subquery() for each in (rounds, approved)),
-            *(there_is(each, Cue) for each in (changed, contracted)),
+            *(row_exists(each, Cue) for each in (changed, contracted)),
         )
         .join(Project, Project.id == Cue.project_id)
-        .where(among(Cue.id, "cue_ids"))
+        .where(in_array(Cue.id, "cue_ids"))
     )
 
 
@@ -313,5 +313,5 @@ def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]
 
 @cache
 def _sent() -> Select[UUID, str]:
-    sent = (among(ChangeRequest.cue_id, "cue_ids"), ChangeRequest.sending_id.is_not(None))
+    sent = (in_array(ChangeRequest.cue_id, "cue_ids"), ChangeRequest.feedback_id.is_not(None))
     return select(ChangeRequest.cue_id, ChangeRequest.text).where(*sent).order_by(ChangeRequest.id)

@@ -1,4 +1,4 @@
-"""What the review room shows: the queue, one cue with everything said of it, the history of a take."""
+"""The review room: the queue, one cue with everything said of it, the history of a take."""
 
 from collections import defaultdict
 from collections.abc import Iterable
@@ -12,22 +12,23 @@ from sqlalchemy.orm import Session
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.conformance.queries import mend_that_made
+from app.conformance.queries import fix_that_made
 from app.conformance.schemas import FindingRead
-from app.conformance.service import resolved_spec, told_findings
-from app.conformance.sets import SetWord, with_set_word, words_on_sets
+from app.conformance.service import findings_read, resolved_spec
+from app.conformance.set_findings import SetFinding, findings_of_sets, with_set_finding
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
-from app.kit.among import among
 from app.kit.http import Page, cursor_of, instant_cursor
+from app.kit.in_array import in_array
 from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
-from app.projects.queries import decider_of
-from app.projects.service import standing_in
+from app.projects.queries import approver_of
+from app.projects.service import project_access
 from app.renders.service import sound_places
-from app.renders.shown import ShownPicture
+from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries
+from app.reviews.deemed_cues import last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_queries import CueOnReview, TakeOnReview
 from app.reviews.rules import VerdictKind, missing_variations, queue_kind
@@ -44,13 +45,12 @@ from app.reviews.schemas import (
     RoundRead,
     VerdictRead,
 )
-from app.reviews.silence import last_days
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
-from app.sound_lists.service import cue_in_sight
+from app.sound_lists.service import visible_cue
 
 PAGE_CUES = 16  # as many lines as a tall screen shows
-COUNTED_CUES = 99  # more is told as "99+"
+COUNTED_CUES = 99  # more is shown as "99+"
 
 
 def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
@@ -65,15 +65,15 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
-    told = queue_queries.cues_on_review(session, by_cue)
-    changed = [cue_id for cue_id, of_cue in told.items() if of_cue.is_changed]
+    facts = queue_queries.cues_on_review(session, by_cue)
+    changed = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_changed]
     changes = queue_queries.last_changes(session, changed) if changed else {}
-    words = words_on_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
-    contracted = [cue_id for cue_id, of_cue in told.items() if of_cue.is_contracted]
+    words = findings_of_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
+    contracted = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_contracted]
     last = last_days(session, contracted) if contracted else {}
     items = [
         _queue_item(
-            takes, cue.since, told[cue.id], words, last_change=changes.get(cue.id), accepted_after=last.get(cue.id)
+            takes, cue.since, facts[cue.id], words, last_change=changes.get(cue.id), accepted_after=last.get(cue.id)
         )
         for cue in shown
         if (takes := by_cue.get(cue.id))
@@ -91,7 +91,7 @@ def queue_count(session: Session, actor: Actor, *, project_id: UUID | None) -> Q
 
 def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:
     if project_id is not None:
-        standing_in(session, actor, project_id).ensure_team()
+        project_access(session, actor, project_id).ensure_team()
         return queue_queries.in_project(project_id)
     if not actor.roles:
         raise TeamNeeded("only a game team has a review queue")
@@ -101,8 +101,8 @@ def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnEle
 def _queue_item(
     waiting: list[TakeOnReview],
     since: datetime,
-    told: CueOnReview,
-    words: dict[UUID, SetWord],
+    facts: CueOnReview,
+    words: dict[UUID, SetFinding],
     *,
     last_change: str | None,
     accepted_after: date | None,
@@ -110,15 +110,15 @@ def _queue_item(
     cue = waiting[0].take.cue
     if cue is None:
         raise AssertionError("only matched takes wait")
-    takes = [review_take(one, told.prefix, words) for one in waiting]
+    takes = [review_take(one, facts.prefix, words) for one in waiting]
     findings = [finding for take in takes for finding in take.findings]
     return QueueItem(
-        cue=review_cue(cue, told.prefix),
+        cue=review_cue(cue, facts.prefix),
         kind=queue_kind(cue.variations, [take.variation for take in takes]),
         waiting_since=since,
-        rounds_so_far=told.rounds,
+        rounds_so_far=facts.rounds,
         last_change=last_change,
-        approved_variations=told.approved,
+        approved_variations=facts.approved,
         accepted_after=accepted_after,
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),
@@ -136,10 +136,10 @@ def review_cue(cue: Cue, prefix: str) -> ReviewCue:
     return ReviewCue(**facts, label=label(prefix, cue.number))
 
 
-def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> ReviewTake:
-    """Return a take with what is needed to hear and to judge it, and what its set says of it."""
+def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -> ReviewTake:
+    """Return a take with what is needed to play and judge it, and the findings of its set."""
     take, word = one.take, words.get(one.take.id)
-    report = with_set_word(one.report, word.findings if word else ()) if one.report else {}
+    report = with_set_finding(one.report, word.findings if word else ()) if one.report else {}
     measurements = report.get("measurements") or {}
     findings = _findings(one, report)
     return ReviewTake(
@@ -166,7 +166,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetWord]) -> R
         findings=findings,
         waived=any(finding.waived for finding in findings),
         waiver_reason=one.waiver.reason if one.waiver else None,
-        mend_of_id=take.mend_of_id,
+        fix_of_id=take.fix_of_id,
         renders=[
             ReviewRender(
                 **_sound(one, render.picture if render else None),
@@ -190,7 +190,7 @@ def _sound(one: TakeOnReview, picture: ShownPicture | None) -> dict[str, Any]:
 def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:
     waiver = one.waiver
     codes = waiver.codes if waiver and waiver.master_sha256 == one.take.master_sha256 else []
-    return told_findings(report, resolved_spec(one.spec, one.take), codes) if report.get("findings") else []
+    return findings_read(report, resolved_spec(one.spec, one.take), codes) if report.get("findings") else []
 
 
 def _first(*figures: float | None) -> float | None:
@@ -198,25 +198,22 @@ def _first(*figures: float | None) -> float | None:
 
 
 def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRead:
-    """Return a change request as it is shown; its take with the cue, author and sending are loaded."""
-    cue = request.take.cue
-    if cue is None:
-        raise AssertionError("only matched takes get change requests")
+    """Return a change request as it is shown; its cue, take, author and sending are loaded."""
     return ChangeRequestRead(
         id=request.id,
         take_id=request.take_id,
         cue_id=request.cue_id,
-        cue_label=label(prefix, cue.number),
-        cue_name=cue.name,
+        cue_label=label(prefix, request.cue.number),
+        cue_name=request.cue.name,
         variation=request.take.variation,
         number=request.take.number or 0,
         text=request.text,
         start_s=request.start_s,
         end_s=request.end_s,
-        reverses=request.sending_id is None and request.take.state is TakeState.APPROVED,
+        reverses=request.feedback_id is None and request.take.state is TakeState.APPROVED,
         written_by=PersonBrief.model_validate(request.author),
         created_at=request.created_at,
-        sending_id=request.sending_id,
+        feedback_id=request.feedback_id,
         sent_at=request.sending.created_at if request.sending else None,
     )
 
@@ -228,16 +225,16 @@ def comment_read(comment: Comment) -> CommentRead:
 
 def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     """Return everything of one cue that the review room shows."""
-    standing, cue = cue_in_sight(session, actor, cue_id)
-    standing.ensure_team()
-    prefix = standing.project.cue_prefix
+    access, cue = visible_cue(session, actor, cue_id)
+    access.ensure_team()
+    prefix = access.project.cue_prefix
     shown = queue_queries.takes_of_cue(session, cue.id)
-    words = words_on_sets(session, [cue], _specs_of(shown))
+    words = findings_of_sets(session, [cue], _specs_of(shown))
     takes = [review_take(one, prefix, words) for one in shown]
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)
-    decider_id = decider_of(session, standing.project)
+    approver_id = approver_of(session, access.project)
     waiting = [take.variation for take in takes if take.state is TakeState.CONFORMING]
     return CueReviewRead(
         cue=review_cue(cue, prefix),
@@ -245,10 +242,10 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         accepted=cue.state is not CueState.CUT and not missing_variations(cue.variations, approved),
         approved_variations=approved,
         accepted_after=last_days(session, [cue.id]).get(cue.id),
-        decider=PersonBrief.model_validate(people_by_id(session, {decider_id})[decider_id]),
-        may_decide=standing.is_decider,
+        approver=PersonBrief.model_validate(people_by_id(session, {approver_id})[approver_id]),
+        may_approve=access.is_approver,
         takes=takes,
-        comments=[comment_read(one) for one in queries.comments_on(session, among(Comment.take_id, ids))],
+        comments=[comment_read(one) for one in queries.comments_on(session, in_array(Comment.take_id, ids))],
         verdicts=list(_verdicts_read(verdicts)),
         change_requests=[
             change_request_read(one, prefix)
@@ -269,13 +266,13 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             note=one.note,
             given_by=PersonBrief.model_validate(one.author),
             created_at=one.created_at,
-            by_silence=one.silence_contract_id is not None,
+            by_deemed_acceptance=one.deemed_by_contract_id is not None,
             withdrawn=one.id in withdrawn,
         )
 
 
 def take_history(session: Session, actor: Actor, take_id: UUID) -> list[HistoryEntry]:
-    """Return what happened to a take, oldest first; drafts are not told before they are sent."""
+    """Return what happened to a take, oldest first; without unsent drafts."""
     take, _ = take_for(session, actor, take_id)
     entries = [_receipt(session, take), *_checks(session, take), *_said(session, take)]
     return sorted(entries, key=lambda entry: entry.at)
@@ -285,11 +282,11 @@ def _receipt(session: Session, take: Take) -> HistoryEntry:
     designer = PersonBrief.model_validate(people_by_id(session, {take.designer_id})[take.designer_id])
     delivery = session.get_one(Delivery, take.delivery_id)
     text = f"{take.file_name}, delivery {delivery.number}"
-    mend = mend_that_made(session, take.id)
-    if mend is not None:
-        master = session.get_one(Take, mend.take_id)
-        words = ", ".join(repair["words"] for repair in mend.made.get("repairs", []))
-        text = f"{text}: a mend of version {master.number}, with its designer's consent; {words}"
+    fix = fix_that_made(session, take.id)
+    if fix is not None:
+        master = session.get_one(Take, fix.take_id)
+        words = ", ".join(repair["words"] for repair in fix.made.get("repairs", []))
+        text = f"{text}: a fix of version {master.number}, with its designer's consent; {words}"
     return HistoryEntry(at=take.received_at, kind="received", by=designer, text=text)
 
 
@@ -306,15 +303,15 @@ def _checks(session: Session, take: Take) -> Iterable[HistoryEntry]:
 
 def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
     for verdict in queries.verdicts_on(session, Verdict.take_id == take.id):
-        if verdict.kind is not VerdictKind.REQUEST_CHANGE:  # told below, with its place in the sound
+        if verdict.kind is not VerdictKind.REQUEST_CHANGE:  # added below, with its time in the sound
             yield HistoryEntry(
                 at=verdict.created_at,
                 kind=verdict.kind.value,
                 by=PersonBrief.model_validate(verdict.author),
-                by_silence=verdict.silence_contract_id is not None,
+                by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
                 text=verdict.note,
             )
-    sent = (ChangeRequest.take_id == take.id, ChangeRequest.sending_id.is_not(None))
+    sent = (ChangeRequest.take_id == take.id, ChangeRequest.feedback_id.is_not(None))
     for request in queries.change_requests_of(session, *sent):
         if request.sending is not None:
             yield HistoryEntry(

@@ -1,16 +1,16 @@
-"""What a verdict does and what counts as a round, stated without a database."""
+"""Effects of verdicts and the counting of rounds, stated without a database."""
 
 from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime, timedelta
 from enum import StrEnum
 
-from app.contracts.rules import WorkState
+from app.agreements.rules import WorkState
 from app.deliveries.rules import TakeState
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 
 
 class VerdictKind(StrEnum):
-    """What the decider said of a take."""
+    """The approver's verdict on a take."""
 
     APPROVE = "approve"
     REQUEST_CHANGE = "request_change"
@@ -19,15 +19,15 @@ class VerdictKind(StrEnum):
 
 
 class QueueKind(StrEnum):
-    """How the waiting takes of a cue are heard."""
+    """How the waiting takes of a cue are played."""
 
     SINGLE = "single"
     ALTERNATES = "alternates"  # one of several is picked
-    SET = "set"  # variations are heard and accepted together
+    SET = "set"  # variations are played and accepted together
 
 
 UNDO_WITHIN = timedelta(minutes=1)
-REVERSAL = "the approver reversed an approved direction"
+REVERSAL = "the approver reversed an approval"
 SECONDS_BEYOND_END = 0.01  # a time typed or clicked at the very end may round up
 
 STATE_WORDS = {
@@ -36,17 +36,17 @@ STATE_WORDS = {
     "returned": "was returned to its designer",
     "unjudged": "could not be checked",
     "approved": "is approved",
-    "change_requested": "went back with a change request",
+    "change_requested": "was returned with a change request",
     "set_aside": "was set aside",
 }
 
 
 def ensure_seen(now: str, seen: str) -> None:
-    """Raise StaleView unless a take still stands where the caller saw it."""
+    """Raise StaleView unless a take is still in the state that the caller saw."""
     if now != seen:
         raise StaleView(
-            f"since you looked, this version {STATE_WORDS[now]}; nothing was changed",
-            fix="load the page again, and decide on what stands now",
+            f"since you opened this page, this version {STATE_WORDS[now]}; your decision was not saved",
+            fix="reload the page and decide again",
         )
 
 
@@ -54,13 +54,13 @@ def ensure_undoable(given_at: datetime, now: datetime) -> None:
     """Raise TooLateToUndo more than a minute after a verdict."""
     if now - given_at > UNDO_WITHIN:
         raise TooLateToUndo(
-            "a verdict can be taken back for a minute, and that is over",
-            fix="give another verdict: pick another version, or request a change",
+            "a decision can be undone for one minute only",
+            fix="approve another version or request a change instead",
         )
 
 
 def ensure_range(start_s: float | None, end_s: float | None, duration_s: float | None) -> None:
-    """Raise RangeInvalid unless a time or range lies within the sound."""
+    """Raise RangeInvalid unless a time or range is within the sound."""
     if start_s is None:
         if end_s is not None:
             raise RangeInvalid("a range needs its start too")
@@ -69,7 +69,7 @@ def ensure_range(start_s: float | None, end_s: float | None, duration_s: float |
     if start_s < 0 or last_s < start_s:
         raise RangeInvalid("a range starts at 0 s or later, and ends after its start")
     if duration_s is not None and last_s > duration_s + SECONDS_BEYOND_END:
-        raise RangeInvalid(f"{last_s:.3f} s lies beyond the end of the sound, {duration_s:.3f} s")
+        raise RangeInvalid(f"{last_s:.3f} s is beyond the end of the sound, {duration_s:.3f} s")
 
 
 def missing_variations(variations: int, approved: Collection[int]) -> list[int]:
@@ -78,7 +78,7 @@ def missing_variations(variations: int, approved: Collection[int]) -> list[int]:
 
 
 def queue_kind(variations: int, waiting: Sequence[int]) -> QueueKind:
-    """Return how a cue's waiting takes, given by their variations, are heard."""
+    """Return how a cue's waiting takes, given by their variations, are played."""
     if variations > 1:
         return QueueKind.SET
     return QueueKind.ALTERNATES if len(waiting) > 1 else QueueKind.SINGLE

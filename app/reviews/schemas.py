@@ -54,7 +54,7 @@ class ReviewRender(SoundBrief):
 
 
 class ChangeRequestRead(Schema):
-    """What to change in a take; a draft while `sent_at` is null."""
+    """A change request for a take; a draft while `sent_at` is null."""
 
     id: UUID
     take_id: UUID
@@ -69,12 +69,12 @@ class ChangeRequestRead(Schema):
     reverses: bool = Field(description="Whether the take is approved now, so that sending counts no round.")
     written_by: PersonBrief
     created_at: datetime
-    sending_id: UUID | None
+    feedback_id: UUID | None
     sent_at: datetime | None
 
 
 class ReviewTake(SoundBrief):
-    """One take, with what is needed to hear and to judge it."""
+    """One take, with what is needed to play and judge it."""
 
     id: UUID
     variation: int
@@ -98,14 +98,14 @@ class ReviewTake(SoundBrief):
     findings: list[FindingRead]
     waived: bool
     waiver_reason: str | None
-    mend_of_id: UUID | None = Field(description="The version that this one is a mend of.")
+    fix_of_id: UUID | None = Field(description="The version that this one is a fix of.")
     renders: list[ReviewRender]
     draft_change: ChangeRequestRead | None
     open_comments: int
 
 
 class QueueItem(Schema):
-    """One cue that waits for the decider, with every take of it that waits."""
+    """One cue that waits for the approver, with every take of it that waits."""
 
     cue: ReviewCue
     kind: QueueKind
@@ -122,7 +122,7 @@ class QueueItem(Schema):
 
 
 class QueueCount(Schema):
-    """How many cues wait for the decider, counted as far as somebody would want to know."""
+    """The number of cues that wait for the approver, counted up to a limit."""
 
     cues: int
     is_all: bool = Field(description="Whether no more wait than are counted here.")
@@ -143,7 +143,7 @@ class VerdictGive(Schema):
 
 
 class VerdictGiven(Schema):
-    """What one click decided."""
+    """The decisions of one click."""
 
     take_id: UUID
     state: TakeState
@@ -155,13 +155,13 @@ class VerdictGiven(Schema):
 
 
 class VerdictUndone(Schema):
-    """What stands again after a verdict was taken back."""
+    """The state restored after a verdict was undone."""
 
-    takes: list["TakeStanding"]
+    takes: list["TakeStateRead"]
     draft_dropped: bool
 
 
-class TakeStanding(Schema):
+class TakeStateRead(Schema):
     """A take and its state."""
 
     id: UUID
@@ -177,16 +177,16 @@ class SetAccept(Schema):
 
 
 class SetAccepted(Schema):
-    """What accepting a set decided."""
+    """The decisions made by accepting a set."""
 
     cue_id: UUID
     cue_accepted: bool
-    approved: list[TakeStanding]
+    approved: list[TakeStateRead]
     set_aside: list[UUID]
     undo_until: datetime
 
 
-class SendingAdd(Schema):
+class FeedbackAdd(Schema):
     """A word that goes with all the drafts."""
 
     note: Note = ""
@@ -198,7 +198,7 @@ class RoundRead(Schema):
     cue_id: UUID
     number: int | None
     why_not_counted: str | None
-    sending_id: UUID
+    feedback_id: UUID
     created_at: datetime
 
 
@@ -210,7 +210,7 @@ class HeldBack(Schema):
     why: str
 
 
-class SendingRead(Schema):
+class FeedbackRead(Schema):
     """One consolidated set of notes that went to designers."""
 
     id: UUID
@@ -238,7 +238,7 @@ class CommentRead(Schema):
     start_s: float | None
     end_s: float | None
     author: PersonBrief
-    decides: bool = Field(description="Whether the author had the last word when writing; all others advise.")
+    decides: bool = Field(description="Whether the author was the approver when writing; all others advise.")
     created_at: datetime
     resolved_at: datetime | None
 
@@ -249,7 +249,9 @@ class HistoryEntry(Schema):
     at: datetime
     kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
     by: PersonBrief | None
-    by_silence: bool = Field(False, description="Whether a clause on silence approved it, and `by` said nothing.")
+    by_deemed_acceptance: bool = Field(
+        False, description="Whether a clause on silence approved it, and `by` said nothing."
+    )
     text: str
     start_s: float | None = None
     end_s: float | None = None
@@ -264,7 +266,9 @@ class VerdictRead(Schema):
     note: str
     given_by: PersonBrief
     created_at: datetime
-    by_silence: bool = Field(description="Whether a clause on silence decided it, and `given_by` said nothing.")
+    by_deemed_acceptance: bool = Field(
+        description="Whether a clause on silence decided it, and `given_by` said nothing."
+    )
     withdrawn: bool
 
 
@@ -276,8 +280,8 @@ class CueReviewRead(Schema):
     accepted: bool
     approved_variations: list[int]
     accepted_after: date | None
-    decider: PersonBrief
-    may_decide: bool
+    approver: PersonBrief
+    may_approve: bool
     takes: list[ReviewTake]
     comments: list[CommentRead]
     verdicts: list[VerdictRead]
@@ -309,7 +313,7 @@ class FitPoint(Schema):
 
 
 class MeasureFit(Schema):
-    """Where a sound lies among others by one measure."""
+    """The position of a sound among others by one measure."""
 
     measure: Measure
     unit: str = Field(description="Of loudness LUFS; of spectrum and timbre the dB from the middle of the others.")
@@ -322,7 +326,7 @@ class MeasureFit(Schema):
 
 
 class TakeFitRead(Schema):
-    """How a take lies among the approved sounds of its category, or of the palette where those are too few."""
+    """A take compared with the approved sounds of its category, or of the palette if those are too few."""
 
     take_id: UUID
     file_name: ShownName
@@ -355,17 +359,17 @@ class TakeFitRead(Schema):
 
 
 class DeliveryShift(Schema):
-    """How far a delivery lies off the work before by one measure."""
+    """The distance of a delivery from earlier work by one measure."""
 
     measure: Measure
     unit: str
     compared: int
-    apart: int = Field(description="How many of these stand apart.")
-    shift: float = Field(description="By how much the middle one lies over what it is compared with.")
+    apart: int = Field(description="How many of these are out of range.")
+    shift: float = Field(description="The median distance above the others' median.")
 
 
 class DeliveryFitRead(Schema):
-    """How a delivery lies among what other designers made before and was approved."""
+    """A delivery compared with other designers' approved sounds."""
 
     delivery_id: UUID
     project_id: UUID

@@ -6,29 +6,28 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.contracts.rules import AcceptedBy
-from app.contracts.settlement import note_work, settle_cut
-from app.contracts.silence import CLAUSE as SILENCE
+from app.agreements.deemed_acceptance import CLAUSE as SILENCE
+from app.agreements.rules import AcceptedBy
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state, put_back, take_for
-from app.kit import clock, kill
+from app.deliveries.service import change_state, return_to_received, take_for
+from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
+from app.money.settlement import record_work, settle_cut
 from app.projects.errors import ProducerNeeded
-from app.projects.service import Standing
+from app.projects.service import ProjectAccess
 from app.reviews import queries
 from app.reviews.errors import (
     AlreadyAccepted,
-    DecidedSince,
     NoteNeeded,
     NothingToUndo,
     NotOfThisCue,
     NotReviewable,
     SetIncomplete,
+    VerdictSince,
 )
 from app.reviews.models import ChangeRequest, Verdict
-from app.reviews.owed import settle_acceptance, state_of_work
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import (
     STATE_WORDS,
@@ -42,18 +41,19 @@ from app.reviews.rules import (
 from app.reviews.schemas import (
     ChangeRequestRead,
     SetAccepted,
-    TakeStanding,
+    TakeStateRead,
     VerdictGiven,
     VerdictUndone,
 )
+from app.reviews.settlement import settle_acceptance, state_of_work
 from app.sound_lists.errors import CueIsCut
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import lock_list
 from app.sound_lists.rules import CueState
-from app.sound_lists.service import cue_in_sight
 from app.sound_lists.service import cut_cue as cut_from_list
+from app.sound_lists.service import visible_cue
 
-GAVE_WAY = "another version was picked"
+SUPERSEDED = "another version was picked"
 STATE_AFTER = {VerdictKind.APPROVE: TakeState.APPROVED, VerdictKind.SET_ASIDE: TakeState.SET_ASIDE}
 
 
@@ -68,20 +68,20 @@ def give_verdict(
     end_s: float | None = None,
     seen_state: TakeState = TakeState.CONFORMING,
 ) -> VerdictGiven:
-    """Record what the decider says of a take; a requested change stays a draft until it is sent with others."""
-    take, standing = take_for(session, actor, take_id)
-    standing.ensure_decider()
+    """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others."""
+    take, access = take_for(session, actor, take_id)
+    access.ensure_approver()
     cue = _cue_to_judge(session, take)
     ensure_seen(take.state, seen_state)
     if kind is VerdictKind.REQUEST_CHANGE:
-        return _draft_change(session, standing, take, cue, text=note, start_s=start_s, end_s=end_s)
+        return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s)
     decision = Decision(session, actor.person, note)
     if kind is VerdictKind.APPROVE:
         decision.approve(take)
     else:
         decision.set_aside(take)
     accepted = decision.finish(cue)
-    kill.point("reviews.before_commit")
+    kill_points.point("reviews.before_commit")
     return VerdictGiven(
         take_id=take.id,
         state=take.state,
@@ -94,27 +94,27 @@ def give_verdict(
 
 
 def _cue_to_judge(session: Session, take: Take) -> Cue:
-    """Return a take's cue, locked; both as they stand now, whoever else decides at the same moment."""
+    """Return a take's cue, locked; both current, even if another decision is made at the same moment."""
     if take.cue is None:
-        raise NotReviewable("this file is matched to no cue yet; match it first")
+        raise NotReviewable("this file has no cue yet; choose its cue first")
     cue = take.cue
     session.refresh(cue, ["state"], with_for_update={"key_share": True})
     session.refresh(take, ["state", "state_since"], with_for_update={"key_share": True})
     if cue.state is CueState.CUT:
-        raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
+        raise CueIsCut(f"{cue.name} was cut, so it can't be reviewed")
     return cue
 
 
 class Decision:
-    """What one click decides, or a clause on silence, so that it can be taken back together."""
+    """The decisions of one click, or of deemed acceptance, so that they can be undone together."""
 
     def __init__(
-        self, session: Session, person_id: UUID, note: str, *, silence_contract_id: UUID | None = None
+        self, session: Session, person_id: UUID, note: str, *, deemed_by_contract_id: UUID | None = None
     ) -> None:
         self._session = session
         self._person_id = person_id
         self._note = note
-        self._silence_contract_id = silence_contract_id
+        self._silence_contract_id = deemed_by_contract_id
         self.action_id = new_id()
         self.approved: list[Take] = []
         self.gave_way: list[UUID] = []
@@ -125,7 +125,7 @@ class Decision:
             raise AssertionError("only matched takes are judged")
         for other in queries.open_takes(self._session, take.cue_id, variation=take.variation):
             if other.id != take.id:
-                self._record(other, VerdictKind.SET_ASIDE, GAVE_WAY)
+                self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
                 self.gave_way.append(other.id)
         self._session.flush()  # the former pick gives way first: there is never more than one
         self._record(take, VerdictKind.APPROVE, self._note)
@@ -142,14 +142,14 @@ class Decision:
         self._session.flush()
 
     def finish(self, cue: Cue) -> bool:
-        """Settle what is owed, tell of the approvals, and return whether the cue is accepted now."""
+        """Settle what is owed, publish the approvals, and return whether the cue is accepted now."""
         by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
         accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
         for take in self.approved if by is AcceptedBy.VERDICT else ():
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
-    def _record(self, take: Take, kind: VerdictKind, note: str) -> None:
+    def _record(self, take: Take, kind: VerdictKind, note: str, *, keeps_draft: bool = False) -> None:
         verdict = new_verdict(
             self._session,
             self._person_id,
@@ -157,11 +157,11 @@ class Decision:
             kind,
             note,
             self.action_id,
-            silence_contract_id=self._silence_contract_id,
+            deemed_by_contract_id=self._silence_contract_id,
         )
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
-        if draft is not None:
+        if draft is not None and not keeps_draft:
             verdict.dropped_draft = {"text": draft.text, "start_s": draft.start_s, "end_s": draft.end_s}
             self._session.delete(draft)
         self._session.add(verdict)
@@ -175,15 +175,15 @@ def new_verdict(
     note: str,
     action_id: UUID,
     *,
-    silence_contract_id: UUID | None = None,
+    deemed_by_contract_id: UUID | None = None,
 ) -> Verdict:
-    """Return a verdict to put on record before the take moves; the record of its contract has it at once."""
+    """Return a verdict to record before the take moves; the record of its contract has it at once."""
     if take.cue_id is not None:
         facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
-        if silence_contract_id is not None:
+        if deemed_by_contract_id is not None:
             facts["clause"] = SILENCE
-        by = person_id if silence_contract_id is None else None
-        note_work(session, take.cue_id, take.designer_id, "judged", facts, by=by)
+        by = person_id if deemed_by_contract_id is None else None
+        record_work(session, take.cue_id, take.designer_id, "judged", facts, by=by)
     return Verdict(
         studio_id=take.studio_id,
         project_id=take.project_id,
@@ -195,13 +195,13 @@ def new_verdict(
         state_before=take.state,
         since_before=take.state_since,
         given_by=person_id,
-        silence_contract_id=silence_contract_id,
+        deemed_by_contract_id=deemed_by_contract_id,
     )
 
 
 def _draft_change(
     session: Session,
-    standing: Standing,
+    access: ProjectAccess,
     take: Take,
     cue: Cue,
     *,
@@ -212,7 +212,7 @@ def _draft_change(
     if take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
         raise NotReviewable(f"this version {STATE_WORDS[take.state]}, so no change can be asked of it")
     if not text.strip():
-        raise NoteNeeded("say what to change", errors=[{"where": "note", "message": "say what to change"}])
+        raise NoteNeeded("write what to change", errors=[{"where": "note", "message": "write what to change"}])
     ensure_range(start_s, end_s, queries.duration_of(session, take))
     draft = queries.draft_of(session, take.id)
     if draft is None:
@@ -222,11 +222,11 @@ def _draft_change(
             cue_id=cue.id,
             take_id=take.id,
             text=text,
-            written_by=standing.actor.person,
+            written_by=access.actor.person,
         )
         session.add(draft)
-    draft.text, draft.start_s, draft.end_s = text, start_s, end_s
-    draft.written_by = standing.actor.person
+    draft.cue_id, draft.text, draft.start_s, draft.end_s = cue.id, text, start_s, end_s
+    draft.written_by = access.actor.person
     draft.created_at = clock.now()
     session.flush()
     session.expire(draft)
@@ -235,68 +235,68 @@ def _draft_change(
         take_id=take.id,
         state=take.state,
         set_aside=[],
-        draft=_shown(session, draft.id, standing),
+        draft=_shown(session, draft.id, access),
         cue_id=cue.id,
         cue_accepted=not missing_variations(cue.variations, approved),
         undo_until=None,
     )
 
 
-def _shown(session: Session, change_request_id: UUID, standing: Standing) -> ChangeRequestRead:
+def _shown(session: Session, change_request_id: UUID, access: ProjectAccess) -> ChangeRequestRead:
     request = queries.change_request_by_id(session, change_request_id)
     if request is None:
         raise AssertionError("it was just written")
-    return change_request_read(request, standing.project.cue_prefix)
+    return change_request_read(request, access.project.cue_prefix)
 
 
 def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone:
-    """Take back what the last click on a take decided, within a minute and while nothing later stands on it."""
-    take, standing = take_for(session, actor, take_id)
-    standing.ensure_decider()
+    """Undo the last click's decision on a take, within a minute and while nothing later depends on it."""
+    take, access = take_for(session, actor, take_id)
+    access.ensure_approver()
     cue = _cue_to_judge(session, take)
     draft = queries.draft_of(session, take.id)
     if draft is not None:
         ensure_undoable(draft.created_at, clock.now())
         session.delete(draft)
         return VerdictUndone(takes=[_standing_of(take)], draft_dropped=True)
-    standing_verdicts = queries.standing_verdicts(session, [take.id])
-    if not standing_verdicts:
-        raise NothingToUndo("no verdict stands on this version")
-    last = standing_verdicts[-1]
+    effective_verdicts = queries.effective_verdicts(session, [take.id])
+    if not effective_verdicts:
+        raise NothingToUndo("there is no decision on this version")
+    last = effective_verdicts[-1]
     if last.kind is VerdictKind.REQUEST_CHANGE:
-        raise NothingToUndo("the change request was sent to the designer, and what was sent stays sent")
+        raise NothingToUndo("the change request was sent to the designer and can't be undone")
     ensure_undoable(last.created_at, clock.now())
     decided = queries.action_verdicts(session, last.action_id)
     takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])
     _ensure_nothing_since(session, decided, takes)
-    restored = _take_back(session, standing, decided, takes)
+    restored = _take_back(session, access, decided, takes)
     settle_acceptance(session, cue, person_id=actor.person)
     return VerdictUndone(takes=restored, draft_dropped=False)
 
 
 def _ensure_nothing_since(session: Session, decided: Sequence[Verdict], takes: dict[UUID, Take]) -> None:
-    last = {verdict.take_id: verdict.id for verdict in queries.standing_verdicts(session, takes)}
-    drafts = {draft.take_id for draft in queries.open_drafts(session, takes)}
+    last = {verdict.take_id: verdict.id for verdict in queries.effective_verdicts(session, takes)}
+    drafts = {draft.take_id: draft.created_at for draft in queries.open_drafts(session, takes)}
     for verdict in decided:
         take = takes[verdict.take_id]
-        if last.get(take.id) != verdict.id or take.state is not STATE_AFTER[verdict.kind] or take.id in drafts:
-            raise DecidedSince(
-                f"version {take.number} of variation {take.variation} was decided on again since; "
-                "nothing was taken back"
+        is_last = last.get(take.id) == verdict.id and take.state is STATE_AFTER[verdict.kind]
+        if not is_last or drafts.get(take.id, verdict.created_at) > verdict.created_at:
+            raise VerdictSince(
+                f"version {take.number} of variation {take.variation} was reviewed again since; nothing was undone"
             )
 
 
 def _take_back(
-    session: Session, standing: Standing, decided: Sequence[Verdict], takes: dict[UUID, Take]
-) -> list[TakeStanding]:
+    session: Session, access: ProjectAccess, decided: Sequence[Verdict], takes: dict[UUID, Take]
+) -> list[TakeStateRead]:
     action_id = new_id()
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
-        back = new_verdict(session, standing.actor.person, take, VerdictKind.WITHDRAW, "", action_id)
+        back = new_verdict(session, access.actor.person, take, VerdictKind.WITHDRAW, "", action_id)
         back.withdraws_id = verdict.id
         session.add(back)
-        put_back(session, take, verdict.state_before, verdict.since_before)
+        return_to_received(session, take, verdict.state_before, verdict.since_before)
         if verdict.dropped_draft:
             session.add(
                 ChangeRequest(
@@ -304,7 +304,7 @@ def _take_back(
                     project_id=take.project_id,
                     cue_id=verdict.cue_id,
                     take_id=take.id,
-                    written_by=standing.actor.person,
+                    written_by=access.actor.person,
                     **verdict.dropped_draft,
                 )
             )
@@ -312,20 +312,20 @@ def _take_back(
     return [_standing_of(take) for take in takes.values()]
 
 
-def _standing_of(take: Take) -> TakeStanding:
-    return TakeStanding(id=take.id, variation=take.variation, state=take.state)
+def _standing_of(take: Take) -> TakeStateRead:
+    return TakeStateRead(id=take.id, variation=take.variation, state=take.state)
 
 
 def accept_set(
     session: Session, actor: Actor, cue_id: UUID, *, note: str = "", take_ids: Sequence[UUID] = ()
 ) -> SetAccepted:
     """Approve one take of every variation of a cue at once: those named, else the newest that waits."""
-    standing, cue = cue_in_sight(session, actor, cue_id)
-    standing.ensure_decider()
+    access, cue = visible_cue(session, actor, cue_id)
+    access.ensure_approver()
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
-        raise CueIsCut(f"{cue.name} was cut: the game no longer needs it, so there is nothing to decide")
+        raise CueIsCut(f"{cue.name} was cut, so it can't be reviewed")
     picks = _picks(session, cue, take_ids)
     new = [take for take in picks if take.state is not TakeState.APPROVED]
     if not new:
@@ -372,16 +372,16 @@ def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
 
 def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue:
     """Cut a cue with a reason: it stays on record with its takes, and leaves list, queue and drafts."""
-    standing, cue = cue_in_sight(session, actor, cue_id)
-    if not (standing.is_decider or standing.is_producer):
+    access, cue = visible_cue(session, actor, cue_id)
+    if not (access.is_approver or access.is_producer):
         raise ProducerNeeded("only a producer or the project's approver can cut a cue")
-    lock_list(session, cue.project_id)  # before the cue, as everybody does who changes the list
+    lock_list(session, cue.project_id)  # before the cue, as in every change of the list
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state", "edition"])
     if cue.state is CueState.CUT:
-        raise CueIsCut("this cue was cut already")
+        raise CueIsCut("this cue is already cut")
     for draft in queries.change_requests_of(
-        session, ChangeRequest.cue_id == cue.id, ChangeRequest.sending_id.is_(None)
+        session, ChangeRequest.cue_id == cue.id, ChangeRequest.feedback_id.is_(None)
     ):
         session.delete(draft)
     settle_cut(session, cue.id, state=state_of_work(session, cue), person_id=actor.person)

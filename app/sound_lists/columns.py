@@ -1,4 +1,4 @@
-"""What the columns of people's spreadsheets mean, and how their cells are read."""
+"""The meaning of columns in people's spreadsheets, and how their cells are read."""
 
 import math
 import re
@@ -10,25 +10,33 @@ from typing import Any
 from app.sound_lists.rules import CueState, Reverb
 
 HEADS: Mapping[str, str] = {
-    "number": "number|no|nr|num|id|cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref|nummer|lfd nr",
+    "number": "number|no|nr|num|id|cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref|nummer|lfd nr|"
+    "soundnummer|sound nr|kennung",
     "name": "name|sound|title|cue name|sound name|sound title|sound effect|effect|effect name|asset|asset name|sfx|"
     "sfx name|titel|bezeichnung|klang|nom|nombre",
     "file_name": "filename|file|wav|file name|wav name|wav file|asset file|audio file|sound file|dateiname|datei|"
-    "fichier|nom de fichier|archivo",
-    "category": "category|type|class|group|sound type|sound category|kategorie|gruppe|art|categorie|categoria",
+    "fichier|nom de fichier|archivo|wav datei|asset path|file path|dateipfad",
+    "category": "category|type|class|group|sound type|sound category|kategorie|gruppe|art|"
+    "categorie|categoria|kind|sound kind|kind of sound|sfx type|sfx category|typ|soundtyp|klangart|sorte",
     "description": "description|desc|descr|details|brief|sound description|what it is|beschreibung|descripcion",
-    "use": "use|usage|context|use in game|use in the game|used in|used for|in game use|verwendung|einsatz|kontext",
-    "trigger": "trigger|event|when|triggered by|trigger event|game event|event name|auslöser",
+    "use": "use|usage|context|use in game|use in the game|used in|used for|in game use|verwendung|einsatz|kontext|"
+    "where used|where|used where|scene|szene|verwendet in|einsatzort|wo",
+    "trigger": "trigger|event|when|triggered by|trigger event|game event|event name|auslöser|"
+    "ereignis|ausgelöst durch|played when|played on",
     "duration_s": "duration|length|len|requested duration|requested length|target length|dauer|länge|laenge|duree|"
-    "duracion",
+    "duracion|dur|length approx|approx length|time|zeit|laufzeit|spieldauer",
     "length_locked": "locked|length locked|locked length|fixed length|exact length|duration locked|länge fest",
     "frame_rate_fps": "fps|frame rate|framerate|bildrate",
-    "loop": "loop|looping|looped|loops|is loop|loop one shot|loop oneshot|loop or one shot|one shot or loop|schleife",
+    "loop": "loop|looping|looped|loops|is loop|loop one shot|loop oneshot|loop or one shot|one shot or loop|schleife|"
+    "loop j n|loop y n|geloopt|endlos",
     "reverb": "reverb|reverb tail|hall",
     "variations": "variations|variation|variants|variant|vars|count|qty|quantity|number of variations|"
-    "num variations|variation count|no of variations|varianten|variationen|anzahl",
-    "state": "state|status|stage|stand",
-    "playback_priority": "priority|prio|playback priority|priorität",
+    "num variations|variation count|no of variations|varianten|variationen|anzahl|"
+    "var|nr of variations|number of variants|no of variants|number of files|files|anz|stück|"
+    "dateien|anzahl varianten|anzahl variationen",
+    "state": "state|status|stage|stand|design status|maturity|reife|reifegrad",
+    "playback_priority": "priority|prio|playback priority|playback prio|voice priority|importance|sound priority|"
+    "priorität|abspielpriorität|wichtigkeit|rang",
     "placeholder": "placeholder|temp|is placeholder|platzhalter",
     "palette": "palette|in palette",
 }
@@ -44,14 +52,23 @@ YES = frozenset(
 NO = frozenset(
     {"no", "n", "false", "0", "☐", "off", "nein", "falsch", "non", "one-shot", "one shot", "oneshot", "single"}
 )
+PRIORITIES: Mapping[str, int] = {
+    **dict.fromkeys(("highest", "critical", "must have", "höchste", "kritisch", "muss"), 1000),
+    **dict.fromkeys(("high", "hoch", "wichtig"), 750),
+    **dict.fromkeys(("medium", "mid", "med", "normal", "mittel"), 500),
+    **dict.fromkeys(("low", "niedrig", "gering", "nice to have", "kann"), 250),
+    **dict.fromkeys(("lowest", "niedrigste"), 0),
+}
+"""Playback priorities from 0 to 1000 for the words that lists use."""
+LOOP_WORDS = frozenset({"loop", "looping", "looped", "one-shot", "one shot", "oneshot"})
 SAMPLED = 50
-LONGEST_HEAD = 200  # what is longer is no head of ours
-LONGEST_FIGURE = 100  # of a cell with a number, a flag or a word of ours, which expressions are run on
+MAX_HEADER_CHARS = 200  # what is longer is no head of ours
+MAX_FIGURE_CHARS = 100  # of a cell with a number, a flag or a word of ours, which expressions are run on
 
 
 @dataclass(frozen=True)
 class Head:
-    """What a column's head says: its field, None where unknown, and the unit of its numbers in seconds."""
+    """The content of a column's head: its field, None if unknown, and the unit of its numbers in seconds."""
 
     field: str | None
     unit_s: float = 1.0
@@ -76,8 +93,8 @@ _FIELD_OF = _known_heads()
 
 
 def head_of(text: str) -> Head:
-    """Return what a column's head says, whatever its case, brackets, accents and unit."""
-    if len(text) > LONGEST_HEAD:
+    """Return the meaning of a column's head, whatever its case, brackets, accents and unit."""
+    if len(text) > MAX_HEADER_CHARS:
         return Head(None)
     if text.strip() in HEADS:
         return Head(text.strip(), is_ours=True)
@@ -154,6 +171,9 @@ def _read_count(text: str, _unit_s: float) -> int:
 
 
 def _read_priority(text: str, _unit_s: float) -> int | None:
+    plain = " ".join(re.split(r"[\s_-]+", text.strip().lower()))
+    if plain in PRIORITIES:
+        return PRIORITIES[plain]
     return None if text.lower() in EMPTY else _read_count(text, 1.0)
 
 
@@ -203,9 +223,15 @@ def read_cell(field: str, text: str, unit_s: float = 1.0) -> Any:
     reader = READERS.get(field)
     if reader is None:
         return text
-    if len(text) > LONGEST_FIGURE:
-        raise ValueError(f'{len(text):,} characters; wanted {LONGEST_FIGURE} at most, found "{text[:40]}"')
+    if len(text) > MAX_FIGURE_CHARS:
+        raise ValueError(f'{len(text):,} characters; wanted {MAX_FIGURE_CHARS} at most, found "{text[:40]}"')
     return reader(text, unit_s)
+
+
+def says_loop(cells: Sequence[str]) -> bool:
+    """Whether every filled cell of a column says loop or one-shot, whatever its head."""
+    filled = [cell.strip().lower() for cell in cells if cell.strip()]
+    return bool(filled) and LOOP_WORDS.issuperset(filled)
 
 
 def looks_like(field: str, cells: Sequence[str], unit_s: float) -> bool:

@@ -5,24 +5,23 @@ from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
 from fastapi import Depends, Query, Request, Response
-from sqlalchemy.orm import Session
 
-from app.accounts.endpoints import allows
+from app.accounts.policies import allows
 from app.accounts.queries import has_account
-from app.accounts.rules import Actor, Scope, Sight
+from app.accounts.rules import Actor, Audience, Scope
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
-from app.kit.parsing_turns import ParsingBusy, parse_request
+from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
-from app.projects.service import invitation_by_secret, standing_in
+from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
 from app.projects.specs import read_spec
 from app.sound_lists import export, queries, questions, revisions, service
 from app.sound_lists.errors import (
     ColumnUnknown,
-    CueEditedMeanwhile,
+    CueChanged,
     CueIsCut,
     CueNotFound,
     OrderInvalid,
@@ -33,7 +32,7 @@ from app.sound_lists.errors import (
     SheetUnreadable,
 )
 from app.sound_lists.imports import import_sheet
-from app.sound_lists.rules import LONGEST_PAGE, PAGE
+from app.sound_lists.rules import MAX_PAGE, PAGE
 from app.sound_lists.schemas import (
     AnswerAdd,
     CueDetail,
@@ -58,7 +57,7 @@ from app.sound_lists.sheets import Sheet, parse_bytes, parse_text
 router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
 REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
 SentSheet: TypeAlias = tuple[ImportAsk, Sheet]
-PageLength = Annotated[int, Query(ge=1, le=LONGEST_PAGE, description="How many cues to answer at most.")]
+PageLength = Annotated[int, Query(ge=1, le=MAX_PAGE, description="How many cues to answer at most.")]
 
 
 @router.get(
@@ -71,10 +70,10 @@ def get_sound_list(
     session: DbSession,
     cursor: str | None = None,
     limit: PageLength = PAGE,
-    actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ),
+    actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ),
 ) -> SoundListRead:
     """Return one page of the project's cues in list order, cut ones too."""
-    project = standing_in(session, actor, project_id).project
+    project = project_access(session, actor, project_id).project
     cues, following = service.page_of(session, project.id, cursor=cursor, limit=limit)
     return SoundListRead(
         revision=queries.revision_number(session, project.id),
@@ -89,10 +88,10 @@ def get_sound_list(
     responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
 )
 def export_sound_list(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT, build=Scope.LIST_READ)
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Response:
     """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
-    project = standing_in(session, actor, project_id).project
+    project = project_access(session, actor, project_id).project
     text = export.sound_list_csv(queries.cues_of(session, project.id), project.cue_prefix)
     headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
     return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
@@ -105,33 +104,35 @@ def export_sound_list(
     responses=problems(ProjectNotFound, TeamNeeded, RowsInvalid),
     max_body_size=LARGE_BODY_BYTES,
 )
-def add_cues(project_id: UUID, body: CuesAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> list[CueRead]:
+def add_cues(
+    project_id: UUID, body: CuesAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> list[CueRead]:
     """Add typed rows to the end of the list: all of them, or none."""
     added = service.add_cues(session, actor, project_id, [cue.model_dump() for cue in body.cues])
-    project = standing_in(session, actor, project_id).project
+    project = project_access(session, actor, project_id).project
     cues = queries.cues_by_id(session, project_id, [cue.id for cue in added])
     return [service.cue_read(cues[cue.id], project.cue_prefix) for cue in added]
 
 
 @router.get("/cues/{cue_id}", response_model=CueDetail, responses=problems(CueNotFound))
-def get_cue(cue_id: UUID, session: DbSession, actor: Actor = allows(Sight.PROJECT)) -> CueDetail:
+def get_cue(cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CueDetail:
     """Return one cue with what was asked about it."""
-    standing, cue = service.cue_in_sight(session, actor, cue_id)
+    access, cue = service.visible_cue(session, actor, cue_id)
     asked = queries.questions_of(session, cue.project_id, cue_id=cue.id)
     still_open = sum(question.answered_at is None for question in asked)
     return CueDetail(
-        **service.cue_read(cue, standing.project.cue_prefix, still_open).model_dump(),
+        **service.cue_read(cue, access.project.cue_prefix, still_open).model_dump(),
         project_id=cue.project_id,
-        questions=[questions.question_read(question, standing) for question in asked],
+        questions=[questions.question_read(question, access) for question in asked],
     )
 
 
 @router.patch(
     "/cues/{cue_id}",
     response_model=CueRead,
-    responses=problems(CueNotFound, TeamNeeded, CueEditedMeanwhile, CueIsCut, RowsInvalid),
+    responses=problems(CueNotFound, TeamNeeded, CueChanged, CueIsCut, RowsInvalid),
 )
-def change_cue(cue_id: UUID, body: CuePatch, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueRead:
+def change_cue(cue_id: UUID, body: CuePatch, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> CueRead:
     """Change some facts of a cue; the edition that was read must still be the newest."""
     changes = body.model_dump(exclude_unset=True)
     del changes["edition"]
@@ -140,15 +141,15 @@ def change_cue(cue_id: UUID, body: CuePatch, session: DbSession, actor: Actor = 
 
 @router.put("/cues/{cue_id}/placeholder", response_model=CueRead, responses=problems(CueNotFound, TeamNeeded, CueIsCut))
 def flag_placeholder(
-    cue_id: UUID, body: PlaceholderSet, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    cue_id: UUID, body: PlaceholderSet, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> CueRead:
-    """Say whether the game plays a stand-in until the sound comes."""
+    """Set whether the game plays a placeholder file until the sound comes."""
     return _changed(session, actor, cue_id, None, {"placeholder": body.placeholder})
 
 
 @router.put("/cues/{cue_id}/palette", response_model=CueRead, responses=problems(CueNotFound, TeamNeeded, CueIsCut))
-def flag_palette(cue_id: UUID, body: PaletteSet, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> CueRead:
-    """Say whether the cue belongs to the palette that new sounds are compared with."""
+def flag_palette(cue_id: UUID, body: PaletteSet, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> CueRead:
+    """Set whether the cue belongs to the palette that new sounds are compared with."""
     return _changed(session, actor, cue_id, None, {"palette": body.palette})
 
 
@@ -156,7 +157,7 @@ def _changed(
     session: DbSession, actor: Actor, cue_id: UUID, edition: int | None, changes: dict[str, object]
 ) -> CueRead:
     cue = service.change_cue(session, actor, cue_id, edition, changes)
-    prefix = standing_in(session, actor, cue.project_id).project.cue_prefix
+    prefix = project_access(session, actor, cue.project_id).project.cue_prefix
     open_questions = queries.open_question_counts(session, cue.project_id)
     return service.cue_read(cue, prefix, open_questions.get(cue.id, 0))
 
@@ -167,15 +168,12 @@ def _changed(
     responses=problems(ProjectNotFound, TeamNeeded, OrderInvalid),
     max_body_size=LARGE_BODY_BYTES,
 )
-def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Actor = allows(Sight.TEAM)) -> None:
+def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> None:
     """Put cues in another order; those left out keep their places."""
     service.order_cues(session, actor, project_id, body.cue_ids)
 
 
 async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSheet:
-    def permit(session: Session, actor: Actor) -> None:
-        standing_in(session, actor, project_id).ensure_speaks()
-
     if body.text is not None:
         arguments: tuple[Any, ...] = (parse_text, body.text, body.format == "paste")
     elif body.content_base64 is None:
@@ -185,7 +183,10 @@ async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSh
             arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True))
         except ValueError:
             raise SheetUnreadable("content_base64 is no base64") from None
-    return body, Sheet(*await parse_request(request, *arguments, refusal=SheetUnreadable, permit=permit))
+    parsed = await parse_request(
+        request, *arguments, refusal=SheetUnreadable, permit=ensure_speaks_in, whose=project_id
+    )
+    return body, Sheet(*parsed)
 
 
 @router.post(
@@ -197,7 +198,7 @@ async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSh
 def import_sound_list(
     project_id: UUID,
     session: DbSession,
-    actor: Actor = allows(Sight.TEAM),
+    actor: Actor = allows(Audience.TEAM),
     sent: SentSheet = Depends(_parsed),
 ) -> ImportRead:
     """Read a spreadsheet into the list; with an error in any row nothing is imported."""
@@ -222,10 +223,10 @@ def list_revisions(
     project_id: UUID,
     session: DbSession,
     cursor: Annotated[int | None, Query(ge=1, le=LARGEST_NUMBER)] = None,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> Page[RevisionRead]:
     """Return the saved changes of the list, the newest first."""
-    project = standing_in(session, actor, project_id).project
+    project = project_access(session, actor, project_id).project
     found = queries.revisions_of(session, project.id, before=cursor, limit=REVISIONS_AT_ONCE + 1)
     return Page(
         items=[RevisionRead.model_validate(revision) for revision in found[:REVISIONS_AT_ONCE]],
@@ -243,10 +244,10 @@ def compare_revisions(
     session: DbSession,
     first: Annotated[int, Query(alias="from", ge=0, le=LARGEST_NUMBER)],
     last: Annotated[int, Query(alias="to", ge=0, le=LARGEST_NUMBER)],
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> ListComparison:
     """Return what was added, changed and cut between two revisions; `from=0` is the empty list."""
-    return revisions.compare_revisions(session, standing_in(session, actor, project_id), first, last)
+    return revisions.compare_revisions(session, project_access(session, actor, project_id), first, last)
 
 
 @router.get("/projects/{project_id}/questions", response_model=Page[QuestionRead], responses=problems(ProjectNotFound))
@@ -255,26 +256,26 @@ def list_questions(
     session: DbSession,
     only_open: bool = False,
     cursor: str | None = None,
-    actor: Actor = allows(Sight.PROJECT),
+    actor: Actor = allows(Audience.PROJECT),
 ) -> Page[QuestionRead]:
     """Return the questions on the project's cues, the oldest first."""
-    standing = standing_in(session, actor, project_id)
+    access = project_access(session, actor, project_id)
     found = queries.questions_of(
         session, project_id, only_open=only_open, after=uuid_cursor(cursor), limit=QUESTIONS_AT_ONCE + 1
     )
     return Page(
-        items=[questions.question_read(question, standing) for question in found[:QUESTIONS_AT_ONCE]],
+        items=[questions.question_read(question, access) for question in found[:QUESTIONS_AT_ONCE]],
         next=cursor_of(found[-2].id) if len(found) > QUESTIONS_AT_ONCE else None,
     )
 
 
 @router.post("/cues/{cue_id}/questions", status_code=201, response_model=QuestionRead, responses=problems(CueNotFound))
 def ask_question(
-    cue_id: UUID, body: QuestionAdd, session: DbSession, actor: Actor = allows(Sight.PROJECT)
+    cue_id: UUID, body: QuestionAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> QuestionRead:
     """Ask the team what it means by a cue."""
-    standing, question = questions.ask_question(session, actor, cue_id, body.text)
-    return questions.question_read(question, standing)
+    access, question = questions.ask_question(session, actor, cue_id, body.text)
+    return questions.question_read(question, access)
 
 
 @router.post(
@@ -283,18 +284,18 @@ def ask_question(
     responses=problems(QuestionNotFound, TeamNeeded, QuestionAnswered),
 )
 def answer_question(
-    question_id: UUID, body: AnswerAdd, session: DbSession, actor: Actor = allows(Sight.TEAM)
+    question_id: UUID, body: AnswerAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> QuestionRead:
-    """Answer a question; the answer joins the cue's description unless told not to."""
-    standing, question = questions.answer_question(session, actor, question_id, body.text, joins=body.joins)
-    return questions.question_read(question, standing)
+    """Answer a question; the answer joins the cue's description unless the request says otherwise."""
+    access, question = questions.answer_question(session, actor, question_id, body.text, joins=body.joins)
+    return questions.question_read(question, access)
 
 
 @router.get("/invitations/{secret}", response_model=InvitationPreview, responses=problems(InvitationNotFound))
 def preview_invitation(
     secret: str,
     session: DbSession,
-    actor: Actor = allows(Sight.ANYONE),  # noqa: ARG001  whoever holds the link
+    actor: Actor = allows(Audience.ANYONE),  # noqa: ARG001  the link is the credential
 ) -> InvitationPreview:
     """Show what a mailed link invites to: the project and, unless an NDA comes first, its list and its spec."""
     invitation = invitation_by_secret(session, secret)

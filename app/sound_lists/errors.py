@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""Errors of this room, each named after the fact."""
 
 from app.kit.errors import Conflict, Invalid, NotFound
 
@@ -15,8 +15,8 @@ class RevisionNotFound(NotFound):
     """The list has no revision of that number."""
 
 
-class CueEditedMeanwhile(Conflict):
-    """Somebody else changed the cue since it was read."""
+class CueChanged(Conflict):
+    """Another person changed the cue since it was read."""
 
 
 class CueIsCut(Conflict):
@@ -32,7 +32,7 @@ class RowsInvalid(Invalid):
 
 
 class SheetUnreadable(Invalid):
-    """What was sent is no sheet that can be read, or it is too large."""
+    """The file is no readable sheet, or it is too large."""
 
 
 class ColumnUnknown(Invalid):

@@ -8,7 +8,7 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import label, spreadsheet_safe
 from app.sound_lists.service import cue_facts
 
-OWN_COLUMNS = ("playback_priority", "placeholder", "palette")  # in the export beside those every tool knows
+OWN_COLUMNS = ("playback_priority", "placeholder", "palette")  # in the export, besides those that every tool knows
 
 
 def sound_list_csv(cues: Sequence[Cue], cue_prefix: str) -> str:

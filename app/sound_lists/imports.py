@@ -9,17 +9,18 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.projects.models import Project
-from app.projects.service import standing_in
+from app.projects.service import project_access
 from app.sound_lists import queries
-from app.sound_lists.columns import Head, head_of, looks_like, read_cell
+from app.sound_lists.columns import Head, head_of, looks_like, read_cell, says_loop
 from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_line, tidy_text, typed_text
-from app.sound_lists.saving import Edit, RowFault, row_faults, save, whole_facts
+from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts
 from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportField, ImportRead, ImportRow
 from app.sound_lists.sheets import Sheet
 
 SAMPLES = 3
+MISMAPPED = 3  # wrong cells of one column, from which on they are one fault
 KEPT: frozenset[str] = frozenset({"extra", "ignore"})
 
 
@@ -37,7 +38,7 @@ class Column:
 
 @dataclass
 class Plan:
-    """What a sheet would do to the list."""
+    """The changes that a sheet would make to the list."""
 
     edits: list[Edit] = field(default_factory=list)
     faults: list[RowFault] = field(default_factory=list)
@@ -53,17 +54,18 @@ def import_sheet(
     match: str,
     dry_run: bool,
 ) -> ImportRead:
-    """Say what a sheet would do to the list, and do it where nothing is wrong and it is no dry run."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_speaks()
-    project = standing.project
+    """Return the changes of a sheet, and apply them if it has no errors and it is no dry run."""
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
+    project = access.project
     queries.lock_list(session, project.id)
     columns = _columns(sheet, project.cue_prefix, mapping or {})
     plan = _plan(session, project, sheet, columns, match)
     failed = {fault.row for fault in plan.faults}
     plan.faults += row_faults(session, project, [edit for edit in plan.edits if edit.row not in failed])
+    plan.faults = list(_by_column(plan.faults, columns, sheet))
     if not sheet.rows:
-        plan.faults.append(RowFault(sheet.header_row or 1, None, "no rows stand below the head"))
+        plan.faults.append(RowFault(sheet.header_row or 1, None, "there are no rows below the header"))
     imports = not dry_run and not plan.faults
     rows = [_row_read(edit, project.cue_prefix) for edit in plan.edits]
     names = _names(sheet, columns)
@@ -103,7 +105,7 @@ def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) 
     chosen = {wanted for wanted in mapping.values() if wanted not in KEPT}
     for wanted in sorted(chosen):
         if len(names := [name for name, given in mapping.items() if given == wanted]) > 1:
-            raise ColumnUnknown(f"two columns are to be {wanted}: {', '.join(names)}")
+            raise ColumnUnknown(f"two columns are mapped to {wanted}: {', '.join(names)}")
     taken: set[str] = set()
     columns = []
     for place, name in enumerate(sheet.columns):
@@ -132,6 +134,8 @@ def _guessed(
     if sheet.header_row is None:
         head = Head(("name", "description")[place] if place < 2 else None)
     guess: Any = head.field
+    if guess == "category" and says_loop(cells):
+        guess = "loop"
     if guess is None or guess in taken:
         return None, head
     filled = [cell for cell in cells if cell]
@@ -167,7 +171,7 @@ class _Finder:
             namesakes = self._by_name.get(str(facts.get("name", "")).casefold(), [])
             if len(namesakes) > 1:
                 both = " and ".join(label(self._prefix, cue.number) for cue in namesakes[:2])
-                raise ValueError(f"{both} have this name; match by number")
+                raise ValueError(f"{both} have this name; match by ID")
             return namesakes[0] if namesakes else None
         return None
 
@@ -188,7 +192,7 @@ def _plan(session: Session, project: Project, sheet: Sheet, columns: Sequence[Co
             else:
                 edit, fault = _edit(project.cue_prefix, row, given, cue, number)
                 if cue and seen.setdefault(cue.id, row) != row:
-                    fault = RowFault(row, match, f"row {seen[cue.id]} is about the same cue")
+                    fault = RowFault(row, match, f"row {seen[cue.id]} is for the same cue")
                 if fault:
                     faults.append(fault)
                 plan.edits.append(edit)
@@ -196,10 +200,27 @@ def _plan(session: Session, project: Project, sheet: Sheet, columns: Sequence[Co
     return plan
 
 
+def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: Sheet) -> Iterator[RowFault]:
+    """Yield one fault for a column that is mapped to the wrong field, and every other fault as it is."""
+    for column in columns:
+        own = [fault for fault in faults if fault.field == column.field]
+        filled = sum(bool(cells[column.place].strip()) for _, cells in sheet.rows)
+        if column.field not in {*KEPT, "name"} and len(own) >= MISMAPPED and 2 * len(own) > filled:
+            first = own[0]
+            yield RowFault(
+                first.row,
+                first.field,
+                f"{len(own)} of {filled} cells in this column do not fit: {first.message}; "
+                "map the column to another field, or ignore it",
+            )
+            faults = [fault for fault in faults if fault.field != column.field]
+    yield from faults
+
+
 def _read_row(
     cue_prefix: str, columns: Sequence[Column], row: int, cells: Sequence[str], given: Facts
 ) -> Iterator[RowFault]:
-    """Put what a row says into `given`, and yield what cannot be read."""
+    """Add a row's values to `given`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
     for column in columns:
         text = typed_text(cells[column.place])
@@ -235,9 +256,9 @@ def _edit(cue_prefix: str, row: int, given: Facts, cue: Cue | None, number: int 
     if cue is None or facts == edit.before:
         return edit, None
     if cue.state is CueState.CUT:
-        return edit, RowFault(row, None, f"{label(cue_prefix, cue.number)} was cut and is kept as it was")
+        return edit, RowFault(row, None, f"{label(cue_prefix, cue.number)} is cut and can't be changed")
     if facts["state"] is CueState.CUT:
-        return edit, RowFault(row, "state", f"cut {label(cue_prefix, cue.number)} on its own page, with a reason")
+        return edit, RowFault(row, "state", f"cut {label(cue_prefix, cue.number)} on its own page with a reason")
     return edit, None
 
 

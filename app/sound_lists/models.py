@@ -26,7 +26,7 @@ class Cue(Base):
     __table_args__ = (
         UniqueConstraint("project_id", "number"),
         Index("ix_sound_lists_cues_order", "project_id", "position", "number"),
-        # What cues are counted by. The state stands first, so that nobody who wants a project's cues goes by it.
+        # What cues are counted by. The state comes first, so that queries for a project's cues do not use this index.
         Index("ix_sound_lists_cues_counted", "state", "project_id", "variations", "placeholder"),
         # Sums of what is delivered for a cue refer to these, and so follow them.
         Index("uq_sound_lists_cues_summed", "id", "state", "variations", "placeholder", unique=True),
@@ -60,7 +60,7 @@ class Cue(Base):
     variations: Mapped[int] = mapped_column(default=1)
     state: Mapped[CueState] = mapped_column(default=CueState.PROTOTYPE)
     playback_priority: Mapped[int | None]
-    placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a stand-in until the sound comes
+    placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a placeholder file until the sound comes
     palette: Mapped[bool] = mapped_column(default=False)
     extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # imported columns that we have no name for
     edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other
@@ -103,7 +103,7 @@ class Revision(Base):
 
 
 class CueChange(Base):
-    """What one revision did to one cue: only the facts that differ."""
+    """The change of one cue by one revision: only the facts that differ."""
 
     __tablename__ = "sound_lists_cue_changes"
 
@@ -115,7 +115,7 @@ class CueChange(Base):
 
 
 class Question(Base):
-    """What a designer asks on a cue; the answer becomes part of the cue."""
+    """A designer's question on a cue; the answer becomes part of the cue."""
 
     __tablename__ = "sound_lists_questions"
     __table_args__ = (

@@ -1,4 +1,4 @@
-"""The list, read from the database; callers have checked who looks."""
+"""The list, read from the database; callers have checked access."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy import Row, Select, bindparam, func, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
-from app.kit.among import among
+from app.kit.in_array import in_array
 from app.projects.models import Project
 from app.sound_lists.models import Cue, CueChange, Question, Revision, Stem
 from app.sound_lists.rules import CueState, folded
@@ -50,7 +50,7 @@ def stems_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list
 
 @cache
 def _stems() -> Select[UUID, int, str]:
-    owned = select(Stem.cue_id, Stem.variation, Stem.stem).where(among(Stem.cue_id, "cue_ids"))
+    owned = select(Stem.cue_id, Stem.variation, Stem.stem).where(in_array(Stem.cue_id, "cue_ids"))
     return owned.order_by(Stem.variation)
 
 
@@ -76,10 +76,10 @@ def cues_by_id(session: Session, project_id: UUID, ids: Collection[UUID]) -> dic
     return found
 
 
-def guessable_cues(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, str, str, str, float | None, int]]:
-    """Return what a guess needs of the cues that are still wanted, in list order; cheaper than whole cues."""
+def matchable_cues(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, str, str, str, int]]:
+    """Return what files are matched by, of the cues that are still wanted, in list order; cheaper than whole cues."""
     return session.execute(
-        select(Cue.id, Cue.number, Cue.name, Cue.file_name, Cue.category, Cue.duration_s, Cue.variations)
+        select(Cue.id, Cue.number, Cue.name, Cue.file_name, Cue.category, Cue.variations)
         .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
         .order_by(Cue.position, Cue.number)
     ).all()

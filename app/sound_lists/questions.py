@@ -9,7 +9,7 @@ from app.accounts.schemas import PersonBrief
 from app.kit import clock
 from app.kit.events import publish
 from app.projects.errors import ProjectNotFound
-from app.projects.service import Standing, standing_in
+from app.projects.service import ProjectAccess, project_access
 from app.sound_lists import queries, service
 from app.sound_lists.errors import QuestionAnswered, QuestionNotFound
 from app.sound_lists.models import Question
@@ -17,42 +17,42 @@ from app.sound_lists.rules import CueState, label, tidy_text
 from app.sound_lists.schemas import QuestionRead
 
 
-def ask_question(session: Session, actor: Actor, cue_id: UUID, text: str) -> tuple[Standing, Question]:
+def ask_question(session: Session, actor: Actor, cue_id: UUID, text: str) -> tuple[ProjectAccess, Question]:
     """Ask the team what it means by a cue."""
-    standing, cue = service.cue_in_sight(session, actor, cue_id)
+    access, cue = service.visible_cue(session, actor, cue_id)
     question = Question(
         studio_id=cue.studio_id, project_id=cue.project_id, cue_id=cue.id, text=tidy_text(text), asked_by=actor.person
     )
     session.add(question)
     session.flush()
     publish(session, "question.asked", studio_id=question.studio_id, question_id=question.id)
-    return standing, _read_again(session, question.id)
+    return access, _read_again(session, question.id)
 
 
 def answer_question(
     session: Session, actor: Actor, question_id: UUID, text: str, *, joins: bool
-) -> tuple[Standing, Question]:
+) -> tuple[ProjectAccess, Question]:
     """Answer once for all; what joins is added to the cue's description, as a revision of the list."""
     question = queries.question_by_id(session, question_id)
     if question is None:
         raise QuestionNotFound(f"no question {question_id}")
     try:
-        standing = standing_in(session, actor, question.project_id)
+        access = project_access(session, actor, question.project_id)
     except ProjectNotFound:
         raise QuestionNotFound(f"no question {question_id}") from None
-    standing.ensure_speaks()
+    access.ensure_may_speak()
     queries.lock_list(session, question.project_id)
     session.refresh(question, ["answered_at"])
     if question.answered_at is not None:
-        raise QuestionAnswered("this question was answered already", fix="change the cue's description instead")
+        raise QuestionAnswered("this question is already answered", fix="change the cue's description instead")
     question.answer, question.answered_by, question.answered_at = tidy_text(text), actor.person, clock.now()
     session.flush()
-    cue = service.cue_for(session, standing, question.cue_id)
+    cue = service.cue_for(session, access, question.cue_id)
     if joins and cue.state is not CueState.CUT:
         joined = f"{cue.description}\n\n{question.text} {question.answer}".strip()
         service.change_cue(session, actor, cue.id, None, {"description": joined})
     publish(session, "question.answered", studio_id=question.studio_id, question_id=question.id)
-    return standing, _read_again(session, question.id)
+    return access, _read_again(session, question.id)
 
 
 def _read_again(session: Session, question_id: UUID) -> Question:
@@ -63,13 +63,13 @@ def _read_again(session: Session, question_id: UUID) -> Question:
     return question
 
 
-def question_read(question: Question, standing: Standing) -> QuestionRead:
+def question_read(question: Question, access: ProjectAccess) -> QuestionRead:
     """Return a question as the caller may see it: designers do not learn of one another."""
-    mine = standing.only_designer_id in (None, question.asked_by)
+    mine = access.only_designer_id in (None, question.asked_by)
     return QuestionRead(
         id=question.id,
         cue_id=question.cue_id,
-        cue_label=label(standing.project.cue_prefix, question.cue.number),
+        cue_label=label(access.project.cue_prefix, question.cue.number),
         cue_name=question.cue.name,
         text=question.text,
         asked_by=PersonBrief.model_validate(question.asker) if mine else None,

@@ -4,7 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.projects.service import Standing
+from app.projects.service import ProjectAccess
 from app.sound_lists import queries
 from app.sound_lists.errors import RevisionNotFound
 from app.sound_lists.models import Cue
@@ -12,9 +12,9 @@ from app.sound_lists.rules import NEW_CUE, CueState, Facts, label
 from app.sound_lists.schemas import CueDifference, FieldChange, ListComparison
 
 
-def compare_revisions(session: Session, standing: Standing, first: int, last: int) -> ListComparison:
+def compare_revisions(session: Session, access: ProjectAccess, first: int, last: int) -> ListComparison:
     """Return what was added, changed and cut after revision `first`, up to revision `last`."""
-    newest = queries.revision_number(session, standing.project.id)
+    newest = queries.revision_number(session, access.project.id)
     for number in (first, last):
         if not 0 <= number <= newest:
             raise RevisionNotFound(f"the list has no revision {number}; its newest is {newest}")
@@ -24,7 +24,7 @@ def compare_revisions(session: Session, standing: Standing, first: int, last: in
     before: dict[UUID, Facts] = {}
     after: dict[UUID, Facts] = {}
     new: set[UUID] = set()
-    for change, cue in queries.changes_between(session, standing.project.id, first, last):
+    for change, cue in queries.changes_between(session, access.project.id, first, last):
         if cue.id not in cues and not change.before:
             new.add(cue.id)
         cues[cue.id] = cue
@@ -48,7 +48,7 @@ def compare_revisions(session: Session, standing: Standing, first: int, last: in
             CueDifference(
                 id=cue.id,
                 number=cue.number,
-                label=label(standing.project.cue_prefix, cue.number),
+                label=label(access.project.cue_prefix, cue.number),
                 name=facts.get("name", cue.name),
                 changes=changes,
                 cut_reason=facts.get("cut_reason"),

@@ -1,4 +1,4 @@
-"""What a cue may be, stated without a database."""
+"""Rules of cues, stated without a database."""
 
 import re
 import unicodedata
@@ -10,7 +10,7 @@ import audio_checks
 
 
 class CueState(StrEnum):
-    """How settled a cue is."""
+    """How final a cue is."""
 
     CONCEPT = "concept"
     PROTOTYPE = "prototype"
@@ -19,18 +19,18 @@ class CueState(StrEnum):
 
 
 class Reverb(StrEnum):
-    """Whether the file carries reverb of its own."""
+    """Whether the file contains reverb."""
 
     DRY = "dry"
     DESIGNED_TAIL = "designed-tail"
     SEPARATE_TAIL = "separate-tail"
 
 
-PAGE = 50  # cues answered at once, unless somebody asks for more: what a tall screen shows
-LONGEST_PAGE = 500
+PAGE = 50  # cues answered at once, unless the request asks for more: what a tall screen shows
+MAX_PAGE = 500
 MAX_VARIATIONS = 99
-LONGEST_LABEL = 60
-LONGEST_S = 86_400.0
+MAX_LABEL_CHARS = 60
+MAX_DURATION_S = 86_400.0
 Facts = dict[str, Any]  # what the list says of one cue, by the names of NEW_CUE
 
 NEW_CUE: Mapping[str, Any] = {
@@ -72,7 +72,7 @@ def label(cue_prefix: str, number: int) -> str:
 
 def read_label(cue_prefix: str, text: str) -> int | None:
     """Return the number that `SW-014`, `sw14` or `14` names, None where it names none of this project's."""
-    if len(text) > LONGEST_LABEL:  # the expression takes longer than the text is long
+    if len(text) > MAX_LABEL_CHARS:  # the expression takes longer than the text is long
         return None
     found = re.fullmatch(r"(?:(.*?)[\s_-]*)?0*([1-9][0-9]{0,5})(?:\.0+)?", text.strip())
     if found is None or (found[1] and found[1].casefold() != cue_prefix.casefold()):
@@ -86,7 +86,7 @@ def folded(stem: str) -> str:
 
 
 def tidy_text(text: str) -> str:
-    """Return text in NFC with plain line ends and without characters that nobody sees."""
+    """Return text in NFC with plain line ends and without invisible characters."""
     plain = text.replace("\r\n", "\n").replace("\r", "\n")
     return _UNSEEN.sub("", unicodedata.normalize("NFC", plain)).strip()
 
@@ -113,9 +113,9 @@ def tidy(facts: Mapping[str, Any]) -> Facts:
 def faults_of(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with the facts of one cue: the field, and the fault in words."""
     if not facts["name"]:
-        yield "name", "a cue needs a name"
+        yield "name", "enter a name for the cue"
     elif not audio_checks.stems_of(facts["name"], facts["file_name"], 1):
-        yield "file_name", f'"{facts["name"]}" has no letter or digit to make a file name of; give a file name'
+        yield "file_name", f'"{facts["name"]}" has no letter or digit for a file name; enter a file name'
     for field, longest in (LINES | TEXTS).items():
         if len(facts[field]) > longest:
             yield field, f"{len(facts[field])} characters; at most {longest} are kept"
@@ -144,7 +144,7 @@ def _fault_of_file_name(file_name: str) -> str | None:
 def _faults_of_figures(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     if not 1 <= facts["variations"] <= MAX_VARIATIONS:
         yield "variations", f"{facts['variations']} variations; wanted 1 to {MAX_VARIATIONS}"
-    for field, highest in (("duration_s", LONGEST_S), ("frame_rate_fps", 1000.0)):
+    for field, highest in (("duration_s", MAX_DURATION_S), ("frame_rate_fps", 1000.0)):
         value = facts[field]
         if value is not None and not 0 < value <= highest:  # nan fails too
             yield field, f"{value:g}; wanted a number above 0, at most {highest:g}"

@@ -41,7 +41,7 @@ class CueRead(Schema):
     playback_priority: int | None
     placeholder: bool
     palette: bool
-    extra: dict[str, str] = Field(description="Imported columns that have no field of their own.")
+    extra: dict[str, str] = Field(description="Imported columns without a field.")
     edition: int = Field(description="Send it back with a change, so that two editors notice each other.")
     cut_reason: str | None
     cut_at: datetime | None
@@ -57,7 +57,7 @@ class SoundListRead(Schema):
 
 
 class CueFields(Schema):
-    """What people type of a cue."""
+    """The fields of a cue that people type."""
 
     name: Text = ""
     file_name: Text = ""
@@ -89,7 +89,7 @@ class CuesAdd(Schema):
 
 
 class CuePatch(CueFields):
-    """What to change in a cue; what is left out stays."""
+    """Changes of a cue; omitted fields stay."""
 
     edition: Whole = Field(description="The edition that was read.")
 
@@ -101,7 +101,7 @@ class CueOrder(Schema):
 
 
 class PlaceholderSet(Schema):
-    """Whether the game plays a stand-in for now."""
+    """Whether the game plays a placeholder file for now."""
 
     placeholder: bool
 
@@ -113,13 +113,13 @@ class PaletteSet(Schema):
 
 
 class QuestionAdd(Schema):
-    """What a designer must know to make the sound."""
+    """A question that a designer needs answered to make the sound."""
 
     text: str = Field(min_length=1, max_length=2000)
 
 
 class AnswerAdd(Schema):
-    """The answer, which joins the cue's description unless told not to."""
+    """The answer, which joins the cue's description unless the request says otherwise."""
 
     text: str = Field(min_length=1, max_length=4000)
     joins: bool = True
@@ -176,7 +176,7 @@ class CueDifference(Schema):
 
 
 class ListComparison(Schema):
-    """What happened to the list between two revisions."""
+    """The changes of the list between two revisions."""
 
     from_revision: int
     to_revision: int
@@ -235,7 +235,7 @@ class ImportColumn(Schema):
 
 
 class ImportRow(Schema):
-    """What becomes of one row."""
+    """The result for one row."""
 
     row: int = Field(description="Its number in the sheet, as the spreadsheet shows it.")
     action: Literal["add", "change", "same"]
@@ -252,7 +252,7 @@ class ImportRow(Schema):
 
 
 class ImportFault(Schema):
-    """What is wrong in one cell."""
+    """The error in one cell."""
 
     row: int
     name: str = Field(description="The cue's name as the row has it; empty where it has none.")
@@ -261,7 +261,7 @@ class ImportFault(Schema):
 
 
 class ImportRead(Schema):
-    """What the sheet says, what is wrong with it, and whether it was imported: all of it or nothing."""
+    """The content of a sheet, its errors, and whether it was imported: all of it or nothing."""
 
     header_row: int | None
     columns: list[ImportColumn]
@@ -299,7 +299,7 @@ class PreviewProject(Schema):
 
 
 class InvitationPreview(Schema):
-    """What the mailed link shows at once: the project, its list, and how sounds must come."""
+    """The page of a mailed link: the project, its list, and the required format of sounds."""
 
     project: PreviewProject
     studio_name: str

@@ -2,7 +2,6 @@
 
 import unicodedata
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
@@ -13,24 +12,13 @@ from app.accounts.rules import Actor
 from app.kit.http import cursor_of, place_cursor
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
-from app.projects.service import Standing, standing_in
-from app.sound_lists import guesses, queries, saving
-from app.sound_lists.errors import CueEditedMeanwhile, CueIsCut, CueNotFound, OrderInvalid, RowsInvalid
+from app.projects.service import ProjectAccess, project_access
+from app.sound_lists import queries, save_edits
+from app.sound_lists.errors import CueChanged, CueIsCut, CueNotFound, OrderInvalid, RowsInvalid
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
-from app.sound_lists.saving import Edit, facts_of, whole_facts
+from app.sound_lists.save_edits import Edit, facts_of, whole_facts
 from app.sound_lists.schemas import CueRead, PreviewCue
-
-
-@dataclass(frozen=True)
-class Guess:
-    """A cue that a file without a match may be for, and why."""
-
-    cue_id: UUID
-    label: str
-    name: str
-    variation: int
-    reason: str
 
 
 def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
@@ -99,21 +87,21 @@ def cue_facts(cue: Cue) -> audio_checks.CueFacts:
     )
 
 
-def cue_for(session: Session, standing: Standing, cue_id: UUID) -> Cue:
-    """Return a cue of the project that the caller stands in, with its stems; raise CueNotFound for any other."""
+def cue_for(session: Session, access: ProjectAccess, cue_id: UUID) -> Cue:
+    """Return a cue of the project that the caller is in, with its stems; raise CueNotFound for any other."""
     cue = queries.cue_by_id(session, cue_id)
-    if cue is None or cue.project_id != standing.project.id:
+    if cue is None or cue.project_id != access.project.id:
         raise CueNotFound(f"no cue {cue_id}")
     return cue
 
 
-def cue_in_sight(session: Session, actor: Actor, cue_id: UUID) -> tuple[Standing, Cue]:
+def visible_cue(session: Session, actor: Actor, cue_id: UUID) -> tuple[ProjectAccess, Cue]:
     """Return a cue with its stems and what the caller is in its project; raise CueNotFound without sight of it."""
     cue = queries.cue_by_id(session, cue_id)
     if cue is None:
         raise CueNotFound(f"no cue {cue_id}")
     try:
-        return standing_in(session, actor, cue.project_id), cue
+        return project_access(session, actor, cue.project_id), cue
     except ProjectNotFound:
         raise CueNotFound(f"no cue {cue_id}") from None
 
@@ -123,74 +111,37 @@ def slot_by_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, in
     return queries.slot_of_stem(session, project_id, unicodedata.normalize("NFC", stem))
 
 
-def guesses_for(
-    session: Session,
-    project_id: UUID,
-    files: Sequence[tuple[str, float | None]],
-    *,
-    favour: Collection[UUID] = (),
-) -> list[list[Guess]]:
-    """Return up to three cues that each file may be for, the likeliest first; files come as name and length.
-
-    `favour` names the cues that still wait for a sound.
-    """
-    if not files:
-        return []
-    project = session.get_one(Project, project_id)
-    rows = {row.id: row for row in queries.guessable_cues(session, project_id)}
-    candidates = [
-        guesses.Candidate(
-            key=row.id,
-            name=row.name,
-            stem=audio_checks.stems_of(row.name, row.file_name, 1)[0],
-            category=row.category,
-            duration_s=row.duration_s,
-            variations=row.variations,
-            waits=row.id in favour,
-        )
-        for row in rows.values()
-    ]
-    return [
-        [
-            Guess(
-                cue_id=like.key,
-                label=label(project.cue_prefix, rows[like.key].number),
-                name=rows[like.key].name,
-                variation=like.variation,
-                reason=like.reason,
-            )
-            for like in guesses.likeliest(file_name, duration_s, candidates)
-        ]
-        for file_name, duration_s in files
-    ]
+def stems_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[tuple[int, str]]]:
+    """Return the stems that cues own, each with its variation, in order."""
+    return queries.stems_by_cue(session, cue_ids)
 
 
 def add_cues(session: Session, actor: Actor, project_id: UUID, rows: Sequence[Mapping[str, Any]]) -> list[Cue]:
     """Add typed rows at the end of the list; raise RowsInvalid, naming rows and fields, when one of them is wrong."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_speaks()
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
     edits = [Edit(row, whole_facts(facts)) for row, facts in enumerate(rows, start=1)]
-    return _save_or_raise(session, standing, edits)
+    return _save_or_raise(session, access, edits)
 
 
 def change_cue(session: Session, actor: Actor, cue_id: UUID, edition: int | None, changes: Mapping[str, Any]) -> Cue:
-    """Change facts of a cue; raise CueEditedMeanwhile when `edition` is no longer the newest."""
-    standing, _ = cue_in_sight(session, actor, cue_id)
-    standing.ensure_speaks()
-    queries.lock_list(session, standing.project.id)
-    cue = cue_for(session, standing, cue_id)  # as it stands now, whoever else changes it at the same moment
+    """Change facts of a cue; raise CueChanged when `edition` is no longer the newest."""
+    access, _ = visible_cue(session, actor, cue_id)
+    access.ensure_may_speak()
+    queries.lock_list(session, access.project.id)
+    cue = cue_for(session, access, cue_id)  # the current row, even if it changes at the same moment
     if edition is not None and edition != cue.edition:
-        raise CueEditedMeanwhile("somebody else changed this cue meanwhile", fix="read it again, then change it")
+        raise CueChanged("someone else changed this cue meanwhile", fix="read it again, then change it")
     if cue.state is CueState.CUT:
-        raise CueIsCut(f"{label(standing.project.cue_prefix, cue.number)} was cut and is kept as it was")
-    _save_or_raise(session, standing, [Edit(1, whole_facts(changes, facts_of(cue)), cue)])
-    return cue_for(session, standing, cue_id)
+        raise CueIsCut(f"{label(access.project.cue_prefix, cue.number)} is cut and can't be changed")
+    _save_or_raise(session, access, [Edit(1, whole_facts(changes, facts_of(cue)), cue)])
+    return cue_for(session, access, cue_id)
 
 
 def order_cues(session: Session, actor: Actor, project_id: UUID, cue_ids: Sequence[UUID]) -> None:
     """Let the named cues share out the places they hold, in the order given."""
-    standing = standing_in(session, actor, project_id)
-    standing.ensure_speaks()
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
     cues = queries.cues_by_id(session, project_id, set(cue_ids))
     if len(set(cue_ids)) != len(cue_ids):
         raise OrderInvalid("the order names a cue twice")
@@ -204,15 +155,15 @@ def order_cues(session: Session, actor: Actor, project_id: UUID, cue_ids: Sequen
 def cut_cue(session: Session, actor: Actor, cue: Cue, reason: str) -> None:
     """Mark a cue as cut, with the reason; its names are free again. Reviews decide who may."""
     if cue.state is CueState.CUT:
-        raise CueIsCut("this cue was cut already")
+        raise CueIsCut("this cue is already cut")
     project = session.get_one(Project, cue.project_id)
     queries.lock_list(session, project.id)
-    saving.cut(session, project, actor.person, cue, reason)
+    save_edits.cut(session, project, actor.person, cue, reason)
 
 
-def _save_or_raise(session: Session, standing: Standing, edits: Sequence[Edit]) -> list[Cue]:
-    queries.lock_list(session, standing.project.id)
-    if faults := saving.row_faults(session, standing.project, edits):
+def _save_or_raise(session: Session, access: ProjectAccess, edits: Sequence[Edit]) -> list[Cue]:
+    queries.lock_list(session, access.project.id)
+    if faults := save_edits.row_faults(session, access.project, edits):
         places = [
             f"row {fault.row}: {fault.field}" if len(edits) > 1 or not edits[0].cue else str(fault.field)
             for fault in faults
@@ -221,4 +172,4 @@ def _save_or_raise(session: Session, standing: Standing, edits: Sequence[Edit]) 
             f"nothing was saved; {places[0]}: {faults[0].message}",
             errors=[{"where": place, "message": fault.message} for place, fault in zip(places, faults, strict=True)],
         )
-    return saving.save(session, standing.project, standing.actor.person, edits)
+    return save_edits.save(session, access.project, access.actor.person, edits)

@@ -45,7 +45,7 @@ Rows = list[tuple[int, list[str]]]
 class Sheet:
     """A head and the rows below it, with the numbers that the spreadsheet shows."""
 
-    header_row: int | None  # None: the columns have no names of their own
+    header_row: int | None  # None: the columns have no names
     columns: tuple[str, ...]
     rows: Rows
 
@@ -195,7 +195,7 @@ def _ensure_small(data: bytes) -> None:
             if "xl/workbook.xml" not in archive.namelist():
                 raise SheetUnreadable("this is a ZIP file, and no XLSX workbook")
             for entry in entries:
-                with archive.open(entry) as part:  # reading checks that the sizes told are true
+                with archive.open(entry) as part:  # reading checks the announced sizes
                     name = entry.filename.lower()
                     is_xml = name.endswith((".xml", ".rels"))
                     _ensure_small_area(part, is_xml=is_xml, is_sheet=name.startswith("xl/worksheets/"))

@@ -7,7 +7,7 @@ on one line, with the Python that audio-checks is installed for:
         "/p4/venv/bin/python -I /p4/change_content.py --spec /p4/spec.toml %changelist%"
 
 The user of the trigger's environment (P4PORT, P4USER, a ticket) must be able to read the files. The
-tests run this file against a stand-in for `p4` that answers as its documents say; it has not been run
+tests run this file against a substitute for `p4` that answers as its documents say; it has not been run
 against a Perforce server.
 """
 
@@ -20,7 +20,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
-from audio_checks.sound_list import AUDIO_SUFFIXES
+from audio_checks.spec.sound_list import AUDIO_SUFFIXES
 
 GONE = {"delete", "move/delete", "purge", "archive"}
 ENCODED = {"%40": "@", "%23": "#", "%2A": "*", "%25": "%"}  # how depot paths spell these; the percent sign last
@@ -48,7 +48,7 @@ def main() -> int:
         return 0
     print(f"{judged.stdout}{judged.stderr}")
     if judged.returncode != 1:
-        print("The sounds could not be judged; that is no fault of theirs. Ask whoever keeps the server's triggers.")
+        print("The sounds could not be judged; this is not their fault. Contact the server administrator.")
     return 1
 
 
@@ -80,10 +80,12 @@ def _p4(*arguments: str) -> Iterator[dict[str, str]]:
             answer = marshal.load(stream)
         except EOFError:
             break
-        told = {key.decode(): value.decode("utf-8", "replace") for key, value in answer.items() if type(value) is bytes}
-        if told.get("code") == "error":
-            sys.exit(f"p4 {arguments[0]}: {told.get('data', '').strip()}")
-        yield told
+        facts = {
+            key.decode(): value.decode("utf-8", "replace") for key, value in answer.items() if type(value) is bytes
+        }
+        if facts.get("code") == "error":
+            sys.exit(f"p4 {arguments[0]}: {facts.get('data', '').strip()}")
+        yield facts
     if asked.returncode != 0:
         sys.exit(f"p4 {arguments[0]}: {asked.stderr.decode(errors='replace').strip() or 'failed'}")
 

@@ -42,14 +42,14 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("worker_id", name=op.f("pk_kit_heartbeats")),
     )
     op.create_table(
-        "kit_saved_answers",
+        "kit_saved_responses",
         sa.Column("key", sa.String(), nullable=False),
         sa.Column("request_sha256", sa.String(), nullable=False),
         sa.Column("status", sa.Integer(), nullable=True),
         sa.Column("media_type", sa.String(), nullable=True),
         sa.Column("body", sa.String(), nullable=True),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
-        sa.PrimaryKeyConstraint("key", name=op.f("pk_kit_saved_answers")),
+        sa.PrimaryKeyConstraint("key", name=op.f("pk_kit_saved_responses")),
     )
     op.create_table(
         "kit_uploads",
@@ -278,7 +278,7 @@ def upgrade() -> None:
         batch_op.create_index(batch_op.f("ix_deliveries_deliveries_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
-        "projects_decider_changes",
+        "projects_approver_changes",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
@@ -287,22 +287,22 @@ def upgrade() -> None:
         sa.Column("changed_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(
-            ["changed_by"], ["accounts_people.id"], name=op.f("fk_projects_decider_changes_changed_by")
+            ["changed_by"], ["accounts_people.id"], name=op.f("fk_projects_approver_changes_changed_by")
         ),
         sa.ForeignKeyConstraint(
-            ["person_id"], ["accounts_people.id"], name=op.f("fk_projects_decider_changes_person_id")
+            ["person_id"], ["accounts_people.id"], name=op.f("fk_projects_approver_changes_person_id")
         ),
         sa.ForeignKeyConstraint(
-            ["project_id"], ["projects_projects.id"], name=op.f("fk_projects_decider_changes_project_id")
+            ["project_id"], ["projects_projects.id"], name=op.f("fk_projects_approver_changes_project_id")
         ),
         sa.ForeignKeyConstraint(
-            ["studio_id"], ["accounts_studios.id"], name=op.f("fk_projects_decider_changes_studio_id")
+            ["studio_id"], ["accounts_studios.id"], name=op.f("fk_projects_approver_changes_studio_id")
         ),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_projects_decider_changes")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_projects_approver_changes")),
     )
-    with op.batch_alter_table("projects_decider_changes", schema=None) as batch_op:
-        batch_op.create_index(batch_op.f("ix_projects_decider_changes_project_id"), ["project_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_projects_decider_changes_studio_id"), ["studio_id"], unique=False)
+    with op.batch_alter_table("projects_approver_changes", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_projects_approver_changes_project_id"), ["project_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_projects_approver_changes_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
         "projects_engagements",
@@ -404,21 +404,21 @@ def upgrade() -> None:
         batch_op.create_index(batch_op.f("ix_projects_specs_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
-        "reviews_sendings",
+        "reviews_feedback",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
         sa.Column("sent_by", sa.Uuid(), nullable=False),
         sa.Column("note", sa.String(), nullable=False),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_sendings_project_id")),
-        sa.ForeignKeyConstraint(["sent_by"], ["accounts_people.id"], name=op.f("fk_reviews_sendings_sent_by")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_sendings_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_sendings")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_feedback_project_id")),
+        sa.ForeignKeyConstraint(["sent_by"], ["accounts_people.id"], name=op.f("fk_reviews_feedback_sent_by")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_feedback_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_feedback")),
     )
-    with op.batch_alter_table("reviews_sendings", schema=None) as batch_op:
-        batch_op.create_index(batch_op.f("ix_reviews_sendings_project_id"), ["project_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_reviews_sendings_studio_id"), ["studio_id"], unique=False)
+    with op.batch_alter_table("reviews_feedback", schema=None) as batch_op:
+        batch_op.create_index(batch_op.f("ix_reviews_feedback_project_id"), ["project_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_reviews_feedback_studio_id"), ["studio_id"], unique=False)
 
     op.create_table(
         "sound_lists_cues",
@@ -533,7 +533,7 @@ def upgrade() -> None:
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
         sa.Column("cue_id", sa.Uuid(), nullable=False),
-        sa.Column("sending_id", sa.Uuid(), nullable=False),
+        sa.Column("feedback_id", sa.Uuid(), nullable=False),
         sa.Column("number", sa.Integer(), nullable=True),
         sa.Column("why_not_counted", sa.String(), nullable=True),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
@@ -542,11 +542,11 @@ def upgrade() -> None:
         ),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_rounds_cue_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_rounds_project_id")),
-        sa.ForeignKeyConstraint(["sending_id"], ["reviews_sendings.id"], name=op.f("fk_reviews_rounds_sending_id")),
+        sa.ForeignKeyConstraint(["feedback_id"], ["reviews_feedback.id"], name=op.f("fk_reviews_rounds_feedback_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_rounds_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_rounds")),
         sa.UniqueConstraint("cue_id", "number", name=op.f("uq_reviews_rounds_cue_id_number")),
-        sa.UniqueConstraint("cue_id", "sending_id", name=op.f("uq_reviews_rounds_cue_id_sending_id")),
+        sa.UniqueConstraint("cue_id", "feedback_id", name=op.f("uq_reviews_rounds_cue_id_feedback_id")),
     )
     with op.batch_alter_table("reviews_rounds", schema=None) as batch_op:
         batch_op.create_index(batch_op.f("ix_reviews_rounds_project_id"), ["project_id"], unique=False)
@@ -789,14 +789,14 @@ def upgrade() -> None:
         sa.Column("end_s", sa.Double(), nullable=True),
         sa.Column("written_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
-        sa.Column("sending_id", sa.Uuid(), nullable=True),
+        sa.Column("feedback_id", sa.Uuid(), nullable=True),
         sa.CheckConstraint("end_s is null or end_s >= start_s", name=op.f("ck_reviews_change_requests_range_forwards")),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_change_requests_cue_id")),
         sa.ForeignKeyConstraint(
             ["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_change_requests_project_id")
         ),
         sa.ForeignKeyConstraint(
-            ["sending_id"], ["reviews_sendings.id"], name=op.f("fk_reviews_change_requests_sending_id")
+            ["feedback_id"], ["reviews_feedback.id"], name=op.f("fk_reviews_change_requests_feedback_id")
         ),
         sa.ForeignKeyConstraint(
             ["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_change_requests_studio_id")
@@ -810,15 +810,15 @@ def upgrade() -> None:
     with op.batch_alter_table("reviews_change_requests", schema=None) as batch_op:
         batch_op.create_index(batch_op.f("ix_reviews_change_requests_cue_id"), ["cue_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_change_requests_project_id"), ["project_id"], unique=False)
-        batch_op.create_index(batch_op.f("ix_reviews_change_requests_sending_id"), ["sending_id"], unique=False)
+        batch_op.create_index(batch_op.f("ix_reviews_change_requests_feedback_id"), ["feedback_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_change_requests_studio_id"), ["studio_id"], unique=False)
         batch_op.create_index(batch_op.f("ix_reviews_change_requests_take_id"), ["take_id"], unique=False)
         batch_op.create_index(
             "uq_reviews_change_requests_draft",
             ["take_id"],
             unique=True,
-            sqlite_where=sa.text("sending_id is null"),
-            postgresql_where=sa.text("sending_id is null"),
+            sqlite_where=sa.text("feedback_id is null"),
+            postgresql_where=sa.text("feedback_id is null"),
         )
 
     op.create_table(
@@ -958,12 +958,12 @@ def downgrade() -> None:
     with op.batch_alter_table("reviews_change_requests", schema=None) as batch_op:
         batch_op.drop_index(
             "uq_reviews_change_requests_draft",
-            sqlite_where=sa.text("sending_id is null"),
-            postgresql_where=sa.text("sending_id is null"),
+            sqlite_where=sa.text("feedback_id is null"),
+            postgresql_where=sa.text("feedback_id is null"),
         )
         batch_op.drop_index(batch_op.f("ix_reviews_change_requests_take_id"))
         batch_op.drop_index(batch_op.f("ix_reviews_change_requests_studio_id"))
-        batch_op.drop_index(batch_op.f("ix_reviews_change_requests_sending_id"))
+        batch_op.drop_index(batch_op.f("ix_reviews_change_requests_feedback_id"))
         batch_op.drop_index(batch_op.f("ix_reviews_change_requests_project_id"))
         batch_op.drop_index(batch_op.f("ix_reviews_change_requests_cue_id"))
 
@@ -1040,11 +1040,11 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_sound_lists_cues_project_id"))
 
     op.drop_table("sound_lists_cues")
-    with op.batch_alter_table("reviews_sendings", schema=None) as batch_op:
-        batch_op.drop_index(batch_op.f("ix_reviews_sendings_studio_id"))
-        batch_op.drop_index(batch_op.f("ix_reviews_sendings_project_id"))
+    with op.batch_alter_table("reviews_feedback", schema=None) as batch_op:
+        batch_op.drop_index(batch_op.f("ix_reviews_feedback_studio_id"))
+        batch_op.drop_index(batch_op.f("ix_reviews_feedback_project_id"))
 
-    op.drop_table("reviews_sendings")
+    op.drop_table("reviews_feedback")
     with op.batch_alter_table("projects_specs", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_projects_specs_studio_id"))
         batch_op.drop_index(batch_op.f("ix_projects_specs_project_id"))
@@ -1065,11 +1065,11 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_projects_engagements_designer_id"))
 
     op.drop_table("projects_engagements")
-    with op.batch_alter_table("projects_decider_changes", schema=None) as batch_op:
-        batch_op.drop_index(batch_op.f("ix_projects_decider_changes_studio_id"))
-        batch_op.drop_index(batch_op.f("ix_projects_decider_changes_project_id"))
+    with op.batch_alter_table("projects_approver_changes", schema=None) as batch_op:
+        batch_op.drop_index(batch_op.f("ix_projects_approver_changes_studio_id"))
+        batch_op.drop_index(batch_op.f("ix_projects_approver_changes_project_id"))
 
-    op.drop_table("projects_decider_changes")
+    op.drop_table("projects_approver_changes")
     with op.batch_alter_table("deliveries_deliveries", schema=None) as batch_op:
         batch_op.drop_index(batch_op.f("ix_deliveries_deliveries_studio_id"))
         batch_op.drop_index(batch_op.f("ix_deliveries_deliveries_project_id"))
@@ -1124,7 +1124,7 @@ def downgrade() -> None:
         batch_op.drop_index(batch_op.f("ix_kit_uploads_studio_id"))
 
     op.drop_table("kit_uploads")
-    op.drop_table("kit_saved_answers")
+    op.drop_table("kit_saved_responses")
     op.drop_table("kit_heartbeats")
     op.drop_table("accounts_studios")
     op.drop_table("accounts_people")

@@ -25,7 +25,7 @@ NEW = (
 # Of some rows only.
 NEW_PARTIAL = (
     ("ix_sound_lists_questions_open", "sound_lists_questions", ["project_id", "cue_id"], "answered_at is null"),
-    ("ix_reviews_change_requests_drafts", "reviews_change_requests", ["project_id"], "sending_id is null"),
+    ("ix_reviews_change_requests_drafts", "reviews_change_requests", ["project_id"], "feedback_id is null"),
 )
 # Begun by a new index, or by a unique constraint.
 OLD = (

@@ -1,4 +1,4 @@
-"""Batches: every game file of a project made anew, one by one."""
+"""Batches: every game file of a project rendered again, one by one."""
 
 import sqlalchemy as sa
 from alembic import op

@@ -84,9 +84,9 @@ def upgrade() -> None:
         ("ix_deliveries_cue_sums_newest_back", "newest_back_since", []),
         ("ix_deliveries_cue_sums_back", "back_since", ["cue_id"]),
     ):
-        there_is = sa.text(f"{since} is not null")
+        row_exists = sa.text(f"{since} is not null")
         columns = ["project_id", "viewer_id", since, *further]
-        op.create_index(name, "deliveries_cue_sums", columns, sqlite_where=there_is, postgresql_where=there_is)
+        op.create_index(name, "deliveries_cue_sums", columns, sqlite_where=row_exists, postgresql_where=row_exists)
     op.create_index(
         "ix_sound_lists_cues_palette",
         "sound_lists_cues",

@@ -19,7 +19,7 @@ def upgrade() -> None:
         sa.Column("sound_sha256", sa.String(), nullable=False),
         sa.Column("fingerprint_version", sa.Integer(), nullable=False),
         sa.Column("entry", sa.JSON().with_variant(postgresql.JSONB(), "postgresql"), nullable=False),
-        sa.Column("heard_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
+        sa.Column("fingerprinted_at", app.kit.db.UtcDateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_builds_fingerprints_studio_id")),
         sa.PrimaryKeyConstraint("studio_id", "sound_sha256", name=op.f("pk_builds_fingerprints")),
     )

@@ -30,7 +30,7 @@ def upgrade() -> None:
         sa.Column("expires_at", INSTANT, nullable=False),
         sa.Column("used_at", INSTANT, nullable=True),
         sa.Column("secret_sha256", sa.String(), nullable=True),
-        sa.Column("is_only_mailed", sa.Boolean(), nullable=False),
+        sa.Column("is_sent_by_mail_only", sa.Boolean(), nullable=False),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_sign_ups")),
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_sign_ups_secret_sha256")),
     )
@@ -42,7 +42,7 @@ def upgrade() -> None:
         sa.Column("expires_at", INSTANT, nullable=False),
         sa.Column("used_at", INSTANT, nullable=True),
         sa.Column("secret_sha256", sa.String(), nullable=True),
-        sa.Column("is_only_mailed", sa.Boolean(), nullable=False),
+        sa.Column("is_sent_by_mail_only", sa.Boolean(), nullable=False),
         sa.ForeignKeyConstraint(
             ["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_email_verifications_person_id")
         ),
@@ -60,7 +60,9 @@ def upgrade() -> None:
     # Servers of the version before go on writing rows without these columns until they are replaced.
     for table in LINKED:
         with op.batch_alter_table(table) as batch_op:
-            batch_op.add_column(sa.Column("is_only_mailed", sa.Boolean(), server_default=sa.false(), nullable=False))
+            batch_op.add_column(
+                sa.Column("is_sent_by_mail_only", sa.Boolean(), server_default=sa.false(), nullable=False)
+            )
             batch_op.alter_column("secret_sha256", existing_type=sa.String(), nullable=True)
     with op.batch_alter_table("accounts_sign_ins", recreate="always") as batch_op:
         batch_op.add_column(sa.Column("device", sa.String(), server_default="", nullable=False))
@@ -99,7 +101,7 @@ def downgrade() -> None:
         op.execute(f"update {table} set secret_sha256 = cast(id as varchar) where secret_sha256 is null")  # noqa: S608
         with op.batch_alter_table(table) as batch_op:
             batch_op.alter_column("secret_sha256", existing_type=sa.String(), nullable=False)
-            batch_op.drop_column("is_only_mailed")
+            batch_op.drop_column("is_sent_by_mail_only")
     op.drop_table("accounts_operators")
     op.drop_table("accounts_email_verifications")
     op.drop_table("accounts_sign_ups")

@@ -23,8 +23,8 @@ def upgrade() -> None:
         "accounts_quotas",
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("kind", sa.String(), nullable=False),
-        sa.Column("most", sa.BigInteger(), nullable=False),
-        sa.CheckConstraint("most >= 0", name=op.f("ck_accounts_quotas_most_known")),
+        sa.Column("maximum", sa.BigInteger(), nullable=False),
+        sa.CheckConstraint("maximum >= 0", name=op.f("ck_accounts_quotas_maximum_known")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_quotas_studio_id")),
         sa.PrimaryKeyConstraint("studio_id", "kind", name=op.f("pk_accounts_quotas")),
     )

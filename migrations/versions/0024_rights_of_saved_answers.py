@@ -10,10 +10,10 @@ depends_on = None
 
 
 def upgrade() -> None:
-    op.add_column("kit_saved_answers", sa.Column("rights", sa.String()))
-    op.create_index("ix_kit_saved_answers_created_at", "kit_saved_answers", ["created_at"])
+    op.add_column("kit_saved_responses", sa.Column("rights", sa.String()))
+    op.create_index("ix_kit_saved_responses_created_at", "kit_saved_responses", ["created_at"])
 
 
 def downgrade() -> None:
-    op.drop_index("ix_kit_saved_answers_created_at", "kit_saved_answers")
-    op.drop_column("kit_saved_answers", "rights")
+    op.drop_index("ix_kit_saved_responses_created_at", "kit_saved_responses")
+    op.drop_column("kit_saved_responses", "rights")

@@ -17,7 +17,7 @@ from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import ensure_at_head, migrate
-from app.renders.jobs import prepare_take
+from app.renders.take_jobs import prepare_take
 from app.settings import Settings
 from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues, deliver
@@ -56,7 +56,7 @@ def lived_in(server: RunningServer) -> World:
     take = deliver(world, "laser_fire.wav", wav_bytes(sine(hz=997, seconds=0.2, rate=44_100), rate=44_100, bits=16))
     payload = {"take_id": take["id"], "event_id": str(new_id()), "studio_id": str(world.studio_id)}
     prepare_take(server.runtime, payload)
-    verdict = world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve", "note": "Good."})
+    verdict = world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve", "note": "Good."})
     assert verdict.status_code in (200, 201), verdict.text
     assert cue["id"]
     return world

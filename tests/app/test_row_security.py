@@ -15,7 +15,7 @@ from psycopg import sql
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
-from app.kit.db import Base, Database, UtcDateTime, beyond_reach, new_id, reach_further
+from app.kit.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, widen_reach
 from app.kit.health import NotReady
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
@@ -233,7 +233,8 @@ def test_what_was_said_is_not_altered_even_by_its_own(database: Database, name: 
 def test_the_servers_own_tables_are_closed_to_requests(database: Database):
     for schema, name in (
         (None, "kit_heartbeats"),
-        (None, "kit_saved_answers"),
+        (None, "kit_saved_responses"),
+        (None, "kit_changed_rooms"),
         ("dbos", "workflow_status"),
         ("dbos", "workflow_inputs"),
     ):
@@ -247,9 +248,9 @@ def test_the_servers_own_tables_are_closed_to_requests(database: Database):
 def test_reach_grows_only_for_whom_it_is_said(database: Database):
     with database.reading(NOBODY) as session:
         assert seen(session, "projects_projects") == set()
-        reach_further(session, Reach(person_id=ELSEWHERE))
+        widen_reach(session, Reach(person_id=ELSEWHERE))
         assert seen(session, "projects_projects") == {THERE}
-        with beyond_reach(session):
+        with bypass_row_policies(session):
             assert seen(session, "projects_projects") == {HERE, THERE}
         assert seen(session, "projects_projects") == {THERE}
     with database.reading(NOBODY) as session:
@@ -261,7 +262,7 @@ def test_who_joins_a_studio_sees_it_at_once(database: Database):
     memberships = Base.metadata.tables["accounts_memberships"]
     with database.writing(Reach(person_id=newcomer)) as session:
         assert seen(session, "projects_projects") == set()
-        with beyond_reach(session):
+        with bypass_row_policies(session):
             session.execute(
                 sa.insert(memberships).values(row_of(memberships, HERE, new_id()) | {"person_id": newcomer})
             )
@@ -290,7 +291,7 @@ def test_a_reading_request_changes_nothing(database: Database):
 
 def test_who_fails_beyond_reach_comes_back_with_nothing(database: Database):
     def fail_in(session: Session) -> None:
-        with beyond_reach(session):
+        with bypass_row_policies(session):
             assert seen(session, "projects_projects") == {HERE, THERE}
             raise ZeroDivisionError
 

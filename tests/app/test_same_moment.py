@@ -48,7 +48,7 @@ def test_of_two_editors_of_a_cue_one_is_told(world: World, together: Callable[..
                 partial(
                     browser.patch, f"/v1/cues/{cue['id']}", json={"edition": edition, "description": f"{text} {number}"}
                 )
-                for browser, text in ((world.producer, "heavy"), (world.decider, "light"))
+                for browser, text in ((world.producer, "heavy"), (world.approver, "light"))
             )
         )
         assert statuses(answers) == [200, 409], [answer.text for answer in answers]
@@ -68,7 +68,7 @@ def test_a_spec_is_saved_by_one_of_two(world: World, together: Callable[..., lis
                     address,
                     json={"toml": f"{toml} {browser is world.producer}", "based_on_version": now["version"]},
                 )
-                for browser in (world.producer, world.decider)
+                for browser in (world.producer, world.approver)
             )
         )
         assert statuses(answers) == [200, 409], [answer.text for answer in answers]
@@ -80,7 +80,7 @@ def test_a_question_is_answered_by_one_of_two(world: World, together: Callable[.
     answers = together(
         *(
             partial(browser.post, f"/v1/questions/{question['id']}/answer", json={"text": text})
-            for browser, text in ((world.producer, "a pebble"), (world.decider, "a boulder"))
+            for browser, text in ((world.producer, "a pebble"), (world.approver, "a boulder"))
         )
     )
     assert statuses(answers) == [200, 409], [answer.text for answer in answers]
@@ -93,7 +93,7 @@ def test_a_cue_is_cut_once(world: World, together: Callable[..., list[Response]]
         cut = {"reason": "the level is gone"}
         answers = together(
             partial(world.producer.post, f"/v1/cues/{cue['id']}/cut", json=cut),
-            partial(world.decider.post, f"/v1/cues/{cue['id']}/cut", json=cut),
+            partial(world.approver.post, f"/v1/cues/{cue['id']}/cut", json=cut),
         )
         assert statuses(answers)[0] < 300, [answer.text for answer in answers]
         assert statuses(answers)[1] == 409, [answer.text for answer in answers]
@@ -118,7 +118,7 @@ def test_deliveries_of_one_moment_have_numbers_of_their_own(world: World, togeth
 def test_drafts_are_sent_once(world: World, together: Callable[..., list[Response]]):
     stage = Stage(world)
     stage.draft(stage.take(stage.cue()))
-    sendings = f"/v1/projects/{world.project_id}/sendings"
-    answers = together(*[partial(world.decider.post, sendings, json={"note": ""})] * 3)
+    sendings = f"/v1/projects/{world.project_id}/feedback"
+    answers = together(*[partial(world.approver.post, sendings, json={"note": ""})] * 3)
     assert statuses(answers)[0] == 201, [answer.text for answer in answers]
     assert statuses(answers)[1:] == [409, 409], [answer.text for answer in answers]

@@ -1,4 +1,4 @@
-"""Settings are checked at start, all at once, each with what was found, what is wanted and how to mend it."""
+"""Settings are checked at start, all at once, each with what was found, what is wanted and how to fix it."""
 
 import socket
 from collections.abc import Callable
@@ -59,7 +59,7 @@ def test_a_short_key_is_no_key(environment):
 
 def test_a_name_like_none_of_ours_is_told_too(environment):
     environment(SECRET_KEY="k" * 32, ZZZ="1")
-    assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/operate.md lists them"]
+    assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/settings.md lists them"]
 
 
 def test_a_setting_that_named_operators_says_what_names_them_now(environment):
@@ -120,4 +120,4 @@ def test_a_taken_port_for_figures_is_said_in_words(environment):
         for command in ("serve", "worker"):
             result = started(command)
             assert result.exit_code == 2
-            assert "SOUNDLIST_METRICS_PORT of its own" in result.output
+            assert "its own SOUNDLIST_METRICS_PORT" in result.output

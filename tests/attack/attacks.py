@@ -17,7 +17,7 @@ from typing import Any
 import httpx
 import numpy as np
 
-from app.accounts.endpoints import CSRF_HEADER
+from app.accounts.authentication import CSRF_HEADER
 from tests.attack.hostile_requests import hostile_requests
 from tests.attack.long_contract import add_two_long_versions
 from tests.house.routes import operations
@@ -236,7 +236,8 @@ def long_sign_in(target: Target) -> Iterator[int]:
 @attack("body: JSON that is deep or wide")
 def odd_json(target: Target) -> Iterator[int]:
     headers = {"Content-Type": "application/json"}
-    for body in (b"[" * 100_000, b'{"a":' * 50_000, b"[" + b"0," * 4_000_000 + b"0]", b"9" * 100_000, b'"\\ud800"'):
+    for body in (b"[" * 100_000, b'{"a":' * 50_000, b"[" + b"0," * 4_000_000 + b"0]", b"9" * 100_000, b'"\\ud800"',
+                 b"{" + b",".join(b'"%d":0' % number for number in range(600_000)) + b"}"):  # fmt: skip
         yield sent(target.world.nobody, "POST", "/v1/sign-up", content=body, headers=headers)
         yield sent(target.world.producer, "POST", f"{target.project}/cues", content=body, headers=headers)
 

@@ -6,14 +6,14 @@ from uuid import UUID
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.contracts.clauses import Clause
-from app.contracts.comparison import MOST_CHARS
-from app.contracts.models import Contract, ContractVersion
-from app.contracts.rules import ContractKind, ReleaseClause
+from app.agreements.clauses import Clause
+from app.agreements.comparison import MAX_CHARS
+from app.agreements.models import Contract, ContractVersion
+from app.agreements.rules import ContractKind, ReleaseClause
 from app.projects.models import Engagement
 from tests.support.server import World
 
-SIDE_CHARS = MOST_CHARS // 2 - 1_000
+SIDE_CHARS = MAX_CHARS // 2 - 1_000
 WORDS = [f"w{number}" for number in range(3_000)]
 
 

@@ -6,7 +6,7 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import cast
@@ -14,6 +14,7 @@ from typing import cast
 import httpx
 
 from tests.attack.attacks import ATTACKS, NO_ANSWER, Target
+from tests.attack.honest import RequestCredentials, honest_person, visits
 from tests.kill.processes import ProcessServer, Zygote
 from tests.support.server import RunningServer, World
 
@@ -21,10 +22,12 @@ WEB_PROCESSES = 2
 ATTACKERS = 3
 HONEST_WITHIN_S = 3.0
 GROWTH_MIB = 120.0  # of all web processes and their children together, while one attack runs, and after everything
-LOOK_EVERY_S = 0.02
+POLL_EVERY_S = 0.02
 RETURNS_WITHIN_S = 20.0
-IDLE_S = 1.0
-MOST_ROUNDS = 100_000
+IDLE_S = 3.0
+WARM_UPS = 8  # of some process
+NOTES = "honest.jsonl"
+MAX_ROUNDS = 100_000
 ATTACK_LASTS_S = 20.0  # then its other requests are left out
 
 
@@ -52,14 +55,23 @@ class Result:
         return faults
 
 
+@dataclass(frozen=True)
+class Run:
+    """When an attack ran."""
+
+    name: str
+    begun_s: float
+    ended_s: float
+
+
 @dataclass
 class Siege:
     """What came of all of them."""
 
     results: dict[str, Result]
-    honest_s: list[float] = field(default_factory=list)
-    honest_faults: list[str] = field(default_factory=list)
-    idle_s: float = 0.0  # the honest person's slowest answer before anything began
+    visits: list[RequestCredentials] = field(default_factory=list)  # of the honest person
+    runs: list[Run] = field(default_factory=list)
+    begun_s: float = 0.0
     left_mib: float = 0.0  # more memory than before, after everything
     open_files: list[str] = field(default_factory=list)
 
@@ -67,16 +79,30 @@ class Siege:
     def faults(self) -> list[str]:
         """Return everything that must not have happened, in words."""
         faults = [f"{result.name}: {fault}" for result in self.results.values() for fault in result.faults]
-        faults += self.honest_faults
-        longest_s = max(self.honest_s, default=0.0)
         # A machine that is slow without any attack is not blamed on the attack.
-        if longest_s > max(HONEST_WITHIN_S, 3 * self.idle_s):
-            faults.append(f"an honest request took {longest_s:.1f} s, limit {HONEST_WITHIN_S:.0f} s")
-        if not self.honest_s:
+        limit_s = max(HONEST_WITHIN_S, 3 * self.idle_s)
+        for visit in self.visits:
+            if visit.problem:
+                faults.append(f"an honest {visit.path} {visit.problem}, {self._during(visit)}")
+            elif visit.took_s > limit_s:
+                faults.append(
+                    f"an honest {visit.path} took {visit.took_s:.1f} s, limit {limit_s:.0f} s, {self._during(visit)}"
+                )
+        if not self.visits:
             faults.append("no honest request was answered")
         if self.left_mib > GROWTH_MIB:
             faults.append(f"{self.left_mib:.0f} MiB of memory did not come back, limit {GROWTH_MIB:.0f}")
         return faults + [f"other users can read {path}" for path in self.open_files]
+
+    @property
+    def idle_s(self) -> float:
+        """The honest person's slowest answer before anything began."""
+        return max((visit.took_s for visit in self.visits if visit.begun_s < self.begun_s), default=0.0)
+
+    def _during(self, visit: RequestCredentials) -> str:
+        ended_s = visit.begun_s + visit.took_s
+        names = {run.name for run in self.runs if run.begun_s < ended_s and run.ended_s > visit.begun_s}
+        return f"during {', '.join(sorted(names)) or 'no attack'}"
 
 
 def lay_siege(
@@ -100,13 +126,18 @@ def lay_siege(
         watched = Watched(server)
         target = Target(world, server.port)
         siege = Siege({name: Result(name) for name in names})
-        with watched.memory(), honest_person(target, siege):
+        _warm_up(target)
+        watched.begin()
+        with watched.memory(), _at_work(target, folder):
+            time.sleep(IDLE_S)
+            siege.begun_s = time.monotonic()
             for name in names:
                 before_mib = watched.settled_mib()
-                _attack(target, siege.results[name], watched)
+                siege.runs.append(_attack(target, siege.results[name], watched))
                 siege.results[name].growth_mib = max(0.0, watched.peak_mib - before_mib)
                 tell(row(siege.results[name]))
             _all_at_once(target, siege, watched, begun + seconds)
+        siege.visits = visits(folder / NOTES)
         siege.left_mib = watched.left_mib()
         siege.open_files = [str(path) for path in (folder / "data").rglob("*") if path.stat().st_mode & 0o077]
         return siege
@@ -126,6 +157,10 @@ class Watched:
         self.peak_mib = 0.0
         self._before_mib = self.mib()
 
+    def begin(self) -> None:
+        """Take the memory of now for that before the attack."""
+        self._before_mib = self.mib()
+
     def deaths(self) -> int:
         """Return how many processes died since the last look; start again what ended as a whole."""
         with self._lock:
@@ -142,7 +177,7 @@ class Watched:
 
     def mib(self) -> float:
         """Return what the web processes and all below them have for themselves."""
-        return sum(_private_mib(pid) for pid in _below(self._web.pid))
+        return sum(private_mib(pid) for pid in processes_below(self._web.pid))
 
     def settled_mib(self) -> float:
         """Return the memory now, from where the peak is counted anew."""
@@ -162,7 +197,7 @@ class Watched:
         over = threading.Event()
 
         def look() -> None:
-            while not over.wait(LOOK_EVERY_S):
+            while not over.wait(POLL_EVERY_S):
                 self.peak_mib = max(self.peak_mib, self.mib())
 
         looking = threading.Thread(target=look, name="memory")
@@ -178,53 +213,25 @@ class Watched:
         return [self._web.pid, *_children(self._web.pid)]
 
 
-@contextmanager
-def honest_person(target: Target, siege: Siege) -> Iterator[None]:
-    """Let the approver work as long as the block lasts; note how long each request takes, and what goes wrong."""
-    client = target.world.signed_in(target.world.decider_id)
-    pages = [
-        target.project,
-        f"{target.project}/sound-list",
-        "/v1/review-queue",
-        f"/v1/takes/{target.take_id}",
-        "/healthz",
-    ]
-    over = threading.Event()
-
-    def ask(number: int) -> float:
-        begun = time.monotonic()
-        try:
-            if number % 5 == 4:
-                path = f"/v1/takes/{target.take_id}/comments"
-                answer = client.post(path, json={"text": f"Comment {number}", "at_s": 0.1})
-            else:
-                path = pages[number % len(pages)]
-                answer = client.get(path)
-            if answer.status_code >= 500:
-                siege.honest_faults.append(f"an honest {path} was answered with {answer.status_code}")
-        except httpx.TransportError as error:
-            siege.honest_faults.append(f"an honest request was not answered: {type(error).__name__}")
-        return time.monotonic() - begun
-
-    def work() -> None:
-        number = 0
-        while not over.wait(0.05):
-            siege.honest_s.append(ask(number))
-            number += 1
-
-    until = time.monotonic() + IDLE_S
-    while time.monotonic() < until:
-        siege.idle_s = max(siege.idle_s, *(ask(number) for number in range(5)))
-    working = threading.Thread(target=work, name="honest person")
-    working.start()
-    try:
-        yield
-    finally:
-        over.set()
-        working.join()
+def _warm_up(target: Target) -> None:
+    """Use what a process loads, starts and keeps when it is used first: what stays of that is no leak."""
+    for _ in range(WARM_UPS):
+        with target.world.signed_in(target.world.producer_id) as producer:  # a connection of its own, to some process
+            for path in (target.project, f"{target.project}/sound-list", f"{target.project}/documentation-key.pdf"):
+                producer.get(path)
+            body = {"dry_run": True, "format": "csv", "text": "name\nDoor\n"}
+            producer.post(f"{target.project}/sound-list/import", json=body)
+            producer.post("/v1/sign-in", json={"email": "nobody@example.test", "password": "not the right one"})
 
 
-def _attack(target: Target, result: Result, watched: Watched) -> None:
+def _at_work(target: Target, folder: Path) -> AbstractContextManager[None]:
+    """Let the approver work as long as the block lasts."""
+    pages = [target.project, f"{target.project}/sound-list", "/v1/review-queue", f"/v1/takes/{target.take_id}"]
+    client = target.world.signed_in(target.world.approver_id)
+    return honest_person(client, pages, f"/v1/takes/{target.take_id}/comments", folder / NOTES)
+
+
+def _attack(target: Target, result: Result, watched: Watched) -> Run:
     begun = last = time.monotonic()
     try:
         for status in ATTACKS[result.name](target):
@@ -240,11 +247,12 @@ def _attack(target: Target, result: Result, watched: Watched) -> None:
         result.statuses[NO_ANSWER] += 1
     result.slowest_s = max(result.slowest_s, 0.0 if result.statuses else time.monotonic() - begun)
     result.deaths += watched.deaths()
+    return Run(result.name, begun, time.monotonic())
 
 
 def _all_at_once(target: Target, siege: Siege, watched: Watched, until: float) -> None:
     """Let several attackers do whatever comes to their minds."""
-    rounds = iter(range(MOST_ROUNDS))
+    rounds = iter(range(MAX_ROUNDS))
     taking = threading.Lock()
 
     def attack(seed: int) -> None:
@@ -254,7 +262,7 @@ def _all_at_once(target: Target, siege: Siege, watched: Watched, until: float) -
             with taking:
                 if next(rounds, None) is None:
                     return
-            _attack(target, siege.results[chosen.choice(names)], watched)
+            siege.runs.append(_attack(target, siege.results[chosen.choice(names)], watched))
 
     attackers = [threading.Thread(target=attack, args=(seed,), name=f"attacker {seed}") for seed in range(ATTACKERS)]
     for attacker in attackers:
@@ -274,9 +282,9 @@ def table(siege: Siege) -> str:
     """Return what came of it, an attack a line."""
     lines = ["| attack | answers | slowest | memory | |", "|---|---|---|---|---|"]
     lines += map(row, siege.results.values())
-    slowest = max(siege.honest_s, default=0.0)
+    slowest = max((visit.took_s for visit in siege.visits), default=0.0)
     lines.append(
-        f"\n{len(siege.honest_s)} honest requests: slowest {slowest:.2f} s, "
+        f"\n{len(siege.visits)} honest requests: slowest {slowest:.2f} s, "
         f"{siege.idle_s:.2f} s before anything began; {siege.left_mib:.0f} MiB did not come back."
     )
     return "\n".join(lines)
@@ -289,7 +297,7 @@ def _children(pid: int) -> list[int]:
         return []
 
 
-def _below(pid: int) -> list[int]:
+def processes_below(pid: int) -> list[int]:
     """Return a process and all below it; a thread other than its first may have forked some."""
     found, todo = [], [pid]
     while todo:
@@ -307,7 +315,8 @@ def _below(pid: int) -> list[int]:
     return found
 
 
-def _private_mib(pid: int) -> float:
+def private_mib(pid: int) -> float:
+    """Return the memory that a process has for itself."""
     try:
         lines = Path(f"/proc/{pid}/status").read_text().splitlines()
     except OSError:

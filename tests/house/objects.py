@@ -8,7 +8,7 @@ from uuid import UUID
 from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
-from app.accounts.doors import new_secret, sha256_of
+from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.models import (
     EmailVerification,
     Operator,
@@ -23,37 +23,26 @@ from app.accounts.passwords import hash_of
 from app.accounts.queries import actor_for_person
 from app.accounts.rules import Role, Scope
 from app.accounts.service import add_token
+from app.agreements.clauses import Clause
+from app.agreements.models import Contract, ContractCue, ContractTemplate, ContractVersion, Milestone
+from app.agreements.rules import ContractKind, ContractState
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
-from app.contracts.clauses import Clause
-from app.contracts.models import (
-    CalendarLink,
-    Contract,
-    ContractCue,
-    ContractTemplate,
-    ContractVersion,
-    ExtraRound,
-    Invoice,
-    InvoiceLine,
-    LedgerLine,
-    Milestone,
-    Payment,
-    WorkedDay,
-)
-from app.contracts.rules import ContractKind, ContractState, LineKind
-from app.deliveries.models import Delivery, DryStem, Take
-from app.deliveries.rules import TakeState
-from app.deliveries.sums import keep_sums
+from app.deliveries.cue_sums import update_cue_sums
+from app.deliveries.models import Delivery, DryStem, Take, TakesAct
+from app.deliveries.rules import TakesActKind, TakeState
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.kit.uploads import Upload, Uploads
+from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
+from app.money.rules import LineKind
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import any_engagement_of, current_spec
 from app.projects.rules import EngagementKind
-from app.projects.service import open_project
+from app.projects.service import create_project
 from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
@@ -118,9 +107,10 @@ class House(World):
             sha256=self.sha256,
             file_bytes=len(FILE),
         )
-        session.add_all([take, dry_stem])
+        act = TakesAct(**of, kind=TakesActKind.MOVED, done_by=self.designer_id, takes=[])
+        session.add_all([take, dry_stem, act])
         session.flush()
-        keep_sums(session, cue.id)
+        update_cue_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
         picture = Picture(
             studio_id=self.studio_id,
@@ -143,7 +133,7 @@ class House(World):
             pcm_sha256=self.sha256,
             file_bytes=len(FILE),
         )
-        draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.decider_id)
+        draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.approver_id)
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
         batch = Batch(**of, number=1)
@@ -193,7 +183,7 @@ class House(World):
         self.ids: dict[str, Any] = {
             "studio_id": self.studio_id,
             "project_id": self.project_id,
-            "person_id": self.decider_id,
+            "person_id": self.approver_id,
             "part": "designer",
             "version": 1,
             "cue_id": cue.id,
@@ -204,6 +194,7 @@ class House(World):
             "render_id": render.id,
             "reel_id": reel.id,
             "master_export_id": export.id,
+            "takes_act_id": act.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "build_id": build.id,
@@ -253,7 +244,7 @@ class House(World):
         session.add(milestone)
         session.flush()
         covered = ContractCue(**of_it, milestone_id=milestone.id, cue_id=cue.id, position=1, amount_minor=18_000)
-        extra = ExtraRound(**of_it, cue_id=cue.id, number=3, proposed_by=self.decider_id)
+        extra = ExtraRound(**of_it, cue_id=cue.id, number=3, proposed_by=self.approver_id)
         invoice = Invoice(
             **of_it,
             designer_id=self.designer_id,
@@ -283,7 +274,7 @@ class House(World):
             clause="acceptance",
             cue_id=cue.id,
             milestone_id=milestone.id,
-            person_id=self.decider_id,
+            person_id=self.approver_id,
         )
         session.add(due)
         session.flush()
@@ -399,7 +390,7 @@ class House(World):
         """Make the tokens: of another studio's project, and of this one with every scope or with one."""
         stranger = actor_for_person(session, self.stranger_id)
         (elsewhere,) = stranger.roles
-        project = open_project(session, stranger, elsewhere, name="Elsewhere", cue_prefix="EW")
+        project = create_project(session, stranger, elsewhere, name="Elsewhere", cue_prefix="EW")
         self.foreign_secret = self._token(session, project.id, list(Scope))[1]
         self.own_secret = self._token(session, self.project_id, list(Scope))[1]
         self.secret_with = {scope: self._token(session, self.project_id, [scope])[1] for scope in Scope}
@@ -443,7 +434,7 @@ class House(World):
 
     @cached_property
     def operator(self) -> TestClient:
-        """The browser of who runs the server, and belongs to no studio."""
+        """The browser of an operator who belongs to no studio."""
         with self.server.runtime.database.writing() as session:
             person_id = self._person(session, "Operator")
             session.add(Operator(person_id=person_id))

@@ -15,7 +15,7 @@ from httpx import Response
 from starlette.routing import BaseRoute
 
 from app import rooms
-from app.accounts.endpoints import policy_of
+from app.accounts.policies import policy_of
 from app.accounts.rules import Policy
 from tests.house.objects import FILE, PASSWORD, House, report
 
@@ -154,9 +154,9 @@ def ask(client: TestClient, house: House, operation: Operation) -> Response:
         case "continue_upload":
             more["headers"] = TUS | {"Upload-Offset": "0", "Content-Type": "application/offset+octet-stream"}
             more["content"] = FILE
-        case "see_upload" | "give_up_upload":
+        case "see_upload" | "cancel_upload":
             more["headers"] = TUS
-        case "put_upload":
+        case "put_upload" | "add_file":
             more["headers"] = {"X-Content-SHA256": hashlib.sha256(FILE).hexdigest()}
             more["content"] = FILE
             params["file_name"] = "shield_hit.wav"
@@ -172,12 +172,13 @@ QUERIES: dict[str, dict[str, str]] = {
     "download_pack": {"target": "game"},
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
+    "watch_changes": {"seconds": "0"},
     "compare_contract_versions": {"from_version": "1", "to_version": "1"},
 }
 ADJUSTED: dict[str, dict[str, Any]] = {
     "add_archive": {"file_name": "sounds.zip"},
     "add_take": {"file_name": "shield_hit.wav"},
-    "try_spec": {"tables": {"format": 1}},
+    "check_spec_draft": {"tables": {"format": 1}},
     "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},
     "change_cue": {"name": "Shield hit"},
 }

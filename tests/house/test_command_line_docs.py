@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from audio_checks import reporters
-from audio_checks.cli import COMMANDS, parser_of
+from audio_checks.cli import COMMANDS, parser_of, reporters
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]

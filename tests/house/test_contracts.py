@@ -11,11 +11,16 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 BREAKS = [
     ("rooms", "app/projects/service.py", "from app.reviews import models as _broken"),
+    ("rooms", "app/agreements/plan.py", "from app.money import rules as _broken"),
     ("rooms", "app/cellar/__init__.py", "DAMP = True"),  # a room that nobody listed
-    ("inside-a-room", "app/projects/rules.py", "from app.projects import queries as _broken"),
-    ("front-door", "app/projects/service.py", "from audio_checks.spec import DeliverySpec as _broken"),
-    ("library-alone", "audio_checks/spec.py", "import scipy as _broken"),
-    ("measures", "audio_checks/measure/levels.py", "from audio_checks import findings as _broken"),
+    ("inside-money", "app/money/loose.py", "LOOSE = True"),  # a module that has no layer
+    ("inside-renders", "app/renders/spectrum.py", "from app.renders import queries as _broken"),
+    ("inside-projects", "app/projects/rules.py", "from app.projects import queries as _broken"),
+    ("front-door", "app/projects/service.py", "from audio_checks.spec.delivery_spec import DeliverySpec as _broken"),
+    ("library-alone", "audio_checks/spec/delivery_spec.py", "import scipy as _broken"),
+    ("library-rooms", "audio_checks/audio/hashes.py", "from audio_checks.judge import judge as _broken"),
+    ("library-rooms", "audio_checks/cellar/__init__.py", "DAMP = True"),
+    ("measures", "audio_checks/measure/levels.py", "from audio_checks import wav as _broken"),
     ("checks", "audio_checks/checks/true_peak.py", "from audio_checks.checks import sample_peak as _broken"),
     ("queue", "app/kit/events.py", "import dbos as _broken"),
     ("web", "app/projects/service.py", "import fastapi as _broken"),

@@ -7,6 +7,8 @@ import subprocess
 from importlib.util import find_spec
 from pathlib import Path
 
+import pytest
+from pydantic import SecretStr
 from typer.testing import CliRunner
 
 from app.cli import cli
@@ -14,6 +16,15 @@ from app.settings import Settings
 from audio_checks.version import TOOL_VERSION
 
 ROOT = Path(__file__).resolve().parents[2]
+DOCUMENTS = [
+    *sorted(ROOT.glob("*.md")),
+    *sorted((ROOT / "docs").rglob("*.md")),
+    *(ROOT / folder / "README.md" for folder in ("frontend", "training")),
+]
+DECISIONS = sorted((ROOT / "docs" / "decisions").glob("[0-9]*.md"))
+PARTS = ["Status", "Context", "Decision", "Consequences"]
+MAX_WORDS = 1500  # of a page that is read from its beginning; figures in tables count
+REFERENCE = {"security.md"}  # looked up row by row
 SERVER_COMMANDS = {
     "serve",
     "worker",
@@ -36,13 +47,29 @@ def test_every_setting_that_the_documents_name_is_one():
         assert named <= known, path
 
 
-def test_the_guide_lists_every_setting():
-    text = (ROOT / "docs/operate.md").read_text()
-    table = text[text.index("## Settings") : text.index("## Watching it")]
-    listed = set(re.findall(r"`((?:SOUNDLIST|AWS)_[A-Z_]+)`", "\n".join(re.findall(r"^\| [^|]+", table, re.MULTILINE))))
+def test_the_page_of_settings_lists_each_with_its_default():
+    rows = re.findall(
+        r"^\| `([A-Z_]+)` \| .+ \| (?:`(.+)`|none\b.*) \|$", (ROOT / "docs/settings.md").read_text(), re.MULTILINE
+    )
     own = {"demo", "frontend_dir"}  # set by `soundlist demo`, and by where the checkout is
-    fields = {name: field for name, field in Settings.model_fields.items() if name not in own}
-    assert listed == {str(field.validation_alias or f"SOUNDLIST_{name.upper()}") for name, field in fields.items()}
+    fields = {
+        str(field.validation_alias or f"SOUNDLIST_{name.upper()}"): field.default
+        for name, field in Settings.model_fields.items()
+        if name not in own
+    }
+    assert dict(rows) == {name: in_the_environment(default) for name, default in fields.items()}
+    assert len(rows) == len(fields)
+
+
+def in_the_environment(default: object) -> str:
+    """Return a default as an operator would set it; nothing for none."""
+    if isinstance(default, bool):
+        return str(default).lower()
+    if isinstance(default, float):
+        return f"{default:g}"
+    if isinstance(default, SecretStr):
+        return default.get_secret_value()
+    return "" if default in (None, ()) else str(default)
 
 
 def test_the_command_line_has_the_commands_it_promises():
@@ -89,12 +116,58 @@ def test_every_module_that_the_documents_run_is_one():
     assert all(find_spec(name) is not None for name in named)
 
 
-def test_links_between_documents_lead_somewhere():
-    documents = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), ROOT / "frontend" / "README.md"]
-    for document in documents:
-        for link in re.findall(r"\]\(([^)#\s]+)", document.read_text()):
-            if "://" not in link:
-                assert (document.parent / link).exists(), f"{document.name}: {link}"
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_links_between_documents_lead_somewhere(document: Path):
+    for link, anchor in re.findall(r"\]\(([^)#\s]*)#?([^)\s]*)\)", without_code(document.read_text())):
+        if "://" in link:
+            continue
+        target = document.parent / link if link else document
+        assert target.exists(), link
+        if anchor:
+            assert anchor in anchors(target), f"{link}#{anchor}"
+
+
+def without_code(text: str) -> str:
+    """Return Markdown without its fenced code."""
+    return re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
+def anchors(document: Path) -> set[str]:
+    """Return the anchors of a document's headings, as forges make them."""
+    names: list[str] = []
+    for heading in re.findall(r"^#+ (.+?) *$", without_code(document.read_text()), re.MULTILINE):
+        words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower()
+        name = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+        names.append(f"{name}-{names.count(name)}" if name in names else name)
+    return set(names)
+
+
+def test_anchors_are_those_of_forges(tmp_path: Path):
+    page = tmp_path / "page.md"
+    page.write_text(
+        "# What it *costs*\n## A take: `check`, and its [cue](x.md)\n```\n# no heading\n```\n## Limits\n## Limits\n"
+    )
+    assert anchors(page) == {"what-it-costs", "a-take-check-and-its-cue", "limits", "limits-1"}
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda path: path.name)
+def test_pages_are_short(page: Path):
+    words = [word for word in page.read_text().split() if re.search(r"\w", word)]
+    assert len(words) <= MAX_WORDS or page.name in REFERENCE
+
+
+@pytest.mark.parametrize("decision", DECISIONS, ids=lambda path: path.stem)
+def test_decisions_have_status_context_decision_and_consequences(decision: Path):
+    text = decision.read_text()
+    title = re.match(r"# 0*(\d+)\b", text)
+    assert title
+    assert int(title[1]) == int(decision.name[:4])
+    assert [part for part in re.findall(r"^\*\*(\w+)\.\*\*", text, re.MULTILINE) if part in PARTS] == PARTS
+
+
+def test_decisions_are_numbered_once():
+    numbers = [decision.name[:4] for decision in DECISIONS]
+    assert sorted(set(numbers)) == numbers
 
 
 def test_the_openapi_document_is_the_servers():

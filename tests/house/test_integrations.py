@@ -15,8 +15,8 @@ from xml.etree import ElementTree as ET
 import pytest
 import yaml
 
-from audio_checks.sound_list import AUDIO_SUFFIXES
-from audio_checks.spec import new_spec
+from audio_checks.spec.delivery_spec import new_spec
+from audio_checks.spec.sound_list import AUDIO_SUFFIXES
 from tests.support.waves import sine, write_wav
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -304,6 +304,6 @@ class TestPerforce:
         depot, ask = submit
         write_wav(depot / "good.wav", GOOD)
         done = ask(spec="none.toml")
-        assert (done.returncode, "no fault of theirs" in done.stdout) == (1, True)
+        assert (done.returncode, "not their fault" in done.stdout) == (1, True)
         done = ask(change="99")
         assert (done.returncode, "no such changelist" in done.stderr) == (1, True)

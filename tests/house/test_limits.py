@@ -1,4 +1,4 @@
-"""The limits in docs/operate.md are those in the code."""
+"""The limits in docs/limits.md are those in the code."""
 
 import re
 from datetime import timedelta
@@ -12,8 +12,8 @@ from app.accounts.quotas import DEFAULTS, QuotaKind
 from app.accounts.rate_limits import Limit
 from app.settings import Settings
 
-TEXT = (Path(__file__).resolve().parents[2] / "docs/operate.md").read_text()
-TABLE = TEXT.partition("\n## Limits\n")[2].partition("\n## ")[0]
+TEXT = (Path(__file__).resolve().parents[2] / "docs/limits.md").read_text()
+TABLE = TEXT.partition("\n## ")[0]
 ROWS = re.findall(r"^\| ([^|]+) \| ([^|]+) \| `([\w.]+)` \|$", TABLE, re.MULTILINE)
 UNITS = {"KiB": 1 << 10, "MiB": 1 << 20, "GiB": 1 << 30, "minutes": 60, "hours": 3600, "days": 86_400}
 RATE = re.compile(r"([\d,]+) at once, then one every ([\d,]+) s")

@@ -6,7 +6,7 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Sight
+from app.accounts.rules import Audience
 from app.kit import clock
 from app.projects.models import Engagement, Project
 from tests.house.objects import House
@@ -17,7 +17,7 @@ from tests.support.server import RunningServer
 # The project's head says that an NDA is asked for, and the contracts are where it is read and accepted. What two
 # parties agreed to and owe each other stays theirs; how far one's own upload came, and one's own sign-ins, say nothing
 # of the project.
-BEFORE_NDA = {"read_project", "list_contracts", "see_upload", "give_up_upload", "end_my_sign_in"}
+BEFORE_NDA = {"read_project", "list_contracts", "see_upload", "cancel_upload", "end_my_sign_in"}
 OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
     *("project_id", "cue_id", "question_id", "batch_id", "pack_id", "build_id", "engagement_id", "token_id"),
 }
@@ -28,10 +28,10 @@ def house(server: RunningServer) -> House:
     """A project that asks for an NDA which nobody has accepted yet."""
     house = House(server)
 
-    def ask_for_nda(session: Session) -> None:
+    def request_nda(session: Session) -> None:
         session.get_one(Project, house.project_id).nda_needed = True
 
-    server.in_database(ask_for_nda)
+    server.in_database(request_nda)
     return house
 
 
@@ -42,7 +42,7 @@ def _no_tries_yet(server: RunningServer) -> None:
 
 def shows_the_project(operation: Operation) -> bool:
     names = names_in(operation)
-    is_refused = operation.policy.sight is not Sight.ANYONE and operation.name not in BEFORE_NDA
+    is_refused = operation.policy.audience is not Audience.ANYONE and operation.name not in BEFORE_NDA
     return is_refused and bool(names & OF_THE_PROJECT) and not names & CONTRACTS
 
 

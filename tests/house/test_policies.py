@@ -8,10 +8,10 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app import rooms
-from app.accounts.endpoints import policy_of
-from app.accounts.rules import Scope, Sight
+from app.accounts.policies import policy_of
+from app.accounts.rules import Audience, Scope
 from app.kit.http import SAFE_METHODS
-from app.kit.turns import InOneTurn
+from app.kit.single_thread_route import SingleThreadRoute
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations
 from tests.support.server import RunningServer
@@ -22,13 +22,14 @@ CONTRACTS = {"contract_id", "milestone_id", "extra_round_id", "invoice_id", "pay
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
     "master_export_id",
+    "takes_act_id",
     "sign_in_id",
     *CONTRACTS,
 }
-TEAMS = {Sight.PRODUCER, Sight.TEAM, Sight.DECIDER}
+TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
 # Things of the studio, which a designer does not see at all.
 STUDIOS = {"studio_id", "studio_invitation_id", "mail_id", "template_id"}
-IN_BODY = {"open_project": {"studio_id"}}
+IN_BODY = {"create_project": {"studio_id"}}
 IN_QUERY = {
     "put_upload": {"delivery_id"},
     "begin_upload": {"delivery_id"},
@@ -45,8 +46,8 @@ def names_in(operation: Operation) -> set[str]:
 
 def is_about_something(operation: Operation) -> bool:
     """Whether a request names an object that somebody might not see."""
-    if operation.policy.sight is Sight.OPERATOR:
-        return False  # who runs the server sees every studio's; anybody else is told so, whatever the address names
+    if operation.policy.audience is Audience.OPERATOR:
+        return False  # an operator sees every studio's; anybody else is told so, whatever the address names
     return any(name.endswith("_id") for name in names_in(operation))
 
 
@@ -55,7 +56,7 @@ Wanted = Callable[[Operation], object]
 
 def each(wanted: Wanted) -> pytest.MarkDecorator:
     """Run a test once for every operation of that sort; for all but those that ask for no credential."""
-    chosen = [one for one in operations() if one.policy.sight is not Sight.ANYONE and wanted(one)]
+    chosen = [one for one in operations() if one.policy.audience is not Audience.ANYONE and wanted(one)]
     return pytest.mark.parametrize("operation", [pytest.param(one, id=one.name) for one in chosen])
 
 
@@ -78,7 +79,7 @@ def test_every_endpoint_declares_its_policy() -> None:
 
 def test_every_route_looks_who_asks_before_it_answers() -> None:
     routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
-    assert [route.name for route in routes if not isinstance(route, InOneTurn)] == []
+    assert [route.name for route in routes if not isinstance(route, SingleThreadRoute)] == []
 
 
 def test_an_endpoint_without_policy_would_be_named() -> None:
@@ -146,7 +147,7 @@ def test_a_designer_does_not_see_the_studio(house: House, operation: Operation) 
     assert ask(house.designer, house, operation).status_code == 404
 
 
-@each(lambda operation: operation.policy.sight in TEAMS and not names_in(operation) & STUDIOS)
+@each(lambda operation: operation.policy.audience in TEAMS and not names_in(operation) & STUDIOS)
 def test_a_designer_does_nothing_of_the_teams(house: House, operation: Operation) -> None:
     is_unseen = "change_request_id" in names_in(operation)  # a draft, which was not sent yet
     assert ask(house.designer, house, operation).status_code == (404 if is_unseen else 403)
@@ -157,33 +158,33 @@ def test_a_designer_does_not_see_another_designers_work(house: House, operation:
     assert ask(house.rival, house, operation).status_code == 404
 
 
-@each(lambda operation: operation.policy.sight in (Sight.PRODUCER, Sight.DECIDER, Sight.DESIGNER))
+@each(lambda operation: operation.policy.audience in (Audience.PRODUCER, Audience.APPROVER, Audience.DESIGNER))
 def test_a_reviewer_neither_runs_nor_decides_nor_delivers(house: House, operation: Operation) -> None:
     is_unseen = names_in(operation) & {"mail_id", *CONTRACTS}  # a mail may hold a link for its recipient alone
     assert ask(house.reviewer, house, operation).status_code == (404 if is_unseen else 403)
 
 
-@each(lambda operation: operation.policy.sight is Sight.OPERATOR)
+@each(lambda operation: operation.policy.audience is Audience.OPERATOR)
 def test_only_who_runs_the_server_sees_the_whole_of_it(house: House, operation: Operation) -> None:
-    for client in (house.producer, house.decider, house.reviewer, house.designer, house.stranger):
+    for client in (house.producer, house.approver, house.reviewer, house.designer, house.stranger):
         assert refusal(client, house, operation) == refused(operation, 403, "operator-needed")
 
 
-@each(lambda operation: operation.policy.sight in (Sight.DECIDER, Sight.DESIGNER))
+@each(lambda operation: operation.policy.audience in (Audience.APPROVER, Audience.DESIGNER))
 def test_a_producer_neither_decides_nor_delivers(house: House, operation: Operation) -> None:
     assert ask(house.producer, house, operation).status_code == 403
 
 
 ADMITTED = {
-    Sight.ANYONE: ("nobody",),
-    Sight.PERSON: ("designer",),
-    Sight.STUDIO: ("reviewer",),
-    Sight.PRODUCER: ("producer",),
-    Sight.PROJECT: ("reviewer", "designer"),
-    Sight.TEAM: ("producer",),
-    Sight.DECIDER: ("decider",),
-    Sight.DESIGNER: ("designer",),
-    Sight.OPERATOR: ("operator",),
+    Audience.ANYONE: ("nobody",),
+    Audience.PERSON: ("designer",),
+    Audience.STUDIO: ("reviewer",),
+    Audience.PRODUCER: ("producer",),
+    Audience.PROJECT: ("reviewer", "designer"),
+    Audience.TEAM: ("producer",),
+    Audience.APPROVER: ("approver",),
+    Audience.DESIGNER: ("designer",),
+    Audience.OPERATOR: ("operator",),
 }
 ONLY_IN_DEMO = {"play_demo_part"}  # tests/app/accounts/test_demo_door.py
 
@@ -201,5 +202,5 @@ def is_let_in(answer: Response) -> bool:
 def test_whom_it_is_for_is_let_in(server: RunningServer, house: House, operation: Operation) -> None:
     """Without this, an endpoint that refuses everybody would pass all of the above."""
     own_house = house if operation.method in SAFE_METHODS else House(server)
-    answers = [ask(getattr(own_house, who), own_house, operation) for who in ADMITTED[operation.policy.sight]]
+    answers = [ask(getattr(own_house, who), own_house, operation) for who in ADMITTED[operation.policy.audience]]
     assert any(is_let_in(answer) for answer in answers), [answer.text for answer in answers]

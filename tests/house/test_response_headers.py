@@ -108,6 +108,6 @@ def test_a_fault_carries_the_headers_too(served: RunningServer, monkeypatch: pyt
         raise ZeroDivisionError
 
     house = House(served)
-    monkeypatch.setattr("app.accounts.doors.arrive", broken)
+    monkeypatch.setattr("app.accounts.authentication.authenticate_request", broken)
     answer = house.nobody.get("/v1/me")
     assert (answer.status_code, answer.headers["cache-control"], wrong(answer.headers)) == (500, "no-store", {})

@@ -21,7 +21,7 @@ import sqlalchemy as sa
 from alembic.migration import MigrationContext
 from anyio.from_thread import start_blocking_portal
 
-from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
+from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import SignIn
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -29,7 +29,7 @@ from app.kit import clock
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
-from app.projects.models import DeciderChange, Project
+from app.projects.models import ApproverChange, Project
 from app.settings import Settings
 from tests.support.server import RunningServer
 
@@ -126,18 +126,18 @@ def _half_done(server: RunningServer) -> TakeState:
 def test_its_screens_answer(server: RunningServer) -> None:
     with server.runtime.database.writing() as session:
         project_id = session.scalars(sa.select(Project.id)).one()
-        decider_id = session.scalars(sa.select(DeciderChange.person_id)).one()
+        approver_id = session.scalars(sa.select(ApproverChange.person_id)).one()
         expires_at = clock.now().replace(year=clock.now().year + 1)
-        session.add(SignIn(person_id=decider_id, secret_sha256=sha256_of(SECRET), expires_at=expires_at))
+        session.add(SignIn(person_id=approver_id, secret_sha256=sha256_of(SECRET), expires_at=expires_at))
         take_ids = session.scalars(sa.select(Take.id).limit(5)).all()
-    decider = server.browser()
-    decider.cookies.set(SESSION_COOKIE, SECRET)
-    decider.headers[CSRF_HEADER] = csrf_token(server.runtime.settings, SECRET)
+    approver = server.browser()
+    approver.cookies.set(SESSION_COOKIE, SECRET)
+    approver.headers[CSRF_HEADER] = csrf_token(server.runtime.settings, SECRET)
     project = f"/v1/projects/{project_id}"
     screens = [
         project,
         f"{project}/sound-list",
-        f"{project}/sound-list/standing",
+        f"{project}/sound-list/progress",
         f"{project}/takes",
         "/v1/review-queue",
     ]
@@ -145,8 +145,8 @@ def test_its_screens_answer(server: RunningServer) -> None:
         f"/v1/takes/{take_id}{what}" for take_id in take_ids for what in ("", "/sounds", "/comments", "/history")
     ]
     for address in screens:
-        answer = decider.get(address)
+        answer = approver.get(address)
         assert answer.status_code == 200, f"{address}: {answer.text}"
-    assert decider.get("/readyz").json()["migrations"] == "ok"
-    listed = decider.get(f"{project}/sound-list").json()
+    assert approver.get("/readyz").json()["migrations"] == "ok"
+    listed = approver.get(f"{project}/sound-list").json()
     assert "half done" in [cue["name"] for cue in listed["cues"]], sorted(listed)

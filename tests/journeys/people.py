@@ -6,7 +6,7 @@ from uuid import uuid4
 
 from fastapi.testclient import TestClient
 
-from app.accounts.doors import CSRF_COOKIE, CSRF_HEADER
+from app.accounts.authentication import CSRF_COOKIE, CSRF_HEADER
 from tests.support.links import secret_for
 from tests.support.server import RunningServer
 

@@ -7,8 +7,8 @@ from uuid import UUID
 
 import pytest
 
-from app.contracts import record
-from app.contracts.models import Contract
+from app.agreements import record
+from app.agreements.models import Contract
 from tests.journeys.people import Designer, Team
 from tests.support.server import RunningServer
 from tests.support.waves import sine, wav_bytes
@@ -87,10 +87,10 @@ class Parties:
     def approve(self, take_id: str) -> None:
         self.studio.ask("POST", f"/takes/{take_id}/verdict", json={"kind": "approve", "note": ""})
 
-    def ask_change(self, take_id: str) -> None:
+    def request_change(self, take_id: str) -> None:
         body = {"kind": "request_change", "note": "Later thrust."}
         self.studio.ask("POST", f"/takes/{take_id}/verdict", json=body)
-        self.studio.ask("POST", f"{self.path}/sendings", json={"note": ""})
+        self.studio.ask("POST", f"{self.path}/feedback", json={"note": ""})
 
     def figures(self) -> dict[str, int]:
         (contract,) = self.designer.ask("GET", f"{self.path}/money")["contracts"]
@@ -117,13 +117,13 @@ def test_from_the_template_to_the_last_payment(parties: Parties, server: Running
     assert parties.figures()["due_minor"] == 25_000 + 18_001 + 18_000
 
     # A cue is cut while its first version is being changed.
-    parties.ask_change(parties.deliver("mine_arm", 660))
+    parties.request_change(parties.deliver("mine_arm", 660))
     studio.ask("POST", f"/cues/{parties.cues['mine_arm']}/cut", json={"reason": "Mines left the game"})
     assert parties.figures()["saved_minor"] == 18_001 - 9_001  # half of 180.01 is 90.005
 
     # The third round is one too many; the studio agrees to its price.
     for hz in (770, 780, 790):
-        parties.ask_change(parties.deliver("missile_launch", hz))
+        parties.request_change(parties.deliver("missile_launch", hz))
     (extra,) = designer.ask("GET", f"/contracts/{parties.contract}/extra-rounds")
     assert (extra["number"], extra["amount_minor"], extra["state"]) == (3, 4_500, "proposed")
     studio.ask("POST", f"/extra-rounds/{extra['id']}/agree")

@@ -58,7 +58,7 @@ def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
     assert rows(server, CheckRun, take_id=take_id) == 1
     assert rows(server, Picture) == len(sounds)
     assert sets == [(spec.id,)]
-    assert told(server, "notifications.tell_checks") == 1
+    assert told(server, "notifications.notify_checks") == 1
     wait_until(lambda: told_of(server))  # with what else is said in the same seconds
     wait_until(lambda: is_idle(server))
     assert told_of(server) == 1
@@ -69,7 +69,7 @@ def told_of(server: ProcessServer) -> int:
     """Return how often somebody was told that a sound waits to be heard."""
     with server.runtime.database.reading() as session:
         mails = session.scalars(select(Mail.lines)).all()
-    return sum("conforms and waits" in line for lines in mails for line in lines)
+    return sum("passed the check" in line for lines in mails for line in lines)
 
 
 def verdicts(server: ProcessServer, take_id: UUID) -> int:

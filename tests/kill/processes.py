@@ -16,7 +16,7 @@ from typing import Any
 import httpx
 from fastapi.testclient import TestClient
 
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -162,9 +162,9 @@ class ProcessServer:
         set_here = self._settings | settings
         environment = {**os.environ} | {f"SOUNDLIST_{name.upper()}": str(value) for name, value in set_here.items()}
         if kill_at:
-            environment |= {kill.POINT: kill_at, kill.MARKER: str(self._marker(kill_at))}
+            environment |= {kill_points.POINT: kill_at, kill_points.MARKER: str(self._marker(kill_at))}
         if victim:
-            environment |= {kill.VICTIM: str(victim)}
+            environment |= {kill_points.VICTIM: str(victim)}
         process = self._zygote.start(arguments, environment, self.folder / "log")
         self._running.append(process)
         return process

@@ -29,7 +29,7 @@ def test_a_batch_goes_on_after_a_kill_at_every_step(server: ProcessServer, world
     server.work()
     wait_until(lambda: is_idle(server))
     for take in takes:
-        assert world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
+        assert world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
     wait_until(lambda: is_idle(server))
     server.stop()
     add_target(world, "trailer", 32_000)

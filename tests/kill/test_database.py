@@ -71,7 +71,7 @@ def test_a_killed_database_loses_nothing_and_stops_nobody(
 
     point = "reviews.before_commit"
     web = instead_of(web, server, point, durable_postgres)
-    verdict = partial(world.signed_in(world.decider_id).post, f"/v1/takes/{take_id}/verdict", json={"kind": "approve"})
+    verdict = partial(world.signed_in(world.approver_id).post, f"/v1/takes/{take_id}/verdict", json={"kind": "approve"})
     answer = verdict()
     die_and_come_back(server, durable_postgres, point)
     assert answer.status_code in (200, 503)
@@ -80,7 +80,7 @@ def test_a_killed_database_loses_nothing_and_stops_nobody(
         assert verdict().status_code == 200
     wait_until(lambda: is_idle(server))
     assert verdicts(server, take_id) == 1
-    assert told(server, "notifications.tell_approval") == 1
+    assert told(server, "notifications.notify_approval") == 1
 
     point = "http.after_commit"
     web = instead_of(web, server, point, durable_postgres)

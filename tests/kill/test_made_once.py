@@ -7,11 +7,11 @@ from uuid import UUID
 
 import pytest
 
-from app.builds.models import PackedFile, SealedPack, StandIn
-from app.conformance.models import Mend
+from app.builds.models import PackedFile, PlaceholderFile, SealedPack
+from app.conformance.models import Fix
 from app.renders.models import MasterExport, Reel
 from tests.app.builds.approved import sound
-from tests.app.conformance.test_mends import loud
+from tests.app.conformance.test_fixes import loud
 from tests.kill.effects import is_idle, nothing_failed, rows, told
 from tests.kill.processes import ProcessServer, SomeOf, wait_until
 from tests.support.deliver import add_cues, deliver, open_delivery
@@ -19,11 +19,11 @@ from tests.support.server import World
 
 pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
 POINTS = (
-    "conformance.before_mend",
-    "conformance.after_mend",
+    "conformance.before_fix",
+    "conformance.after_fix",
     "renders.before_reel",
     "renders.before_export",
-    "builds.before_stand_in",
+    "builds.before_placeholder_file",
     "builds.before_seal",
 )
 STAND_INS = 3  # a set of two that nobody delivered, and one sound that came back
@@ -51,20 +51,20 @@ def test_what_was_asked_for_is_made_once(server: ProcessServer, world: World, so
     returned = made("conformance.", lambda: deliver(world, "airlock.wav", loud(), delivery_id=delivery_id))
     taken = deliver(world, "laser.wav", sound(1), delivery_id=delivery_id)
     wait_until(lambda: is_idle(server))
-    assert world.decider.post(f"/v1/takes/{taken['id']}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{taken['id']}/verdict", json={"kind": "approve"}).status_code == 200
 
     project = f"/v1/projects/{world.project_id}"
     reel = made("renders.before_reel", lambda: ask(world, f"/v1/cues/{laser['id']}/reels", slates="none"))["id"]
     export = made("renders.before_export", lambda: ask(world, f"/v1/takes/{taken['id']}/master-exports"))["id"]
-    made("builds.before_stand_in", lambda: ask(world, f"{project}/placeholders", target="game"))
+    made("builds.before_placeholder_file", lambda: ask(world, f"{project}/placeholders", target="game"))
     pack = made("builds.before_seal", lambda: ask(world, f"{project}/packs", target="game", placeholders=True))["id"]
 
-    assert rows(server, Mend, take_id=UUID(returned["id"]), state="made") == rows(server, Mend) == 1
-    assert told(server, "renders.draw_mend") == 1
+    assert rows(server, Fix, take_id=UUID(returned["id"]), state="made") == rows(server, Fix) == 1
+    assert told(server, "renders.draw_fix") == 1
     assert fetched(world, f"/v1/reels/{reel}")["state"] == "made"
     assert fetched(world, f"/v1/master-exports/{export}")["state"] == "made"
     assert (rows(server, Reel), rows(server, MasterExport)) == (1, 1)
-    assert rows(server, StandIn, refusal=None) == rows(server, StandIn) == STAND_INS
+    assert rows(server, PlaceholderFile, refusal=None) == rows(server, PlaceholderFile) == STAND_INS
     sealed = fetched(world, f"/v1/packs/{pack}")
     assert (sealed["number"], sealed["state"], sealed["placeholder_files"]) == (1, "sealed", STAND_INS)
     assert rows(server, SealedPack) == rows(server, PackedFile, kind="game") == 1

@@ -62,19 +62,19 @@ def test_a_verdict_and_a_pack_survive_kills(server: ProcessServer, world: World,
         recorded = int(point == "http.after_commit")
         web = server.serve(point)
         with pytest.raises(httpx.TransportError):
-            world.signed_in(world.decider_id).post(f"/v1/takes/{take_id}/verdict", **verdict)
+            world.signed_in(world.approver_id).post(f"/v1/takes/{take_id}/verdict", **verdict)
         server.wait_for_death(web, point)
         assert verdicts(server, take_id) == recorded
     server.serve()
-    decider = world.signed_in(world.decider_id)
-    decider.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"})
+    approver = world.signed_in(world.approver_id)
+    approver.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"})
     assert state_of(server, take_id) is TakeState.APPROVED
     assert verdicts(server, take_id) == 1
     wait_until(lambda: is_idle(server))
-    assert told(server, "notifications.tell_approval") == 1
+    assert told(server, "notifications.notify_approval") == 1
 
     def pack() -> httpx.Response:
-        answer: httpx.Response = decider.get(f"/v1/projects/{world.project_id}/pack.zip", params={"masters": "true"})
+        answer: httpx.Response = approver.get(f"/v1/projects/{world.project_id}/pack.zip", params={"masters": "true"})
         return answer
 
     whole = pack().content

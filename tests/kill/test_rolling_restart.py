@@ -12,7 +12,7 @@ import httpx
 import pytest
 from fastapi.testclient import TestClient
 
-from app.accounts.endpoints import SESSION_COOKIE
+from app.accounts.authentication import SESSION_COOKIE
 from app.deliveries.models import Delivery
 from tests.kill.effects import rows
 from tests.kill.processes import ProcessServer, free_port, wait_until

@@ -12,7 +12,7 @@ from typing import cast
 import httpx
 import pytest
 
-from app.accounts.endpoints import SESSION_COOKIE
+from app.accounts.authentication import SESSION_COOKIE
 from app.kit.uploads import Uploads
 from tests.kill.processes import ProcessServer, SomeOf, Zygote, wait_until
 from tests.support.deliver import BYTES, TUS, metadata, open_delivery

@@ -28,8 +28,8 @@ LISTED_RATES_HZ = (
 ODD_RATES_HZ = (1_000, 1_001, 3_999, 7_919, 44_056, 47_952, 384_000, 768_000)
 FORMATS = ((8, "pcm"), (16, "pcm"), (24, "pcm"), (32, "pcm"), (32, "float"), (64, "float"))
 CHANNELS, CHANNEL_ODDS = (1, 2, 3, 4, 5, 6, 7, 8), (0.5, 0.4, 0.02, 0.02, 0.01, 0.02, 0.01, 0.02)
-LONGEST_S = 20.0
-MOST_SHORT_FRAMES = 30_000
+MAX_DURATION_S = 20.0
+MAX_SHORT_FRAMES = 30_000
 LARGEST_SAMPLES = 1 << 22  # of all channels: 20 s at 96 kHz in stereo
 
 
@@ -54,7 +54,7 @@ class AnySound:
         return f"{frames} frames, {channels} channels, {self.rate_hz} Hz, {self.bits} bit {self.encoding}"
 
 
-def any_sound(seed: int, *, longest_s: float = LONGEST_S) -> AnySound:
+def any_sound(seed: int, *, longest_s: float = MAX_DURATION_S) -> AnySound:
     """Return the sound of a seed; short ones are common and 20 s are rare, so that many cost little."""
     rng = np.random.default_rng(seed)
     rate = int(rng.choice(ODD_RATES_HZ if rng.random() < 0.05 else LISTED_RATES_HZ))
@@ -71,13 +71,13 @@ def _length(rng: np.random.Generator, rate: int, channels: int, longest_s: float
     """Return how many frames; most are few, and up to where most figures begin to have enough to go by."""
     draw = rng.random()
     if draw < 0.5:
-        frames = int(MOST_SHORT_FRAMES ** rng.random())
+        frames = int(MAX_SHORT_FRAMES ** rng.random())
     elif draw < 0.97:
-        frames = int(rng.integers(1, MOST_SHORT_FRAMES))
+        frames = int(rng.integers(1, MAX_SHORT_FRAMES))
     elif draw < 0.997:
         frames = round(rate * 10 ** rng.uniform(-0.3, 0.5))
     else:
-        frames = round(rate * 10 ** rng.uniform(0.5, np.log10(LONGEST_S)))
+        frames = round(rate * 10 ** rng.uniform(0.5, np.log10(MAX_DURATION_S)))
     return max(1, min(frames, round(longest_s * rate), LARGEST_SAMPLES // channels))
 
 

@@ -13,11 +13,14 @@ from uuid import UUID
 import sqlalchemy as sa
 from anyio.from_thread import BlockingPortal, start_blocking_portal
 from fastapi.testclient import TestClient
+from pwdlib import PasswordHash
+from pwdlib.hashers.argon2 import Argon2Hasher
 from sqlalchemy.orm import Session
 
 import audio_checks
 from app import logs
-from app.accounts.endpoints import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
+from app.accounts import passwords
+from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import Membership, Person, RateLimit, SignIn, Studio
 from app.accounts.rules import Role
 from app.kit import clock
@@ -26,7 +29,7 @@ from app.kit.runtime import Runtime
 from app.kit.workers import Worker
 from app.main import create_app
 from app.migrate import migrate
-from app.projects.models import DeciderChange, Engagement, Liaison, Project, Spec
+from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec
 from app.projects.rules import EngagementKind
 from app.settings import Settings
 from app.worker import start_worker
@@ -97,8 +100,11 @@ class RunningServer:
 def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
     """Run web application and worker in this process."""
     logs.configure()
+    passwords._hasher = PasswordHash((Argon2Hasher(time_cost=1, memory_cost=8, parallelism=1),))  # 0.4 s dearer each
     settings = {"secret_key": "only for tests", "worker_silent_s": 1.5, "sign_up": "open", **settings}
     runtime = Runtime.of(Settings(data_dir=folder, **settings))
+    if runtime.database.engine.dialect.name == "sqlite":  # tests/kill is there for what a commit survives
+        sa.event.listen(runtime.database.engine, "connect", lambda link, _: link.execute("PRAGMA synchronous=OFF"))
     migrate(runtime.database)
     application = create_app(runtime)
     worker = start_worker(runtime)
@@ -119,7 +125,7 @@ class World:
             studio = Studio(name="Test studio")
             session.add(studio)
             self.producer_id = self._person(session, "Producer")
-            self.decider_id = self._person(session, "Audio director")
+            self.approver_id = self._person(session, "Audio director")
             self.reviewer_id = self._person(session, "Composer")
             self.designer_id = self._person(session, "Sound designer")
             self.other_designer_id = self._person(session, "Another sound designer")
@@ -131,7 +137,7 @@ class World:
             session.flush()
             for studio_id, person_id, roles in (
                 (studio.id, self.producer_id, [Role.PRODUCER]),
-                (studio.id, self.decider_id, [Role.LIAISON]),
+                (studio.id, self.approver_id, [Role.LIAISON]),
                 (studio.id, self.reviewer_id, [Role.REVIEWER]),
                 (elsewhere.id, self.stranger_id, [Role.PRODUCER]),
             ):
@@ -140,12 +146,12 @@ class World:
             session.add(project)
             session.flush()
             self.project_id: UUID = project.id
-            session.add(Liaison(project_id=project.id, person_id=self.decider_id, studio_id=studio.id))
+            session.add(Liaison(project_id=project.id, person_id=self.approver_id, studio_id=studio.id))
             session.add(
-                DeciderChange(
+                ApproverChange(
                     studio_id=studio.id,
                     project_id=project.id,
-                    person_id=self.decider_id,
+                    person_id=self.approver_id,
                     reason="named when the project opened",
                     changed_by=self.producer_id,
                 )
@@ -200,9 +206,9 @@ class World:
         return self.signed_in(self.producer_id)
 
     @cached_property
-    def decider(self) -> TestClient:
+    def approver(self) -> TestClient:
         """The browser of the audio director, who decides."""
-        return self.signed_in(self.decider_id)
+        return self.signed_in(self.approver_id)
 
     @cached_property
     def reviewer(self) -> TestClient:

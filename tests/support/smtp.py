@@ -33,7 +33,7 @@ class MailServer:
         """Return the mails that an address received, the oldest first."""
         if not self.refuses:  # the job of a mail that is refused waits to try again
             self.server.wait_for_jobs()
-        jobs.send_waiting(self.server.runtime)
+        jobs.send_pending(self.server.runtime)
         return [
             message_from_bytes(envelope.content or b"", policy=policy.default).get_content()
             for envelope in self.received

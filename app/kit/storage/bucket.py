@@ -13,7 +13,7 @@ from app.kit.db import new_id
 from app.kit.storage.direct import DirectUploads
 from app.kit.storage.multipart import AlreadyStored, Multipart, MultipartGone, parts_of
 from app.kit.storage.objects import Objects
-from app.kit.storage.patience import Patience
+from app.kit.storage.retry_policy import RetryPolicy
 from app.kit.storage.signing import Key, Signer
 from app.kit.storage.store import (
     COPY_PREFIX,
@@ -30,8 +30,8 @@ from app.settings import BucketAddress
 HEADS_AT_ONCE = 16
 LINK_WORKS_FOR_S = 900
 INCOMING, PROBES = ".incoming/", ".probes/"
-PATIENT = Patience()
-PROBING = Patience(tries=1, connect_s=3.0, silence_s=5.0)  # whoever asks whether we are ready asks again
+RETRY_POLICY = RetryPolicy()
+PROBING = RetryPolicy(tries=1, connect_timeout_s=3.0, read_timeout_s=5.0)  # readiness probes ask again
 
 
 class BucketStore(Store):
@@ -44,7 +44,7 @@ class BucketStore(Store):
         staging_root: Path,
         *,
         direct: bool = False,
-        patience: Patience = PATIENT,
+        patience: RetryPolicy = RETRY_POLICY,
     ) -> None:
         self.staging_root = staging_root.resolve()
         self.address = address
@@ -76,10 +76,10 @@ class BucketStore(Store):
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
         """Store a copy of a file, without copying it on this machine first."""
-        return self.keep_made(studio_id, source)
+        return self.save_renders(studio_id, source)
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
-        """Return how long a blob is; raise BlobMissing where there is none."""
+        """Return the size of a blob; raise BlobMissing if there is none."""
         size_bytes = self._objects.size_bytes(self.key(studio_id, sha256))
         if size_bytes is None:
             raise missing(studio_id, sha256)
@@ -101,7 +101,7 @@ class BucketStore(Store):
 
     @contextmanager
     def local_copy(self, studio_id: UUID, sha256: str) -> Iterator[Path]:
-        """Give a copy that is gone afterwards; raise BlobAltered where its hash is not its name."""
+        """Give a temporary copy; raise BlobAltered where its hash is not its name."""
         with self._in_words():
             self.staging_root.mkdir(parents=True, exist_ok=True)
             folder = TemporaryDirectory(prefix=COPY_PREFIX, dir=self.staging_root)
@@ -154,10 +154,10 @@ class BucketStore(Store):
             raise StoreUnready("the bucket gives back other bytes than it was given")
 
     def _in_words_of(self, error: Exception) -> str:
-        """Say why the bucket cannot be used, without its address: anybody may ask."""
+        """Return why the bucket cannot be used, without its address: the answer is public."""
         cause = str(error.__cause__ or error)
         if "NoSuchBucket" in cause:
-            return "the store's bucket is not there; create it, or mend SOUNDLIST_STORE_URL"
+            return "the store's bucket is not there; create it, or fix SOUNDLIST_STORE_URL"
         if "403 Forbidden" in cause or "401 Unauthorized" in cause:
             return (
                 "the store refuses our key; see that AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY are right, and that "

@@ -29,7 +29,7 @@ class Incoming:
 
 @dataclass(frozen=True)
 class PartLink:
-    """Where one part of an upload goes with which headers, and which bytes of the file it is."""
+    """The target and headers of one part of an upload, and its byte range in the file."""
 
     number: int
     start: int
@@ -98,7 +98,7 @@ class DirectUploads:
         """Drop the parts of an upload that was begun twice."""
         self._multipart.abort(self.key(incoming.upload_id), incoming.multipart_id)
 
-    def left_over(self, before: datetime) -> Iterator[tuple[UUID, str | None]]:
+    def orphaned(self, before: datetime) -> Iterator[tuple[UUID, str | None]]:
         """Yield what was begun before an instant and is still there: upload, and the bucket's name for its parts."""
         for unfinished in self._multipart.unfinished(self._prefix):
             with suppress(ValueError):

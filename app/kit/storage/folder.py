@@ -1,4 +1,4 @@
-"""Blobs in a folder of this machine, each synced to disk before anybody is told."""
+"""Blobs in a folder of this machine, each synced to disk before it is confirmed."""
 
 import os
 import shutil
@@ -35,7 +35,7 @@ class FolderStore(Store):
         return StoredBlob(sha256, size_bytes)
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
-        """Return how long a blob is; raise BlobMissing where there is none."""
+        """Return the size of a blob; raise BlobMissing if there is none."""
         try:
             return self.path(studio_id, sha256).stat().st_size
         except FileNotFoundError:
@@ -63,8 +63,12 @@ class FolderStore(Store):
 
     def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
         """Yield every blob with its studio."""
-        for path in self.root.glob("*/??/*"):
-            yield UUID(path.parents[1].name), StoredBlob(path.name, path.stat().st_size)
+        for path in self.root.glob("[!.]*/??/*"):  # folders of files in the making begin with a dot and come and go
+            try:
+                blob = StoredBlob(path.name, path.stat().st_size)
+            except FileNotFoundError:  # deleted since it was listed
+                continue
+            yield UUID(path.parents[1].name), blob
 
     def ensure_ready(self) -> None:
         """Raise StoreUnready unless the folder takes bytes and gives them back."""

@@ -1,7 +1,7 @@
 """Files that come to a bucket in parts: begin, part, list, complete, abort, each one signed request.
 
-obstore has no words for the steps, and one of them is what a browser does by itself. Every part carries its
-SHA-256, which the server holds it against: some servers take a part that broke off for a whole one.
+obstore has no calls for the steps, and one of them is done by the browser. Every part carries its
+SHA-256, which the server verifies: some servers accept a truncated part.
 Source: Amazon S3 API, "Uploading and copying objects using multipart upload".
 """
 
@@ -20,7 +20,7 @@ from xml.etree import ElementTree as ET
 import httpx
 
 from app.kit import metrics
-from app.kit.storage.patience import Patience
+from app.kit.storage.retry_policy import RetryPolicy
 from app.kit.storage.signing import Signer
 from app.kit.storage.store import StoreUnavailable, key_refused
 
@@ -61,14 +61,16 @@ class Unfinished:
 class Multipart:
     """The uploads in parts of one bucket."""
 
-    def __init__(self, signer: Signer, bucket: str, patience: Patience) -> None:
+    def __init__(self, signer: Signer, bucket: str, patience: RetryPolicy) -> None:
         self._signer = signer
         self._bucket = bucket
         self._patience = patience
 
     @cached_property
     def _client(self) -> httpx.Client:
-        return httpx.Client(timeout=httpx.Timeout(self._patience.silence_s, connect=self._patience.connect_s))
+        return httpx.Client(
+            timeout=httpx.Timeout(self._patience.read_timeout_s, connect=self._patience.connect_timeout_s)
+        )
 
     def begin(self, key: str) -> str:
         """Begin an upload; return its id."""
@@ -113,7 +115,7 @@ class Multipart:
         self._ask("POST", key, {"uploadId": multipart_id}, content=ET.tostring(body), unsigned=only_if)
 
     def abort(self, key: str, multipart_id: str) -> None:
-        """Drop an upload with its parts; one that is gone is dropped."""
+        """Drop an upload with its parts; a missing one counts as dropped."""
         try:
             self._ask("DELETE", key, {"uploadId": multipart_id})
         except MultipartGone:
@@ -204,7 +206,7 @@ def part_length(size_bytes: int, number: int) -> int:
 
 
 def _understood(answer: httpx.Response) -> httpx.Response:
-    """Return an answer that says yes; raise what it says otherwise."""
+    """Return a successful answer; raise the error of any other."""
     code = _error_code(answer)
     if answer.status_code in BUSY or (code and answer.is_success):  # a completion fails by 200, too
         raise _Busy(f"{answer.status_code} {code}")
@@ -215,12 +217,12 @@ def _understood(answer: httpx.Response) -> httpx.Response:
     if answer.status_code in (httpx.codes.UNAUTHORIZED, httpx.codes.FORBIDDEN):
         raise key_refused()
     if not answer.is_success:
-        raise StoreUnavailable(f"the store refuses ({answer.status_code} {code})", fix="tell whoever runs this server")
+        raise StoreUnavailable(f"the store refuses ({answer.status_code} {code})", fix="contact the operator")
     return answer
 
 
 def _tree(answer: httpx.Response) -> ET.Element:
-    """Parse what our own store says; without its namespace, which servers write differently."""
+    """Parse an answer of our own store, without its namespace, which servers write differently."""
     tree = ET.fromstring(answer.content)  # noqa: S314
     for element in tree.iter():
         element.tag = element.tag.rpartition("}")[2]

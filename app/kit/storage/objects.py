@@ -9,7 +9,7 @@ from obstore.exceptions import AlreadyExistsError, BaseError, PermissionDeniedEr
 from obstore.store import S3Store
 
 from app.kit import metrics
-from app.kit.storage.patience import Patience
+from app.kit.storage.retry_policy import RetryPolicy
 from app.kit.storage.signing import Key
 from app.kit.storage.store import READ_BYTES, Pieces, StoreUnavailable, key_refused
 from app.settings import BucketAddress
@@ -24,7 +24,7 @@ Answer = TypeVar("Answer")
 class Objects:
     """The objects of one bucket."""
 
-    def __init__(self, address: BucketAddress, key: Key, patience: Patience) -> None:
+    def __init__(self, address: BucketAddress, key: Key, patience: RetryPolicy) -> None:
         self._patience = patience
         config: S3Config = {
             "endpoint": address.endpoint,
@@ -44,7 +44,7 @@ class Objects:
         )
 
     def size_bytes(self, key: str) -> int | None:
-        """Return how long an object is; None where there is none."""
+        """Return the size of an object; None if there is none."""
         try:
             return self._asked("head", lambda: obstore.head(self._bucket, key)["size"])
         except FileNotFoundError:
@@ -114,7 +114,7 @@ class Objects:
                     raise _unavailable("list", failures) from error
 
     def _is_there(self, key: str) -> bool:
-        """Look once; whoever puts comes again by itself."""
+        """Look once; the caller of `put` retries by itself."""
         try:
             obstore.head(self._bucket, key)
         except FileNotFoundError:
@@ -138,7 +138,7 @@ class Objects:
 
 
 class _BrokenOff(Exception):
-    """An answer was shorter than it said."""
+    """An answer was shorter than announced."""
 
 
 def _unavailable(operation: str, failures: int) -> StoreUnavailable:
@@ -152,10 +152,10 @@ def _span(start: int, end: int | None) -> "GetOptions":
     return {"range": {"offset": start}} if start else {}
 
 
-def _client_options(endpoint: str, patience: Patience) -> "ClientConfig":
+def _client_options(endpoint: str, patience: RetryPolicy) -> "ClientConfig":
     return {
         "allow_http": endpoint.startswith("http://"),
-        "connect_timeout": timedelta(seconds=patience.connect_s),
-        "read_timeout": timedelta(seconds=patience.silence_s),
+        "connect_timeout": timedelta(seconds=patience.connect_timeout_s),
+        "read_timeout": timedelta(seconds=patience.read_timeout_s),
         "timeout": timedelta(days=1),  # a large file may take its time, while it moves
     }

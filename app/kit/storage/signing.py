@@ -44,7 +44,7 @@ class Signer:
         expires_in_s: int,
         at: datetime | None = None,
     ) -> str:
-        """Return a link for one method and path; whoever uses it must send exactly these headers (lower case)."""
+        """Return a link for one method and path; its user must send exactly these headers (lower case)."""
         stamp = (at or clock.now()).strftime("%Y%m%dT%H%M%SZ")
         scope = f"{stamp[:8]}/{self.region}/s3/aws4_request"
         signed = {**(headers or {}), "host": urlsplit(self.endpoint).netloc}

@@ -1,4 +1,4 @@
-"""What a store of blobs promises: `studio_id/sha256`, written once, never altered, nothing shared between studios."""
+"""The interface of a blob store: `studio_id/sha256`, written once, never altered, nothing shared between studios."""
 
 import hashlib
 import io
@@ -44,23 +44,23 @@ class StoreUnavailable(Refused):
 
 
 class NoPlainFile(OSError):
-    """What was to be stored is a link, a folder, a pipe or a device."""
+    """The path to store is a link, a folder, a pipe or a device."""
 
 
 class StoreUnready(Exception):
-    """The store cannot be used as it is set up: says what was found and how to mend it, and nothing secret."""
+    """The store cannot be used as it is set up: states what was found and how to fix it, and nothing secret."""
 
 
 @dataclass(frozen=True)
 class StoredBlob:
-    """What was stored: the SHA-256 that names it and its size in bytes."""
+    """A stored blob: the SHA-256 that names it and its size in bytes."""
 
     sha256: str
     size_bytes: int
 
 
 class Store(ABC):
-    """Where masters, game files and pictures are kept."""
+    """The store of masters, game files and pictures."""
 
     staging_root: Path  # on this machine's disk; bytes on their way in or out wait here
     direct: "DirectUploads | None" = None  # uploads that come to the store without passing through this process
@@ -75,7 +75,7 @@ class Store(ABC):
 
     @abstractmethod
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
-        """Return how long a blob is; raise BlobMissing where there is none."""
+        """Return the size of a blob; raise BlobMissing if there is none."""
 
     @abstractmethod
     def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
@@ -132,15 +132,15 @@ class Store(ABC):
 
     @contextmanager
     def making(self) -> Iterator[Path]:
-        """Give a folder below the staging root for files that are made to be stored; it is gone afterwards."""
+        """Give a folder below the staging root for files to be stored; it is deleted afterwards."""
         with self._in_words():
             self.staging_root.mkdir(parents=True, exist_ok=True)
             folder = tempfile.TemporaryDirectory(prefix=MAKING_PREFIX, dir=self.staging_root)
         with folder as name:
             yield Path(name)
 
-    def keep_made(self, studio_id: UUID, source: Path) -> StoredBlob:
-        """Store a file of such a folder that nobody will write to any more, without copying it first."""
+    def save_renders(self, studio_id: UUID, source: Path) -> StoredBlob:
+        """Store a finished file of such a folder without copying it first."""
         with source.open("rb", buffering=0) as file:
             sha256 = hashlib.file_digest(file, "sha256").hexdigest()
         return self.keep(studio_id, source, sha256)
@@ -165,12 +165,12 @@ class Store(ABC):
 
     @contextmanager
     def _in_words(self) -> Iterator[None]:
-        """Tell what this machine's disk refuses."""
+        """Report an error of this machine's disk."""
         try:
             yield
         except OSError as error:
             raise StoreUnavailable(
-                f"the server could not write to its disk ({error.strerror})", fix="tell whoever runs this server"
+                f"the server could not write to its disk ({error.strerror})", fix="contact the operator of this server"
             ) from error
 
 
@@ -182,19 +182,17 @@ def write_all(file: int, content: bytes) -> None:
 
 
 def key_refused() -> StoreUnavailable:
-    """Return the error that says that our key does not open the store."""
-    return StoreUnavailable(
-        "the store refuses our key", fix="tell whoever runs this server to look at AWS_ACCESS_KEY_ID"
-    )
+    """Return the error for a key that the store refuses."""
+    return StoreUnavailable("the store refuses our key", fix="ask the operator to check AWS_ACCESS_KEY_ID")
 
 
 def altered(sha256: str, found: str) -> BlobAltered:
-    """Return the error that says that a blob is not what its name says."""
+    """Return the error for a blob whose content does not match its name."""
     return BlobAltered(f"blob {sha256} is {found} in the store; restore it from a backup")
 
 
 def missing(studio_id: UUID, sha256: str) -> BlobMissing:
-    """Return the error that says that a blob is not there."""
+    """Return the error for a missing blob."""
     return BlobMissing(f"blob {sha256} of studio {studio_id} is not in the store; restore it from a backup")
 
 
@@ -203,7 +201,7 @@ class _Flow(io.RawIOBase):
 
     def __init__(self, pieces: Pieces) -> None:
         self._pieces = pieces
-        self._rest = memoryview(next(pieces, b""))  # so that what is missing is said when it is opened
+        self._rest = memoryview(next(pieces, b""))  # so that a missing blob is reported when it is opened
 
     def readable(self) -> bool:
         return True

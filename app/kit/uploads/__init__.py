@@ -16,7 +16,8 @@ from app.kit.uploads.errors import (
     UploadUnfinished,
 )
 from app.kit.uploads.model import FinishedUpload, Upload, finished_upload
-from app.kit.uploads.parts import PartsStanding
+from app.kit.uploads.pace import Pace
+from app.kit.uploads.parts import PartsProgress
 from app.kit.uploads.staged import Uploads
 
 __all__ = [
@@ -25,9 +26,10 @@ __all__ = [
     "ChecksumMismatch",
     "FinishedUpload",
     "OffsetMismatch",
+    "Pace",
     "PartUnknown",
     "PartsNotTaken",
-    "PartsStanding",
+    "PartsProgress",
     "SentInParts",
     "StoreFull",
     "Upload",

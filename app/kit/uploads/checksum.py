@@ -1,4 +1,4 @@
-"""What a sender says of the bytes of one request."""
+"""The checksum that a sender gives for the bytes of one request."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What uploads refuse, each named after the fact."""
+"""Errors of uploads, each named after the fact."""
 
 from app.kit.errors import Conflict, Invalid, NotFound, Refused
 
@@ -12,7 +12,7 @@ class UploadUnfinished(Conflict):
 
 
 class OffsetMismatch(Conflict):
-    """The bytes sent do not continue where the upload stands."""
+    """The bytes sent do not continue at the upload's offset."""
 
 
 class UploadBusy(Refused):
@@ -34,7 +34,7 @@ class UploadIncomplete(Refused):
 
 
 class UploadStalled(Refused):
-    """The sender fell silent."""
+    """The sender sends too slowly, or nothing."""
 
     status = 408
 

@@ -58,11 +58,11 @@ class FinishedUpload:
 def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope: str) -> FinishedUpload:
     """Return a finished upload of this owner and scope, locked until the transaction ends.
 
-    Raises UploadNotFound where it is somebody else's, UploadUnfinished where bytes are missing.
+    Raises UploadNotFound where it belongs to another owner, UploadUnfinished where bytes are missing.
     """
     upload = session.scalar(_OF_ID_LOCKED, {"upload_id": upload_id})
     if upload is None or upload.owner_id != owner_id or upload.scope != scope:
         raise UploadNotFound(f"no upload {upload_id}")
     if upload.sha256 is None:
-        raise UploadUnfinished("this file is not wholly here yet", fix="ask for its offset and send the rest")
+        raise UploadUnfinished("this file is not completely uploaded yet", fix="ask for its offset and send the rest")
     return FinishedUpload(upload.id, upload.file_name, upload.sha256, upload.length)

@@ -1,6 +1,6 @@
 """Uploads that come to the store in parts, without passing through this process.
 
-Whoever sends them is not believed: how long the parts are is asked of the store, and what they became is read
+The sender is not trusted: the sizes of the parts are read from the store, and the joined file is read
 and hashed before the upload counts as finished.
 """
 
@@ -11,7 +11,7 @@ from datetime import datetime, timedelta
 
 from sqlalchemy import update
 
-from app.kit import clock, kill, metrics
+from app.kit import clock, kill_points, metrics
 from app.kit.db import Database
 from app.kit.storage import DirectUploads, Incoming, MultipartGone, PartLink, Store, StoredBlob, multipart
 from app.kit.storage.direct import LINK_WORKS_FOR_S
@@ -22,8 +22,8 @@ PARTS_NAMED = 5
 
 
 @dataclass(frozen=True)
-class PartsStanding:
-    """How an upload is cut, which parts are in the store, and where the ones asked for go."""
+class PartsProgress:
+    """The parts of an upload, those in the store, and the targets of the requested ones."""
 
     part_bytes: int
     parts: int
@@ -39,7 +39,7 @@ class UploadParts:
         self._database = database
         self._store = store
 
-    def standing(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsStanding:
+    def standing(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsProgress:
         """Begin an upload in parts where that was not done, and sign links for those whose SHA-256 is given."""
         count = multipart.parts_of(upload.length)
         if beyond := [number for number in sha256s if not 1 <= number <= count]:
@@ -48,7 +48,7 @@ class UploadParts:
         if self._store.public_origin is None or upload.sha256 is not None:
             raise PartsNotTaken("no part of this file is taken", fix="send its bytes to the server")
         incoming = self._incoming(upload) if upload.multipart_id else self._begun(upload, direct)
-        return PartsStanding(
+        return PartsProgress(
             part_bytes=multipart.PART_BYTES,
             parts=count,
             here=self._numbers_here(direct, incoming),
@@ -68,7 +68,7 @@ class UploadParts:
             return upload
         direct = self._direct()
         self._make_whole(upload, direct)
-        kill.point("uploads.made_whole")
+        kill_points.point("uploads.made_whole")
         stored = self._read(upload, direct)
         if upload.expected_sha256 not in (None, stored.sha256):
             self._begin_again(upload, direct)
@@ -76,19 +76,19 @@ class UploadParts:
                 f"the whole file's SHA-256 is {stored.sha256}, announced was {upload.expected_sha256}",
                 fix="send the file again from its first part",
             )
-        kill.point("uploads.before_store")
+        kill_points.point("uploads.before_store")
         direct.keep(upload.id, upload.studio_id, stored)
-        kill.point("uploads.after_store")
+        kill_points.point("uploads.after_store")
         with self._database.writing() as session:
             row = session.get_one(Upload, upload.id)
             row.sha256, row.finished_at = stored.sha256, clock.now()
         metrics.UPLOADED.inc(row.length)
-        kill.point("uploads.finished")
+        kill_points.point("uploads.finished")
         direct.forget(upload.id)
         return row
 
     def forget(self, upload: Upload) -> None:
-        """Delete from the store what came of an upload."""
+        """Delete an upload's data from the store."""
         if upload.multipart_id is not None:
             self._direct().forget(upload.id, upload.multipart_id)
 
@@ -97,7 +97,7 @@ class UploadParts:
         if (direct := self._store.direct) is None:
             return 0
         gone = 0
-        for upload_id, multipart_id in direct.left_over(before):
+        for upload_id, multipart_id in direct.orphaned(before):
             direct.forget(upload_id, multipart_id)
             gone += 1
             with self._database.writing() as session:
@@ -116,7 +116,7 @@ class UploadParts:
         if row is None:
             direct.forget(upload.id, incoming.multipart_id)
             raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired")
-        if not is_ours:  # a twin of this request was faster
+        if not is_ours:  # a duplicate of this request was faster
             direct.abandon(incoming)
         return self._incoming(row)
 
@@ -128,7 +128,7 @@ class UploadParts:
     def _numbers_here(self, direct: DirectUploads, incoming: Incoming) -> list[int]:
         try:
             return [part.number for part in direct.parts(incoming)]
-        except MultipartGone:  # all came, and were made one file by a request whose end nobody wrote down
+        except MultipartGone:  # all parts arrived, and an earlier request joined them but did not record it
             if direct.size_bytes(incoming.upload_id) is None:
                 raise UploadNotFound(f"no upload {incoming.upload_id}: it was given up or has expired") from None
             return list(range(1, multipart.parts_of(incoming.length) + 1))

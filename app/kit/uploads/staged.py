@@ -1,11 +1,10 @@
-"""Files on their way in: resumable, and safe against a kill or a dropped line at any point.
+"""Uploads in progress: resumable, and safe against a kill or a dropped connection at any point.
 
 The offset of an upload is the size of its file on disk and nothing else. Bytes that carry a checksum
 are counted only once it was found right. A finished file is in the store before its row says so.
 """
 
 import asyncio
-import contextlib
 import fcntl
 import hashlib
 import itertools
@@ -19,10 +18,10 @@ from uuid import UUID
 from anyio import to_thread
 from sqlalchemy import select
 
-from app.kit import clock, kill, metrics
+from app.kit import clock, kill_points, metrics
+from app.kit.concurrency import limiter
 from app.kit.db import Database, new_id, row_of
 from app.kit.errors import Conflict
-from app.kit.seats import seats
 from app.kit.storage import COPY_PREFIX, MAKING_PREFIX, PUT_PREFIX, READ_BYTES, Store, make_folder, sync, write_all
 from app.kit.uploads.checksum import Checksum
 from app.kit.uploads.errors import (
@@ -33,26 +32,28 @@ from app.kit.uploads.errors import (
     StoreFull,
     UploadBusy,
     UploadNotFound,
-    UploadStalled,
     UploadTooLong,
 )
 from app.kit.uploads.model import BEGIN, FINISH, OF_ID, Upload
-from app.kit.uploads.parts import PartsStanding, UploadParts
+from app.kit.uploads.pace import Pace
+from app.kit.uploads.parts import PartsProgress, UploadParts
 
 KEPT_FOR = timedelta(days=7)  # since the last byte of an unfinished upload
 ROWS_KEPT_FOR = timedelta(days=28)  # of unfinished uploads whose file is on no disk that this process sees
-LEFT_OVER_AFTER = timedelta(days=1)  # temporary files of a process that died
-LEFT_OVER_PREFIXES = (PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX)
-SILENT_FOR_S = 60.0  # a sender that says nothing for so long gives the upload free for another
+ORPHANED_AFTER = timedelta(days=1)  # temporary files of a process that died
+ORPHAN_PREFIXES = (PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX)
 SPARE_BYTES = 256 << 20  # room on the disk that uploads leave to the database
 STAGING = ".uploads"
 
 
 class Uploads:
-    """The uploads of one server, beside the store that they end in."""
+    """The uploads of one server, before they reach the store."""
 
-    def __init__(self, database: Database, store: Store, *, reserve_bytes: int = SPARE_BYTES) -> None:
+    def __init__(
+        self, database: Database, store: Store, *, reserve_bytes: int = SPARE_BYTES, pace: Pace | None = None
+    ) -> None:
         self._reserve_bytes = reserve_bytes
+        self._pace = pace or Pace()
         self._database = database
         self._store = store
         self._parts = UploadParts(database, store)
@@ -83,7 +84,7 @@ class Uploads:
             expected_sha256=expected_sha256,
             created_at=clock.now(),
         )
-        self._database.write_alone(BEGIN, row_of(upload))
+        self._database.write_autocommit(BEGIN, row_of(upload))
         staging = self._staging(upload)
         made = make_folder(staging.parent)
         os.close(os.open(staging, os.O_CREAT | os.O_WRONLY, 0o600))
@@ -130,11 +131,12 @@ class Uploads:
         announced: int | None = None,
         checksum: Checksum | None = None,
     ) -> Upload:
-        """Append what comes, and finish the upload with its last byte.
+        """Append what comes, unless too slowly, and finish the upload with its last byte.
 
         Whatever a broken line leaves behind stays and counts, unless a checksum was to prove it.
         More bytes than `announced` for the file are refused before the first is stored.
         """
+        stream = self._pace.hold(stream)
         if upload.sha256 is not None:
             _ensure_continues(upload.length, offset)
             await _ensure_empty(stream)
@@ -151,20 +153,20 @@ class Uploads:
             if announced is not None and announced > room:
                 raise UploadTooLong(f"{announced} bytes are announced, {room} are missing; none was stored")
             if checksum is None:
-                await _pour(stream, file, room)
+                await _write_stream(stream, file, room)
             else:
-                await self._pour_proven(upload, stream, file, room, checksum)
-            async with seats().for_end_of_upload():
+                await self._write_verified(upload, stream, file, room, checksum)
+            async with limiter().for_upload_finish():
                 return await to_thread.run_sync(self._received, upload, file)
         finally:
             os.close(file)  # which gives the lock back
 
     def _received(self, upload: Upload, file: int) -> Upload:
         os.fsync(file)
-        kill.point("uploads.received")
+        kill_points.point("uploads.received")
         return self._finish(upload) if os.fstat(file).st_size == upload.length else upload
 
-    def parts(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsStanding:
+    def parts(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsProgress:
         """Return which parts of an upload are in the store, and links for those whose SHA-256 is given."""
         if upload.sha256 is None and upload.multipart_id is None and self.offset(upload) > 0:
             raise PartsNotTaken("some of this file came through the server", fix="ask for its offset and send the rest")
@@ -183,7 +185,7 @@ class Uploads:
             os.close(file)
 
     def give_up(self, upload: Upload) -> None:
-        """Delete an unfinished upload; a finished one belongs to whoever finished it."""
+        """Delete an unfinished upload; a finished one belongs to its take."""
         if upload.sha256 is not None:
             raise Conflict("this file is wholly here; it cannot be taken back")
         file = self._locked(upload, os.O_RDWR | os.O_CREAT)
@@ -197,16 +199,16 @@ class Uploads:
         """Delete what expired unfinished and what dead processes left over; return how many files went."""
         staged = list(self._store.staging_root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
         gone = sum(self._swept(staging) for staging in staged)
-        left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in LEFT_OVER_PREFIXES]
-        for left_over in itertools.chain(*left_overs):
-            if clock.now() - _touched_at(left_over) > LEFT_OVER_AFTER:
-                if left_over.is_dir():
-                    shutil.rmtree(left_over, ignore_errors=True)
+        left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in ORPHAN_PREFIXES]
+        for orphaned in itertools.chain(*left_overs):
+            if clock.now() - _touched_at(orphaned) > ORPHANED_AFTER:
+                if orphaned.is_dir():
+                    shutil.rmtree(orphaned, ignore_errors=True)
                 else:
-                    left_over.unlink(missing_ok=True)
+                    orphaned.unlink(missing_ok=True)
                 gone += 1
         self._forget_rows_without_file({staging.stem for staging in staged})
-        return gone + self._parts.sweep(clock.now() - KEPT_FOR) + self._store.sweep(clock.now() - LEFT_OVER_AFTER)
+        return gone + self._parts.sweep(clock.now() - KEPT_FOR) + self._store.sweep(clock.now() - ORPHANED_AFTER)
 
     def _forget_rows_without_file(self, staged: set[str]) -> None:
         with self._database.writing() as session:
@@ -236,7 +238,7 @@ class Uploads:
                 session.delete(row)
 
     def _settled(self, upload: Upload) -> Upload:
-        """Finish an upload whose last byte is here, unless somebody is just doing so."""
+        """Finish an upload whose last byte is here, unless another request is doing so."""
         if upload.sha256 is not None or upload.multipart_id is not None or self.offset(upload) < upload.length:
             return upload
         file = self._locked(upload, os.O_RDONLY)
@@ -257,16 +259,16 @@ class Uploads:
                 f"the whole file's SHA-256 is {sha256}, announced was {upload.expected_sha256}",
                 fix="send the file again from its first byte",
             )
-        kill.point("uploads.before_store")
+        kill_points.point("uploads.before_store")
         self._store.keep(upload.studio_id, staging, sha256)
-        kill.point("uploads.after_store")
+        kill_points.point("uploads.after_store")
         finished_at = clock.now()
         found = {"upload_id": upload.id, "found_sha256": sha256, "then": finished_at}
-        if not self._database.write_alone(FINISH, found):
+        if not self._database.write_autocommit(FINISH, found):
             raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired")
         upload.sha256, upload.finished_at = sha256, finished_at
         metrics.UPLOADED.inc(upload.length)
-        kill.point("uploads.finished")
+        kill_points.point("uploads.finished")
         staging.unlink(missing_ok=True)
         return upload
 
@@ -280,7 +282,7 @@ class Uploads:
         return upload
 
     def _found(self, upload_id: UUID) -> Upload | None:
-        with self._database.glancing() as session:
+        with self._database.autocommit_session() as session:
             if (upload := session.scalar(OF_ID, {"upload_id": upload_id})) is not None:
                 session.expunge(upload)
             return upload
@@ -304,14 +306,14 @@ class Uploads:
             raise UploadNotFound(f"no upload {upload.id}: it was given up or is finished")
         return file
 
-    async def _pour_proven(
+    async def _write_verified(
         self, upload: Upload, stream: AsyncIterator[bytes], file: int, room: int, checksum: Checksum
     ) -> None:
         part = _part_of(self._staging(upload))
         digest = hashlib.new(checksum.algorithm, usedforsecurity=False)
         aside = os.open(part, os.O_CREAT | os.O_TRUNC | os.O_RDWR, 0o600)
         try:
-            await _pour(stream, aside, room, digest.update)
+            await _write_stream(stream, aside, room, digest.update)
             if digest.digest() != checksum.digest:
                 raise ChecksumMismatch(
                     f"the {checksum.algorithm} of what came is {digest.hexdigest()}, announced was "
@@ -331,47 +333,33 @@ class Uploads:
             raise StoreFull(
                 f"the file has {length:,} bytes; the server's disk has {free:,} left, "
                 f"of which {self._reserve_bytes:,} are kept for the database",
-                fix="tell whoever runs this server",
+                fix="contact the operator of this server",
             )
 
 
-async def _pour(
+async def _write_stream(
     stream: AsyncIterator[bytes], file: int, room: int, also: Callable[[bytes], None] | None = None
 ) -> None:
-    """Write what comes to the file, in large pieces; stop before the first byte that there is no room for."""
+    """Write the bytes to the file, in large pieces; stop before the first byte without room."""
     waiting = bytearray()
     try:
-        async with _patience() as patience:
-            async for chunk in stream:
-                room -= len(chunk)
-                if room < 0:
-                    raise UploadTooLong("more bytes came than were announced for this file")
-                waiting += chunk
-                if len(waiting) >= READ_BYTES:
-                    patience.reschedule(None)  # a slow disk is ours, and a write is never broken off
-                    piece, waiting = bytes(waiting), bytearray()
-                    await asyncio.to_thread(_write, file, piece, also)
-                patience.reschedule(asyncio.get_running_loop().time() + SILENT_FOR_S)
+        async for chunk in stream:
+            room -= len(chunk)
+            if room < 0:
+                raise UploadTooLong("more bytes came than were announced for this file")
+            waiting += chunk
+            if len(waiting) >= READ_BYTES:
+                piece, waiting = bytes(waiting), bytearray()
+                await asyncio.to_thread(_write, file, piece, also)
     finally:
         if waiting:
             _write(file, bytes(waiting), also)
 
 
-@contextlib.asynccontextmanager
-async def _patience() -> AsyncIterator[asyncio.Timeout]:
-    """Wait for a sender who falls silent, and no longer than that; whoever waits sets it anew with each piece."""
-    try:
-        async with asyncio.timeout(SILENT_FOR_S) as patience:
-            yield patience
-    except TimeoutError:
-        raise UploadStalled(f"nothing came for {SILENT_FOR_S:.0f} s; what came before is kept") from None
-
-
 async def _ensure_empty(stream: AsyncIterator[bytes]) -> None:
-    async with _patience():
-        async for chunk in stream:
-            if chunk:
-                raise UploadTooLong("this upload is finished; it takes no more bytes")
+    async for chunk in stream:
+        if chunk:
+            raise UploadTooLong("this upload is finished; it takes no more bytes")
 
 
 def _ensure_continues(here: int, offset: int) -> None:
@@ -383,7 +371,7 @@ def _write(file: int, piece: bytes, also: Callable[[bytes], None] | None) -> Non
     try:
         write_all(file, piece)
     except OSError as error:
-        raise StoreFull(f"the server could not write: {error.strerror}", fix="tell whoever runs this server") from None
+        raise StoreFull(f"the server could not write: {error.strerror}", fix="contact the operator") from None
     if also is not None:
         also(piece)
 

@@ -12,7 +12,7 @@ from sqlalchemy import delete, update
 from app.accounts.models import Membership, Person
 from app.accounts.people import create_person
 from app.accounts.rules import Role
-from app.accounts.service import add_member, open_studio
+from app.accounts.service import add_member, create_studio
 from app.kit.db import new_id
 from app.main import create_app
 from tests.support.server import RunningServer, World
@@ -27,10 +27,10 @@ def demo_application(server: RunningServer) -> Iterator[FastAPI]:
     with server.runtime.database.writing() as session:
         people = {
             part: create_person(session, email=f"{part}-{new_id()}@demo.example", name=part, demo_part=part)
-            for part in ("producer", "decider", "designer")
+            for part in ("producer", "approver", "designer")
         }
-        studio = open_studio(session, "Demo studio", people["producer"], is_demo=True)
-        add_member(session, studio.id, people["decider"].id, [Role.LIAISON])
+        studio = create_studio(session, "Demo studio", people["producer"], is_demo=True)
+        add_member(session, studio.id, people["approver"].id, [Role.LIAISON])
     yield create_app(dataclasses.replace(server.runtime, settings=demo_settings))
     with server.runtime.database.writing() as session:
         session.execute(update(Person).where(Person.demo_part.is_not(None)).values(demo_part=None))
@@ -40,7 +40,7 @@ def demo_application(server: RunningServer) -> Iterator[FastAPI]:
 def visitor(demo_application: FastAPI) -> Visitor:
     """Make a browser that comes from a place, to a host."""
 
-    def visit(*, host: str = "127.0.0.1:8000", client: str = "127.0.0.1", **headers: str) -> TestClient:
+    def credentials(*, host: str = "127.0.0.1:8000", client: str = "127.0.0.1", **headers: str) -> TestClient:
         browser = TestClient(
             demo_application,
             base_url="http://127.0.0.1:8000",
@@ -50,7 +50,7 @@ def visitor(demo_application: FastAPI) -> Visitor:
         browser.cookies.clear()
         return browser
 
-    return visit
+    return credentials
 
 
 def name_of(browser: TestClient) -> str:
@@ -59,8 +59,8 @@ def name_of(browser: TestClient) -> str:
 
 @pytest.mark.parametrize("host", ["127.0.0.1:8000", "localhost:8000", "LOCALHOST", "[::1]:8000", "[::1]", "127.0.0.1"])
 def test_the_own_machine_is_let_in(visitor: Visitor, host: str) -> None:
-    assert name_of(visitor(host=host)) == "decider"
-    assert name_of(visitor(host=host, client="::1")) == "decider"
+    assert name_of(visitor(host=host)) == "approver"
+    assert name_of(visitor(host=host, client="::1")) == "approver"
 
 
 @pytest.mark.parametrize(
@@ -106,9 +106,9 @@ def test_the_switch_changes_who_is_played(visitor: Visitor) -> None:
     browser = visitor()
     assert browser.get("/v1/session").json()["demo"] is True
     browser.headers["X-CSRF-Token"] = browser.cookies["soundlist_csrf"]
-    for part in ("decider", "designer", "producer"):
+    for part in ("approver", "designer", "producer"):
         answer = browser.put(f"/v1/demo/part/{part}")
-        assert answer.json() == {"part": part, "parts": ["decider", "producer", "designer"]}
+        assert answer.json() == {"part": part, "parts": ["approver", "producer", "designer"]}
         assert name_of(browser) == part
     assert browser.put("/v1/demo/part/owner").status_code == 404
 

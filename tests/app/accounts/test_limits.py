@@ -7,9 +7,9 @@ import pytest
 from fastapi.testclient import TestClient
 
 from app.accounts import rate_limits
-from app.accounts.doors import DEVICE_COOKIE, device_cookie, device_for
-from app.accounts.errors import TooManyTries
-from app.accounts.rate_limits import Limit, place_of
+from app.accounts.authentication import DEVICE_COOKIE, device_cookie, device_for
+from app.accounts.errors import TooManyAttempts
+from app.accounts.rate_limits import Limit, network_of
 from app.kit.db import Database
 from app.main import create_app
 from tests.app.accounts.test_sign_in import address, sign_in, sign_up
@@ -58,8 +58,8 @@ def test_the_own_browser_comes_through_while_everybody_guesses(server: RunningSe
     own = behind_proxy(server, "198.51.100.20")
     assert sign_in(own, account).status_code == 200
     with server.runtime.database.writing() as session:
-        for _ in range(rate_limits.GUESSES_AT_ACCOUNT.burst):
-            rate_limits.count_try(session, rate_limits.GUESSES_AT_ACCOUNT, account)
+        for _ in range(rate_limits.SIGN_INS_TO_ACCOUNT.burst):
+            rate_limits.count_attempt(session, rate_limits.SIGN_INS_TO_ACCOUNT, account)
     stranger = sign_in(behind_proxy(server, "198.51.100.21"), account)
     assert (stranger.status_code, 0 < int(stranger.headers["Retry-After"]) <= 30) == (429, True)
     assert sign_in(own, account).status_code == 200
@@ -92,9 +92,9 @@ def test_processes_count_together(server: RunningServer, account: str) -> None:
         limit = Limit("of a test", 3, 3600)
         for database in (server.runtime.database, second, server.runtime.database):
             with database.writing() as session:
-                rate_limits.count_try(session, limit, account)
-        with second.writing() as session, pytest.raises(TooManyTries) as refused:
-            rate_limits.count_try(session, limit, account)
+                rate_limits.count_attempt(session, limit, account)
+        with second.writing() as session, pytest.raises(TooManyAttempts) as refused:
+            rate_limits.count_attempt(session, limit, account)
         assert 3500 < refused.value.retry_after_s <= 3600
     finally:
         second.dispose()
@@ -106,8 +106,8 @@ def test_after_the_first_tries_one_comes_back_at_a_time(server: RunningServer, a
     def tries() -> bool:
         with server.runtime.database.writing() as session:
             try:
-                rate_limits.count_try(session, limit, account)
-            except TooManyTries:
+                rate_limits.count_attempt(session, limit, account)
+            except TooManyAttempts:
                 return False
         return True
 
@@ -118,14 +118,14 @@ def test_after_the_first_tries_one_comes_back_at_a_time(server: RunningServer, a
 
 def test_what_holds_nobody_is_cleared_away(server: RunningServer, account: str) -> None:
     with server.runtime.database.writing() as session:
-        rate_limits.count_try(session, Limit("short", 2, 0.01), account)
-        rate_limits.count_try(session, Limit("long", 1, 3600), account)
+        rate_limits.count_attempt(session, Limit("short", 2, 0.01), account)
+        rate_limits.count_attempt(session, Limit("long", 1, 3600), account)
     time.sleep(0.05)
     with server.runtime.database.writing() as session:
-        rate_limits.forget_old(session)
-        rate_limits.count_try(session, Limit("short", 1, 60), account)
-        with pytest.raises(TooManyTries):
-            rate_limits.count_try(session, Limit("long", 1, 3600), account)
+        rate_limits.delete_expired(session)
+        rate_limits.count_attempt(session, Limit("short", 1, 60), account)
+        with pytest.raises(TooManyAttempts):
+            rate_limits.count_attempt(session, Limit("long", 1, 3600), account)
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_what_holds_nobody_is_cleared_away(server: RunningServer, account: str) 
     ],
 )
 def test_an_ipv6_subscriber_is_one_place(address: str, place: str) -> None:
-    assert place_of(address) == place
+    assert network_of(address) == place
 
 
 def test_evidence_of_a_sign_in_names_the_visitor_and_not_the_proxy(server: RunningServer, account: str) -> None:

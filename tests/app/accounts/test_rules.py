@@ -1,7 +1,7 @@
 import pytest
 
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak
-from app.accounts.rules import Role, ensure_address, ensure_good_password, ensure_producer_remains
+from app.accounts.rules import Role, ensure_address, ensure_producer_remains, ensure_strong_password
 
 PRODUCER, REVIEWER, NOBODY = frozenset({Role.PRODUCER}), frozenset({Role.REVIEWER}), frozenset[Role]()
 
@@ -71,10 +71,10 @@ def test_what_is_no_address_is_refused_in_words(typed: str) -> None:
 )
 def test_passwords(password: str | None, is_good: bool) -> None:
     if is_good:
-        assert ensure_good_password(password, "name.surname@studio.example") == password
+        assert ensure_strong_password(password, "name.surname@studio.example") == password
         return
     with pytest.raises(PasswordTooWeak) as refused:
-        ensure_good_password(password, "name.surname@studio.example", "Ada Surname")
+        ensure_strong_password(password, "name.surname@studio.example", "Ada Surname")
     assert refused.value.errors[0]["where"] == "password"
 
 

@@ -6,7 +6,7 @@ from uuid import UUID
 import pytest
 from fastapi.testclient import TestClient
 
-from app.accounts.doors import SESSION_COOKIE
+from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.models import SignIn
 from app.accounts.queries import IDLE_FOR
 from app.accounts.rules import device_of

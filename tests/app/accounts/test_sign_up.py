@@ -6,7 +6,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from app.accounts.rules import AddressProof
-from app.accounts.service import ensure_may_sign_up
+from app.accounts.service import ensure_sign_up_allowed
 from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
@@ -49,7 +49,7 @@ def test_known_and_unknown_are_one_answer_and_the_owner_is_told(server: RunningS
     assert answers[0].status_code == answers[1].status_code == 202
     assert answers[0].content == answers[1].content
     told = mails.texts_for(known)[-1]
-    assert "which has one" in told
+    assert "which already has one" in told
     assert "/sign-up/" not in told
     assert "/sign-up/" in mails.texts_for(unknown)[-1]
 
@@ -78,7 +78,7 @@ def test_a_weak_password_does_not_use_the_link_up(server: RunningServer, mails: 
 
 def test_with_a_mail_server_nobody_signs_up_without_the_mail(server: RunningServer, mails: MailServer) -> None:
     refused = sign_up(server.browser(), address())
-    assert (refused.status_code, refused.json()["code"]) == (409, "mail-first")
+    assert (refused.status_code, refused.json()["code"]) == (409, "verification-needed")
 
 
 def test_without_a_mail_server_no_link_is_promised(server: RunningServer) -> None:
@@ -108,7 +108,7 @@ def test_an_empty_server_takes_its_first_person(tmp_path_factory: pytest.TempPat
     migrate(runtime.database)
     with runtime.database.reading() as session:
         assert runtime.settings.sign_up == "invited"
-        ensure_may_sign_up(session, runtime.settings)
+        ensure_sign_up_allowed(session, runtime.settings)
     runtime.close()
 
 

@@ -43,7 +43,7 @@ def test_strangers_and_designers_do_not_see_the_studio(world: World) -> None:
 def test_only_producers_change_roles(world: World) -> None:
     path = person_path(world, world.reviewer_id)
     body = {"roles": ["reviewer", "implementer", "reviewer"]}
-    assert world.decider.put(path, json=body).json()["code"] == "producer-needed"
+    assert world.approver.put(path, json=body).json()["code"] == "producer-needed"
     assert world.stranger.put(path, json=body).json()["code"] == "studio-not-found"
     assert world.producer.put(path, json=body).json()["roles"] == ["implementer", "reviewer"]
     assert world.producer.put(path, json={"roles": []}).status_code == 422
@@ -56,7 +56,7 @@ def test_the_last_producer_stays(world: World) -> None:
     own = person_path(world, world.producer_id)
     assert world.producer.put(own, json={"roles": ["reviewer"]}).json()["code"] == "last-producer"
     assert world.producer.delete(own).json()["code"] == "last-producer"
-    assert world.producer.put(person_path(world, world.decider_id), json={"roles": ["producer"]}).status_code == 200
+    assert world.producer.put(person_path(world, world.approver_id), json={"roles": ["producer"]}).status_code == 200
     assert world.producer.delete(own).status_code == 204
     assert world.producer.get(f"/v1/studios/{world.studio_id}/people").status_code == 404
 

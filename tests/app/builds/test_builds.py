@@ -141,7 +141,7 @@ def test_the_baseline_names_master_and_game_files(world: World) -> None:
     world.server.wait_for_jobs()
     check = world.designer.get(f"/v1/takes/{take['id']}/check").json()
     assert check["verdict"] == "rejected"
-    waived = world.decider.post(f"/v1/takes/{take['id']}/waiver", json={"reason": "it is meant to hurt"})
+    waived = world.approver.post(f"/v1/takes/{take['id']}/waiver", json={"reason": "it is meant to hurt"})
     assert waived.status_code in (200, 201), waived.text
     world.server.wait_for_jobs()
     url = f"/v1/projects/{world.project_id}/baseline.json"

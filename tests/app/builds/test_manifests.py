@@ -95,7 +95,7 @@ def test_it_lists_the_files_of_the_pack_and_what_each_is_known_by(world: World, 
     takes = {take["id"] for take in world.producer.get(f"/v1/projects/{world.project_id}/takes").json()["items"]}
     assert len({one.take for one in approved}) == 3
     assert {one.take for one in approved} == takes
-    listened = audio_checks.listen_to([(str(tmp_path / name), name) for name in SOUNDS])
+    listened = audio_checks.fingerprint_files([(str(tmp_path / name), name) for name in SOUNDS])
     assert [{**audio_checks.manifest_entry(one), "cue": None, "take": None} for one in approved] == [
         audio_checks.manifest_entry(one) for one in listened
     ]
@@ -105,10 +105,10 @@ def test_it_lists_the_files_of_the_pack_and_what_each_is_known_by(world: World, 
 def test_approval_has_game_files_listened_to_once_and_before_anybody_asks(world: World) -> None:
     accepted_list(world)
     assert len(kept(world)) == 6  # three sounds for two targets
-    assert jobs_for(world, "builds.hear_take") == [("100", "SUCCESS")] * 3
-    assert jobs_for(world, "builds.hear_pack") == []
+    assert jobs_for(world, "builds.fingerprint_take") == [("100", "SUCCESS")] * 3
+    assert jobs_for(world, "builds.fingerprint_pack") == []
     assert (len(manifest(world)["files"]), len(manifest(world, target="handheld")["files"])) == (3, 3)
-    assert jobs_for(world, "builds.hear_pack") == []
+    assert jobs_for(world, "builds.fingerprint_pack") == []
 
 
 def test_a_take_that_is_not_approved_is_not_listened_to(world: World) -> None:
@@ -124,7 +124,7 @@ def test_what_was_approved_before_is_listened_to_when_it_is_asked_for(
 ) -> None:
     accepted_list(world)
     forget(world)
-    monkeypatch.setattr(manifests, "ASKED_AGAIN_S", 10**10)  # however long this takes
+    monkeypatch.setattr(manifests, "REQUEST_AGAIN_AFTER_S", 10**10)  # however long this takes
     asked_twice = threading.Event()
     listening_in_child(monkeypatch, lambda _: asked_twice.wait(60))
     for _ in range(2):
@@ -138,7 +138,7 @@ def test_what_was_approved_before_is_listened_to_when_it_is_asked_for(
     world.server.wait_for_jobs()
     assert [one["path"] for one in manifest(world)["files"]] == SOUNDS
     assert len(kept(world)) == 3  # nobody asked for the other target
-    assert jobs_for(world, "builds.hear_pack") == [("10", "SUCCESS")]
+    assert jobs_for(world, "builds.fingerprint_pack") == [("10", "SUCCESS")]
 
 
 def test_what_another_version_heard_is_heard_anew(world: World) -> None:
@@ -186,7 +186,7 @@ def test_a_sealed_pack_has_the_manifest_of_what_was_sealed(world: World) -> None
     then = manifest(world)
     take = deliver(world, "ui_confirm.wav", sound(77))
     world.server.wait_for_jobs()
-    assert world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
     world.server.wait_for_jobs()
     assert [one["take"] for one in manifest(world)["files"]][2] == take["id"]
     url = f"/v1/packs/{sealed['id']}/manifest.json"
@@ -253,7 +253,7 @@ def listening_in_child(monkeypatch: pytest.MonkeyPatch, before: Callable[[list[s
     given: list[str] = []
 
     def listened(child: audio_checks.SandboxChild, work: Any, *args: Any, **options: Any) -> Any:
-        if work is audio_checks.listen_to:
+        if work is audio_checks.fingerprint_files:
             given.append(args[0][0][1])
             before(given)
         return call(child, work, *args, **options)
@@ -276,7 +276,7 @@ def test_a_child_that_dies_holds_up_no_other_sound_and_is_tried_anew(
 ) -> None:
     accepted_list(world)
     forget(world)
-    monkeypatch.setattr(queue, "PAUSES_S", (0.01,))
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", (0.01,))
     given = listening_in_child(monkeypatch, die_first)
     assert ask(world).status_code == 409
     until_ready(world)
@@ -287,7 +287,7 @@ def test_a_child_that_dies_holds_up_no_other_sound_and_is_tried_anew(
 def test_a_sound_that_cannot_be_listened_to_parks_its_job(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     accepted_list(world)
     forget(world)
-    monkeypatch.setattr(queue, "PAUSES_S", ())
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", ())
     with monkeypatch.context() as patched:
         given = listening_in_child(patched, die_first)
         assert ask(world).status_code == 409
@@ -295,7 +295,7 @@ def test_a_sound_that_cannot_be_listened_to_parks_its_job(world: World, monkeypa
         assert len(given) == 3
     assert "1 of 3" in ask(world).json()["detail"]
     (job,) = world.server.runtime.queue.unfinished(only_failed=True, studio_id=world.studio_id)
-    assert (job.name, job.state) == ("builds.hear_pack", "parked")
+    assert (job.name, job.state) == ("builds.fingerprint_pack", "parked")
     assert "signal 9" in str(job.reason)
     assert world.server.runtime.queue.retry(job.id)
     until_ready(world)

@@ -14,7 +14,7 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 
 import audio_checks
-from app.accounts.endpoints import SESSION_COOKIE
+from app.accounts.authentication import SESSION_COOKIE
 from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve, sound
 from tests.support.blobs import blob_file

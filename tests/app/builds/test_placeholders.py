@@ -1,4 +1,4 @@
-"""Stand-ins for what is not accepted: to spec, by name, marked, counted down, and never in a pack unasked."""
+"""Placeholder files for what is not accepted: to spec, by name, marked, counted down, and never in a pack unasked."""
 
 import io
 import zipfile
@@ -117,11 +117,11 @@ def test_stand_ins_are_in_a_pack_only_when_asked_for_and_say_what_they_are(world
 def test_an_accepted_stand_in_does_not_ship_unnoticed(world: World) -> None:
     add_cues(world, {"name": "Siren"})
     make(world)
-    # A stand-in of ours, taken for the sound: delivered, let be, approved.
-    stand_in = zipfile.ZipFile(io.BytesIO(pack(world, placeholders=True).content)).read("siren.wav")
-    take = deliver(world, "siren.wav", stand_in)
+    # A placeholder file of ours, taken for the sound: delivered, let be, approved.
+    placeholder_file = zipfile.ZipFile(io.BytesIO(pack(world, placeholders=True).content)).read("siren.wav")
+    take = deliver(world, "siren.wav", placeholder_file)
     world.server.wait_for_jobs()
-    assert world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
     world.server.wait_for_jobs()
     refused = pack(world)
     assert (refused.status_code, refused.json()["code"]) == (409, "placeholder-accepted")
@@ -133,7 +133,7 @@ def test_an_accepted_stand_in_does_not_ship_unnoticed(world: World) -> None:
 
 def test_nothing_is_left_of_a_cut_cue(world: World) -> None:
     (siren,) = add_cues(world, {"name": "Siren"})
-    cut = world.decider.post(f"/v1/cues/{siren['id']}/cut", json={"reason": "no longer needed"})
+    cut = world.approver.post(f"/v1/cues/{siren['id']}/cut", json={"reason": "no longer needed"})
     assert cut.status_code in (200, 204), cut.text
     assert register(world)["left"] == 0
 

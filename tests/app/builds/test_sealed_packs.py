@@ -84,9 +84,9 @@ def test_the_current_pack_says_what_changed_since_the_last(world: World) -> None
     laser = next(cue for cue in cues if cue["name"] == "Laser fire")
     take = deliver(world, "laser_fire_01.wav", sound(77))
     world.server.wait_for_jobs()
-    assert world.decider.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
     confirm = next(cue for cue in cues if cue["name"] == "UI confirm")
-    cut = world.decider.post(f"/v1/cues/{confirm['id']}/cut", json={"reason": "no longer needed"})
+    cut = world.approver.post(f"/v1/cues/{confirm['id']}/cut", json={"reason": "no longer needed"})
     assert cut.status_code in (200, 204), cut.text
     world.server.wait_for_jobs()
     assert laser["variations"] == 2

@@ -10,15 +10,15 @@ from sqlalchemy import func, select
 
 import audio_checks
 from app.conformance import checking, queries
-from app.conformance.benches import Children
 from app.conformance.jobs import recheck_takes
 from app.conformance.models import CheckRun
+from app.conformance.workspaces import SandboxPool
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state
-from app.kit import kill
+from app.kit import kill_points
 from app.renders import jobs
-from app.renders.jobs import prepare_take
+from app.renders.take_jobs import prepare_take
 from tests.support import hostile
 from tests.support.blobs import blob_file
 from tests.support.deliver import add_cues, checked, deliver
@@ -69,7 +69,7 @@ def tried(monkeypatch: pytest.MonkeyPatch) -> list[Callable[..., Any]]:
 def test_a_conforming_take(world: World) -> None:
     [cue] = add_cues(world, {"name": "Laser fire", "duration_s": 0.1})
     take = deliver(world, "laser_fire.wav", tone())
-    found = checked(world, take["id"], by=world.decider)
+    found = checked(world, take["id"], by=world.approver)
     assert (found["state"], found["verdict"], codes(found)) == ("conforming", "conforming", [])
     assert found["facts"]["sample_rate_hz"] == 48_000
     assert found["measurements"]["sample_peak_dbfs"] == pytest.approx(-6.0, abs=0.01)
@@ -77,7 +77,7 @@ def test_a_conforming_take(world: World) -> None:
     assert cue["id"] == take["cue"]["id"]
 
 
-def test_a_returned_take_says_what_where_and_how_to_mend_it(world: World) -> None:
+def test_a_returned_take_says_what_where_and_how_to_fix_it(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     late_start = join(silence(seconds=0.05), sine(hz=440, dbfs=0.0, seconds=0.2))
     found = checked(world, deliver(world, "airlock_cycle.wav", wav_bytes(late_start))["id"])
@@ -119,7 +119,7 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
 ) -> None:
     monkeypatch.setattr(audio_checks, "check_file", what)
     sandbox = audio_checks.Sandbox(preload=("numpy", "audio_checks", hostile.__name__))
-    children = Children(sandbox)
+    children = SandboxPool(sandbox)
     monkeypatch.setattr(jobs, "_children", lambda: children)
     monkeypatch.setattr(checking, "time_for", lambda _bytes: 1.0)
     take = deliver(world, "laser.wav", tone(hz=200 + len(what.__name__)))
@@ -127,7 +127,7 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     assert tried.count(what) == 3
     assert (found["state"], found["verdict"]) == ("unjudged", "unjudged")
     [finding] = found["findings"]
-    assert "nothing is known to be wrong" in finding["message"]
+    assert "that is not the file's fault" in finding["message"]
     assert "our fault" in finding["fix"]
     monkeypatch.undo()
     again = world.designer.post(f"/v1/takes/{take['id']}/recheck")
@@ -198,7 +198,7 @@ def test_a_verdict_that_comes_too_late_is_dropped(world: World, monkeypatch: pyt
 
     world.server.in_database(receive)
     with monkeypatch.context() as patched:
-        patched.setattr(kill, "point", overtaken)
+        patched.setattr(kill_points, "point", overtaken)
         prepare_take(world.server.runtime, {"take_id": take["id"]})
     assert len(runs(world, take["id"])) == before
     assert world.designer.get(f"/v1/takes/{take['id']}").json()["state"] == "received"
@@ -208,7 +208,7 @@ def test_what_would_say_the_same_is_not_computed_again(world: World, monkeypatch
     take = deliver(world, "laser.wav", tone(hz=330))
     before = checked(world, take["id"])
     monkeypatch.setattr(audio_checks, "check_file", hostile.crash)
-    assert world.decider.post(f"/v1/takes/{take['id']}/recheck").status_code == 202
+    assert world.approver.post(f"/v1/takes/{take['id']}/recheck").status_code == 202
     after = checked(world, take["id"])
     assert (after["state"], after["measurements"]) == ("conforming", before["measurements"])
     kept = runs(world, take["id"])
@@ -233,7 +233,7 @@ def test_a_new_spec_judges_anew_what_is_not_decided(world: World) -> None:
     assert checked(world, quiet["id"])["spec_version"] == 2
     kept = checked(world, approved["id"])
     assert (kept["state"], kept["spec_version"], kept["is_newest_spec"]) == ("approved", 1, False)
-    refused = world.decider.post(f"/v1/takes/{approved['id']}/recheck")
+    refused = world.approver.post(f"/v1/takes/{approved['id']}/recheck")
     assert (refused.status_code, refused.json()["code"]) == (409, "wrong-state")
 
 
@@ -285,7 +285,7 @@ def test_who_sees_a_check(world: World) -> None:
 
 
 class TestWaiver:
-    def waive(self, world: World, take: dict[str, Any], who: str = "decider") -> Any:
+    def waive(self, world: World, take: dict[str, Any], who: str = "approver") -> Any:
         return getattr(world, who).post(
             f"/v1/takes/{take['id']}/waiver", json={"reason": "it is meant to hit the ceiling"}
         )
@@ -295,14 +295,14 @@ class TestWaiver:
         assert checked(world, take["id"])["state"] == "returned"
         return take
 
-    def test_the_decider_lets_a_returned_take_through(self, world: World) -> None:
+    def test_the_approver_lets_a_returned_take_through(self, world: World) -> None:
         take = self.loud(world)
         waived = self.waive(world, take)
         assert waived.status_code == 201, waived.text
         found = waived.json()
         assert (found["state"], found["verdict"]) == ("conforming", "rejected")
         assert found["waiver"]["codes"] == ["sample-peak:over"]
-        assert found["waiver"]["waived_by"] == {"id": str(world.decider_id), "name": "Audio director"}
+        assert found["waiver"]["waived_by"] == {"id": str(world.approver_id), "name": "Audio director"}
         marked = {finding["code"]: finding["waived"] for finding in found["findings"]}
         assert marked.pop("sample-peak:over") is True
         assert not any(marked.values())
@@ -312,7 +312,7 @@ class TestWaiver:
             assert run.pcm_sha256 == found_pcm(world, take)
         assert self.waive(world, take).json()["code"] == "nothing-to-waive"
 
-    def test_only_the_decider_may(self, world: World) -> None:
+    def test_only_the_approver_may(self, world: World) -> None:
         take = self.loud(world)
         statuses = {
             who: self.waive(world, take, who).status_code
@@ -325,7 +325,7 @@ class TestWaiver:
 
     def test_it_wants_a_reason(self, world: World) -> None:
         take = self.loud(world)
-        answer = world.decider.post(f"/v1/takes/{take['id']}/waiver", json={"reason": "   "})
+        answer = world.approver.post(f"/v1/takes/{take['id']}/waiver", json={"reason": "   "})
         assert answer.status_code == 422
 
     def test_what_cannot_be_read_cannot_be_let_through(self, world: World) -> None:

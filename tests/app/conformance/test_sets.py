@@ -7,7 +7,7 @@ from uuid import UUID
 import numpy as np
 import pytest
 
-from app.conformance import queries, sets
+from app.conformance import queries, set_findings
 from app.conformance.rules import MemberFact, members_of_set
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -49,7 +49,7 @@ def test_the_one_that_stands_out_is_named_once_the_set_is_whole(world: World) ->
     takes |= deliver_set(world, {4: -20})
     found = checked(world, takes[3])
     assert [code for code, _ in of_sets(found)] == ["variation-set:level"]
-    assert re.fullmatch(r"_03 stands (3\.9|4\.[01]) dB over its set, limit 2 LU", of_sets(found)[0][1])
+    assert re.fullmatch(r"_03 is (3\.9|4\.[01]) LU louder than the rest of its set, limit 2 LU", of_sets(found)[0][1])
     assert found["state"] == "conforming"  # a verdict is over one file
     assert of_sets(checked(world, takes[1])) == []
 
@@ -58,13 +58,13 @@ def test_the_review_room_shows_it_and_how_far_each_is_away(world: World) -> None
     [cue] = add_cues(world, {"name": "Step", "variations": 3})
     deliver_set(world, {1: -20, 2: -20, 3: -16})
     world.server.wait_for_jobs()
-    [item] = world.decider.get("/v1/review-queue", params={"project_id": world.project_id}).json()["items"]
+    [item] = world.approver.get("/v1/review-queue", params={"project_id": world.project_id}).json()["items"]
     codes = [finding["code"] for take in item["takes"] for finding in take["findings"]]
     assert codes == ["variation-set:level"]
     assert item["worst_finding"]["code"] == "variation-set:level"
     away = {take["variation"]: take["away_from_set_lu"] for take in item["takes"]}
     assert away == {1: pytest.approx(-2, abs=0.2), 2: pytest.approx(-2, abs=0.2), 3: pytest.approx(4, abs=0.2)}
-    room = world.decider.get(f"/v1/cues/{cue['id']}/review").json()
+    room = world.approver.get(f"/v1/cues/{cue['id']}/review").json()
     third = next(take for take in room["takes"] if take["variation"] == 3)
     assert "variation-set:level" in [finding["code"] for finding in third["findings"]]
 
@@ -74,9 +74,9 @@ def test_the_list_shows_it(world: World) -> None:
     deliver_set(world, {1: -20, 2: -20, 3: -16})
     world.server.wait_for_jobs()
     for who in (world.producer, world.designer):
-        rows = who.get(f"/v1/projects/{world.project_id}/sound-list/standing").json()["cues"]
+        rows = who.get(f"/v1/projects/{world.project_id}/sound-list/progress").json()["cues"]
         [row] = [row for row in rows if row["cue_id"] == cue["id"]]
-        assert row["worst_finding"]["message"].startswith("_03 stands ")
+        assert row["worst_finding"]["message"].startswith("_03 is ")
 
 
 def test_a_newer_take_speaks_for_its_place(world: World) -> None:
@@ -127,7 +127,7 @@ def test_what_was_found_counts_for_the_facts_of_its_cue(world: World) -> None:
         session.expunge(asked)  # what changes of it below reaches no table, and so no job checks its takes again
 
         def found() -> list[str]:
-            word = sets.words_on_sets(session, [asked], {world.project_id: spec}).get(UUID(takes[3]))
+            word = set_findings.findings_of_sets(session, [asked], {world.project_id: spec}).get(UUID(takes[3]))
             return [str(finding["code"]) for finding in word.findings] if word else []
 
         assert found() == ["variation-set:level"]
@@ -154,10 +154,10 @@ def test_a_set_is_another_once_anything_of_a_take_in_it_changes(world: World) ->
 
 
 def test_one_sound_under_two_names_of_a_delivery(world: World) -> None:
-    add_cues(world, {"name": "Door open"}, {"name": "Door close"})
+    _, close = add_cues(world, {"name": "Door open"}, {"name": "Door close"})
     delivery = open_delivery(world)
     first = deliver(world, "door_open.wav", burst(1), delivery_id=delivery)
-    second = deliver(world, "door_close.wav", burst(1), delivery_id=delivery)
+    second = deliver(world, "door_close.wav", burst(1), delivery_id=delivery, cue_id=close["id"])
     assert of_sets(checked(world, second["id"])) == [("duplicate:same-sound", "the same samples as door_open.wav")]
     assert of_sets(checked(world, first["id"])) == []
 

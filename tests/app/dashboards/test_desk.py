@@ -52,7 +52,7 @@ def test_what_came_back_of_an_accepted_or_a_cut_cue_is_not_there(world: World):
         stage.take(cue_id, state=state)
     gone = stage.cue("gone")
     stage.take(gone, state=TakeState.CHANGE_REQUESTED)
-    cut = world.decider.post(f"/v1/cues/{gone}/cut", json={"reason": "no such level"})
+    cut = world.approver.post(f"/v1/cues/{gone}/cut", json={"reason": "no such level"})
     assert cut.status_code < 300, cut.text
     desk = world.designer.get(f"/v1/projects/{world.project_id}/desk").json()
     assert [one["cue"]["name"] for one in desk["came_back"]] == ["wanted"]

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from tests.app.contracts.agreed import TODAY, Agreed, day, deposit, milestone
+from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
 from tests.app.reviews.making import refused, told
 from tests.support.server import World
 
@@ -60,7 +60,7 @@ def test_lateness_and_estimates_for_the_two_parties(agreed: Agreed) -> None:
         (estimate,) = [one for one in palette["estimates"]["cues"] if one["about_id"] == cue["cue"]["id"]]
         assert (estimate["estimate"], estimate["so_far"], estimate["error_percent"]) == (60, 90, 50)
         assert sheet(agreed, "Alpha", party)["slip"] is None  # its day is still to come
-    seen = sheet(agreed, "Palette", agreed.world.decider)
+    seen = sheet(agreed, "Palette", agreed.world.approver)
     assert (seen["slip"], seen["slips"], seen["slip_growth_days"], seen["estimates"]) == (None, [], None, None)
     assert seen["milestone"]["owed_minor"] == 30_000
 

@@ -29,18 +29,18 @@ def begun(world: World) -> World:
     )
     deliver(world, "laser_fire_01.wav", GOOD)
     deliver(world, "airlock_cycle.wav", LOUD)
-    deliver(world, "who knows.wav", GOOD)
+    deliver(world, "who knows.wav", GOOD + b"another")
     world.designer.post(f"/v1/cues/{cues[2]['id']}/questions", json={"text": "A drop, a tool, a person?"})
     world.server.wait_for_jobs()
     return world
 
 
 def test_where_every_cue_stands(begun: World):
-    standing = screen(begun, "sound-list/standing")
-    assert [cue["status"] for cue in standing["cues"]] == [
+    progress = screen(begun, "sound-list/progress")
+    assert [cue["status"] for cue in progress["cues"]] == [
         "to_review", "returned", "question", "placeholder", "to_make",
     ]  # fmt: skip
-    laser, airlock, coolant, *_ = standing["cues"]
+    laser, airlock, coolant, *_ = progress["cues"]
     assert [each["status"] for each in laser["variations"]] == ["to_review", "to_make"]
     assert laser["newest_take"]["thumb"]["points"] > 0
     assert airlock["worst_finding"]["code"] == "sample-peak:over"
@@ -51,7 +51,7 @@ def test_where_every_cue_stands(begun: World):
 
 
 def test_today_and_the_desk(begun: World):
-    today = screen(begun, "today", by="decider")
+    today = screen(begun, "today", by="approver")
     assert [question["text"] for question in today["questions"]] == ["A drop, a tool, a person?"]
     assert {(each["file_name"], each["status"]) for each in today["with_others"]} == {
         ("airlock_cycle.wav", "returned"),
@@ -86,12 +86,12 @@ def test_find_by_name_number_and_what_was_said(begun: World):
 
 
 def test_a_designer_sees_their_own_takes_only(begun: World):
-    mine = screen(begun, "sound-list/standing", by="designer")
+    mine = screen(begun, "sound-list/progress", by="designer")
     assert mine["cues"][0]["status"] == "to_review"
     path = f"/v1/projects/{begun.project_id}"
     assert begun.designer.get(f"{path}/today").status_code == 403
     assert begun.producer.get(f"{path}/desk").status_code == 403
-    for name in ("today", "desk", "overview", "sound-list/standing", "find?q=laser"):
+    for name in ("today", "desk", "overview", "sound-list/progress", "find?q=laser"):
         assert begun.stranger.get(f"{path}/{name}").status_code == 404
         assert begun.other_designer.get(f"{path}/{name}").status_code == 404
         assert begun.nobody.get(f"{path}/{name}").status_code == 401
@@ -100,13 +100,13 @@ def test_a_designer_sees_their_own_takes_only(begun: World):
 def test_what_i_can_open(begun: World):
     me = begun.designer.get("/v1/me").json()
     assert [(project["name"], project["part"]) for project in me["projects"]] == [("Shield Wing", "designer")]
-    me = begun.decider.get("/v1/me").json()
-    assert [(project["part"], project["is_decider"], project["is_producer"]) for project in me["projects"]] == [
+    me = begun.approver.get("/v1/me").json()
+    assert [(project["part"], project["is_approver"], project["is_producer"]) for project in me["projects"]] == [
         ("team", True, False)
     ]
 
 
-@pytest.mark.parametrize("name", ["sound-list/standing", "today", "overview"])
+@pytest.mark.parametrize("name", ["sound-list/progress", "today", "overview"])
 def test_a_longer_list_costs_no_more_queries(begun: World, name: str):
     def selects() -> int:
         with begun.server.counted_selects() as counted:
@@ -115,7 +115,7 @@ def test_a_longer_list_costs_no_more_queries(begun: World, name: str):
 
     before = selects()
     add_cues(begun, *({"name": f"further_{number}"} for number in range(20)))
-    deliver(begun, "further_1.wav", GOOD)
-    deliver(begun, "further_2.wav", LOUD)
+    deliver(begun, "further_1.wav", GOOD + b"1")
+    deliver(begun, "further_2.wav", LOUD + b"2")
     begun.server.wait_for_jobs()
     assert 0 < selects() <= before

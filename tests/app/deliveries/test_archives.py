@@ -15,7 +15,7 @@ from app.deliveries.errors import ArchiveRefused
 from app.deliveries.jobs import unpack_archive
 from app.deliveries.models import Archive
 from app.deliveries.rules import ArchiveState
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.db import new_id
 from tests.support.deliver import add_cues, open_delivery, upload
 from tests.support.server import World
@@ -234,7 +234,7 @@ def test_a_second_run_goes_on_where_the_first_was_killed(world: World, monkeypat
     world.server.in_database(lambda session: session.add(row))
     payload = {"archive_id": str(row.id), "event_id": str(new_id())}
     with monkeypatch.context() as patched:
-        patched.setattr(kill, "point", die)
+        patched.setattr(kill_points, "point", die)
         with pytest.raises(Killed):
             unpack_archive(runtime, payload)
     for _ in range(2):

@@ -172,7 +172,7 @@ def test_a_zip_brings_it_too(world: World) -> None:
     delivery = world.designer.get(f"/v1/deliveries/{delivery_id}").json()
     [take] = delivery["takes"]
     told = {entry["path"]: (entry["taken"], entry["reason"]) for entry in delivery["archives"][0]["entries"]}
-    assert told["stems/warp_in__dry.wav"] == (True, "no version of its own: the dry stem of warp_in")
+    assert told["stems/warp_in__dry.wav"] == (True, "not a version: the dry stem of warp_in")
     assert heard(checked(world, take["id"])) == []
 
 
@@ -181,7 +181,7 @@ def test_it_is_given_back_byte_for_byte_to_whoever_hears_the_take(world: World) 
     take = deliver(world, "warp_in.wav", WET)
     give(world, take, DRY)
     path = f"/v1/takes/{take['id']}/dry-stem"
-    for who in (world.designer, world.decider, world.reviewer):
+    for who in (world.designer, world.approver, world.reviewer):
         got = who.get(path)
         assert (got.status_code, got.content) == (200, DRY)
         assert got.headers["content-disposition"] == 'attachment; filename="bounce 7.wav"'
@@ -197,9 +197,9 @@ def test_who_may_not(world: World) -> None:
     for stranger in (world.stranger, world.other_designer):
         assert [stranger.get(path).status_code, stranger.delete(path).status_code] == [404, 404]
         assert stranger.put(path, json=body).status_code == 404
-    for seeing in (world.producer, world.decider):
+    for seeing in (world.producer, world.approver):
         refused = [seeing.put(path, json=body), seeing.delete(path)]
-        assert [(one.status_code, one.json()["code"]) for one in refused] == [(403, "maker-needed")] * 2
+        assert [(one.status_code, one.json()["code"]) for one in refused] == [(403, "own-designer-needed")] * 2
     assert world.designer.put(path, json=body).json()["code"] == "upload-not-found"
     elsewhere = upload(world, open_delivery(world), "x.wav", DRY)
     assert world.designer.put(path, json={"upload_id": elsewhere}).json()["code"] == "upload-not-found"
@@ -276,15 +276,15 @@ def test_beside_a_master_that_cannot_be_read_nothing_is_compared(world: World) -
     assert (check["verdict"], check["is_newest_stem"], check["judgements"]) == ("unreadable", True, {})
 
 
-def test_a_mend_that_puts_the_name_right_keeps_the_stem(world: World) -> None:
+def test_a_fix_that_puts_the_name_right_keeps_the_stem(world: World) -> None:
     [cue] = add_cues(world, {"name": "Airlock cycle"})
     late = wav_bytes(np.concatenate([np.zeros((2_400, 1)), hits(seconds=1.0)]))
     take = deliver(world, "Bounce 7.WAV", late, cue_id=cue["id"])
     give(world, take, wav_bytes(hits(seconds=1.0)), "dry.wav")
     world.server.wait_for_jobs()
-    assert world.designer.post(f"/v1/takes/{take['id']}/mend").status_code == 202
+    assert world.designer.post(f"/v1/takes/{take['id']}/fix").status_code == 202
     world.server.wait_for_jobs()
-    used = world.designer.post(f"/v1/takes/{take['id']}/mend/use")
+    used = world.designer.post(f"/v1/takes/{take['id']}/fix/use")
     assert (used.status_code, used.json()["file_name"]) == (201, "airlock_cycle.wav")
-    mended = checked(world, used.json()["id"])
-    assert (mended["dry_stem"]["file_name"], mended["is_newest_stem"]) == ("dry.wav", True)
+    fixed = checked(world, used.json()["id"])
+    assert (fixed["dry_stem"]["file_name"], fixed["is_newest_stem"]) == ("dry.wav", True)

@@ -9,10 +9,10 @@ from fastapi.testclient import TestClient
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from app.deliveries.cue_sums import views_of
 from app.deliveries.models import CueSums, Take
 from app.deliveries.rules import CHECKABLE, TakeState
-from app.deliveries.sum_rules import SummedTake, Sums
-from app.deliveries.sums import views_of
+from app.deliveries.sum_rules import Sums, TakeForSums
 from app.sound_lists.models import Cue
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -41,7 +41,7 @@ def looked_up(session: Session, project_id: UUID) -> dict[tuple[UUID, UUID], tup
     found = {}
     for cue in session.scalars(select(Cue).where(Cue.project_id == project_id)):
         takes = [
-            SummedTake._make(getattr(take, name) for name in SummedTake._fields)
+            TakeForSums._make(getattr(take, name) for name in TakeForSums._fields)
             for take in session.scalars(select(Take).where(Take.cue_id == cue.id))
         ]
         for viewer_id, sums in views_of(cue.studio_id, takes) if takes else ():
@@ -76,15 +76,15 @@ class Course:
         verdict = self.dice.choice(
             ({"kind": "approve"}, {"kind": "request_change", "text": "later"}, {"kind": "set_aside"})
         )
-        if not _done(self.world.decider, f"/v1/takes/{take}/verdict", verdict):
+        if not _done(self.world.approver, f"/v1/takes/{take}/verdict", verdict):
             return False
         self.judged = take
         if self.dice.random() < 0.3:
-            _done(self.world.decider, f"/v1/projects/{self.world.project_id}/sendings", {"note": ""})
+            _done(self.world.approver, f"/v1/projects/{self.world.project_id}/feedback", {"note": ""})
         return True
 
     def undo(self) -> bool:
-        return self.world.decider.delete(f"/v1/takes/{self.judged}/verdict").status_code == 200
+        return self.world.approver.delete(f"/v1/takes/{self.judged}/verdict").status_code == 200
 
     def match(self) -> bool:
         take, cue = self._any_take(CHECKABLE), self.dice.choice(self.cues)["id"]
@@ -100,7 +100,7 @@ class Course:
 
     def cut(self) -> bool:
         return self.dice.random() < 0.2 and _done(
-            self.world.decider, f"/v1/cues/{self.dice.choice(self.cues)['id']}/cut", {"reason": "not needed"}
+            self.world.approver, f"/v1/cues/{self.dice.choice(self.cues)['id']}/cut", {"reason": "not needed"}
         )
 
     def _any_take(self, states: Collection[TakeState] = (*TakeState,)) -> UUID | None:

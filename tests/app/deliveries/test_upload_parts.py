@@ -13,7 +13,7 @@ from fastapi.testclient import TestClient
 
 from app.kit.runtime import Runtime
 from app.kit.storage import BucketStore, multipart
-from app.kit.storage.patience import Patience
+from app.kit.storage.retry_policy import RetryPolicy
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings
@@ -172,7 +172,7 @@ def on_a_bad_line(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Ite
     with faulty_line(s3) as line, start_blocking_portal() as portal:
         settings["store_url"] = settings["store_url"].replace(s3.endpoint, line.endpoint)
         runtime = Runtime.of(Settings(**settings))
-        hasty = Patience(tries=2, first_pause_s=0.01, connect_s=1.0, silence_s=1.0)
+        hasty = RetryPolicy(tries=2, first_delay_s=0.01, connect_timeout_s=1.0, read_timeout_s=1.0)
         assert runtime.settings.bucket is not None
         store = BucketStore(runtime.settings.bucket, KEY, runtime.store.staging_root, patience=hasty)
         runtime = replace(runtime, store=store)

@@ -15,7 +15,7 @@ import pytest
 from click.testing import Result
 from typer.testing import CliRunner
 
-from app.accounts.doors import DEMO_COOKIE
+from app.accounts.authentication import DEMO_COOKIE
 from app.cli import cli
 from tests.support.waiting import until
 
@@ -102,9 +102,9 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
             "change_requested": 1,
         }  # fmt: skip
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
-        standing = client.get(f"{path}/sound-list/standing").json()
+        standing = client.get(f"{path}/sound-list/progress").json()
         (row,) = [row for row in standing["cues"] if row["cue_id"] == thruster]
-        assert row["worst_finding"]["message"] == "_03 stands 4.0 dB over its set, limit 2 LU"
+        assert row["worst_finding"]["message"] == "_03 is 4.0 LU louder than the rest of its set, limit 2 LU"
         (row,) = [row for row in standing["cues"] if row["worst_finding"] and row["worst_finding"]["code"] == HEARD]
         assert row["worst_finding"]["message"].startswith("reverb of about 1.")
         asked = {row["worst_finding"]["code"] for row in standing["cues"] if row["worst_finding"]}

@@ -9,7 +9,8 @@ import pytest
 
 from app.demo.cues import CUES
 from app.demo.sounds import demo_sounds, warp_in_stem
-from audio_checks import AudioFile, parse_spec, reverb_beside
+from audio_checks import AudioFile, compare_reverb_with_dry, parse_spec
+from audio_checks.judge import judge
 from audio_checks.judge.reverb import judge_decay
 from audio_checks.measure.edges import Edges
 from audio_checks.measure.faults import Faults
@@ -17,12 +18,12 @@ from audio_checks.measure.levels import Levels
 from audio_checks.measure.loudness import Loudness
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.true_peak import TruePeak
-from audio_checks.spec_presets import new_spec
+from audio_checks.spec.presets import new_spec
 
 SOUNDS = demo_sounds()
 SPEC = parse_spec(new_spec("44k1"))  # the preset of the demo's project
 LOOPS = {"engine_idle_loop": 4.0, "amb_bridge_loop": 24.0, "alarm_red_alert": 2.0, "drone_swarm_loop": 6.0}
-MOST_HEAD_SILENCE_MS = {"vo_oath": 50}  # as the spec allows voices
+MAX_HEAD_SILENCE_MS = {"vo_oath": 50}  # as the spec allows voices
 KINDS = {"vo_oath": "voice"}
 MISTAKEN = {
     ("mine_arm", "upsampled"),  # its pips end at 4 kHz, as steeply as a resampler would end them
@@ -116,7 +117,7 @@ def test_it_conforms(figures, key):
     assert found["clipped_runs"] == 0
     assert found["dc_offset_percent"] < 0.05
     if key not in LOOPS:
-        assert found["head_silence_ms"] <= MOST_HEAD_SILENCE_MS.get(key, 1)
+        assert found["head_silence_ms"] <= MAX_HEAD_SILENCE_MS.get(key, 1)
         assert found["tail_silence_ms"] <= 100
 
 
@@ -163,7 +164,7 @@ def test_only_the_arrival_comes_with_reverb(files, tmp_path):
 
 def test_beside_its_stem_the_hall_is_what_was_added(files, tmp_path):
     (tmp_path / "warp_in.wav").write_bytes(files["warp_in"])
-    found = reverb_beside(tmp_path / "warp_in.wav", warp_in_stem().write(tmp_path))
+    found = compare_reverb_with_dry(tmp_path / "warp_in.wav", warp_in_stem().write(tmp_path))
     assert found.verdict == "reverb"
     assert found.figures["rt60_s"] == pytest.approx(1.8, rel=0.2)
 
@@ -176,7 +177,7 @@ def test_only_the_swarm_and_the_oath_are_asked_about(files, tmp_path):
         with AudioFile(path) as file:
             file.prepare(["codec_traces", "mean_spectrum", "decay"])
             for name, kind in (("upsampled", None), ("lossy", None), ("reversed", KINDS.get(key))):
-                judged = file.judgement(name, kind)
+                judged = judge(name, file, kind)
                 if judged.verdict == name:
                     found[key, name] = judged.figures
     assert found["drone_swarm_loop", "upsampled"]["edge_hz"] == pytest.approx(11_000, rel=0.02)

@@ -12,8 +12,8 @@ from anyio.from_thread import start_blocking_portal
 from sqlalchemy.orm import Session
 
 from app import logs
-from app.kit import seats
-from app.kit.db import Database, ensure_open, is_away
+from app.kit import concurrency
+from app.kit.db import Database, ensure_open, is_unavailable
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
@@ -60,14 +60,14 @@ def test_a_line_that_drops_in_the_middle_is_told(world: World, own_postgres: Pos
     with monkeypatch.context() as during:
         during.setattr(queries, "projects_seen", cut)
         asked = world.producer.get("/v1/projects")
-        during.setattr(queries, "standing_facts", cut)
+        during.setattr(queries, "access_facts", cut)
         sent = world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
     assert (asked.status_code, asked.headers["retry-after"]) == (503, "5")
     assert asked.headers["content-type"] == "application/problem+json"
     assert asked.json()["code"] == sent.json()["code"] == "database-away"
-    assert asked.json()["detail"] == "the database does not answer just now"
+    assert asked.json()["detail"] == "the database does not answer"
     assert sent.status_code == 503
-    assert "whether what you sent was kept is not known" in sent.json()["detail"]
+    assert "it is not known whether your change was saved" in sent.json()["detail"]
     assert world.producer.get("/v1/projects").status_code == 200
 
 
@@ -125,7 +125,7 @@ def test_what_is_our_own_fault_is_not_the_databases(world: World, monkeypatch: p
     ],
 )
 def test_which_errors_say_that_it_is_away(raised: psycopg.Error, away: bool):
-    assert is_away(sa.exc.OperationalError("select 1", {}, raised)) is away
+    assert is_unavailable(sa.exc.OperationalError("select 1", {}, raised)) is away
 
 
 def test_a_locked_sqlite_database_is_away_too(tmp_path):
@@ -137,7 +137,7 @@ def test_a_locked_sqlite_database_is_away_too(tmp_path):
             second.exec_driver_sql("pragma busy_timeout = 1")
             with pytest.raises(sa.exc.OperationalError) as busy:
                 second.exec_driver_sql("create table u (x)")
-    assert is_away(busy.value)
+    assert is_unavailable(busy.value)
     one.dispose()
     other.dispose()
 
@@ -155,21 +155,21 @@ def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
 
 
 def test_whoever_waits_too_long_for_a_seat_is_told_so(world: World, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(seats, "LONGEST_WAIT_S", 0.3)
+    monkeypatch.setattr(concurrency, "MAX_WAIT_S", 0.3)
     held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
 
     def open_one(_number: int) -> httpx.Response:
         return world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
 
-    with ThreadPoolExecutor(seats.SEATS + 1) as crowd:
+    with ThreadPoolExecutor(concurrency.MAX_CONCURRENT + 1) as crowd:
         with world.server.runtime.database.writing() as session:
             session.execute(held, {"id": world.project_id})  # whoever has a seat waits for this row
-            coming = [crowd.submit(open_one, number) for number in range(seats.SEATS + 1)]
+            coming = [crowd.submit(open_one, number) for number in range(concurrency.MAX_CONCURRENT + 1)]
             turned_away = next(as_completed(coming, timeout=WITHIN_S)).result()
             assert world.designer.get("/v1/projects").status_code == 200, "who reads has other seats"
         statuses = sorted(one.result(WITHIN_S).status_code for one in coming)
-    assert (turned_away.json()["code"], turned_away.headers["Retry-After"]) == ("crowded", "5")
-    assert statuses == [201] * seats.SEATS + [503]
+    assert (turned_away.json()["code"], turned_away.headers["Retry-After"]) == ("overloaded", "5")
+    assert statuses == [201] * concurrency.MAX_CONCURRENT + [503]
     assert open_one(0).status_code == 201, "the seats are free again"
 
 
@@ -186,13 +186,13 @@ def test_an_upload_gives_way_to_whoever_is_being_served_but_not_for_long(world: 
             session.execute(held, {"id": world.project_id})
             person = crowd.submit(world.designer.post, f"/v1/projects/{world.project_id}/deliveries", json={})
             time.sleep(AT_IT_S)
-            monkeypatch.setattr(seats, "GIVES_WAY_S", 60.0)
+            monkeypatch.setattr(concurrency, "YIELD_TO_PEOPLE_S", 60.0)
             first = crowd.submit(begin)
             time.sleep(AT_IT_S)
             assert not first.done(), "it waits for the person"
             assert world.designer.get("/v1/projects").status_code == 200, "people do not"
         assert (person.result(WITHIN_S).status_code, first.result(WITHIN_S)) == (201, 201)
-        monkeypatch.setattr(seats, "GIVES_WAY_S", 0.01)
+        monkeypatch.setattr(concurrency, "YIELD_TO_PEOPLE_S", 0.01)
         with world.server.runtime.database.writing() as session:
             session.execute(held, {"id": world.project_id})
             person = crowd.submit(world.designer.post, f"/v1/projects/{world.project_id}/deliveries", json={})

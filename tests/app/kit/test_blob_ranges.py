@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.kit.blob_answer import _span
+from app.kit.blob_response import _span
 
 
 @pytest.mark.parametrize(

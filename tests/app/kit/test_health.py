@@ -40,7 +40,7 @@ def asked(runtime: Runtime) -> tuple[int, dict[str, str]]:
 def test_without_a_worker_the_server_is_not_ready(runtime: Runtime):
     status, parts = asked(runtime)
     assert status == 503
-    assert parts.pop("worker") == "no worker has said for 20 s that it lives; start one with: soundlist worker"
+    assert parts.pop("worker") == "no worker has sent a heartbeat for 20 s; start one with: soundlist worker"
     assert parts == {"status": "not ready", **dict.fromkeys(PARTS - {"worker"}, "ok")}
 
 

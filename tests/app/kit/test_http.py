@@ -5,14 +5,14 @@ from uuid import uuid4
 from tests.support.server import RunningServer, World
 
 
-def open_project(world: World, key: str, name: str = "Twin"):
+def create_project(world: World, key: str, name: str = "Twin"):
     body = {"studio_id": str(world.studio_id), "name": name, "cue_prefix": "TW", "preset": "48k"}
     return world.producer.post("/v1/projects", json=body, headers={"Idempotency-Key": key})
 
 
 def test_the_same_key_does_the_work_once_and_answers_alike(world: World):
     key = str(uuid4())
-    first, second = open_project(world, key), open_project(world, key)
+    first, second = create_project(world, key), create_project(world, key)
     assert first.status_code == second.status_code == 201
     assert first.json() == second.json()
     assert second.headers["Idempotent-Replayed"] == "true"
@@ -22,24 +22,24 @@ def test_the_same_key_does_the_work_once_and_answers_alike(world: World):
 
 def test_a_key_belongs_to_one_request(world: World):
     key = str(uuid4())
-    open_project(world, key)
-    other = open_project(world, key, name="Another")
+    create_project(world, key)
+    other = create_project(world, key, name="Another")
     assert (other.status_code, other.json()["code"]) == (409, "idempotency-key-reused")
 
 
 def test_a_key_belongs_to_one_caller(world: World):
     key = str(uuid4())
-    open_project(world, key)
+    create_project(world, key)
     body = {"studio_id": str(world.studio_id), "name": "Twin", "cue_prefix": "TW", "preset": "48k"}
     assert world.stranger.post("/v1/projects", json=body, headers={"Idempotency-Key": key}).status_code == 404
 
 
-def test_a_refused_request_may_come_again_mended(world: World):
+def test_a_refused_request_may_come_again_fixed(world: World):
     key = str(uuid4())
-    refused = open_project(world, key, name="")
+    refused = create_project(world, key, name="")
     assert refused.status_code == 422
     assert refused.json()["errors"] == [{"where": "name", "message": "this must not be empty"}]
-    assert open_project(world, key).status_code == 201
+    assert create_project(world, key).status_code == 201
 
 
 def test_a_refusal_is_a_problem_that_names_every_field(world: World):
@@ -48,7 +48,7 @@ def test_a_refusal_is_a_problem_that_names_every_field(world: World):
     problem = answer.json()
     assert problem["code"] == "invalid-request"
     told = {error["where"]: error["message"] for error in problem["errors"]}
-    assert told["studio_id"] == "this is missing"
+    assert told["studio_id"] == "this is required"
     assert "name" in told
     assert problem["request_id"] == answer.headers["x-request-id"]
 

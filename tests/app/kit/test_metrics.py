@@ -100,7 +100,7 @@ def enqueue(runtime: Runtime, *, fails: bool, studio_id=None) -> str:
 
 
 def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServer, told, monkeypatch):
-    monkeypatch.setattr(queue, "PAUSES_S", (0.01,))
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", (0.01,))
     runtime, before, studio_id = server.runtime, told(), uuid4()
     enqueue(runtime, fails=False)
     enqueue(runtime, fails=True, studio_id=studio_id)
@@ -155,7 +155,7 @@ def test_a_worker_tells_its_figures_on_a_port_of_its_own(own_port: metrics.Metri
 
 
 def test_a_port_that_is_taken_is_said_in_words(own_port: metrics.MetricsServer):
-    with pytest.raises(metrics.CannotListen, match=f"127.0.0.1:{own_port.port}.*SOUNDLIST_METRICS_PORT of its own"):
+    with pytest.raises(metrics.CannotListen, match=f"127.0.0.1:{own_port.port}.*its own SOUNDLIST_METRICS_PORT"):
         metrics.MetricsServer("127.0.0.1", own_port.port, TOKEN, [])
 
 
@@ -243,4 +243,4 @@ def test_what_a_job_asks_for_carries_the_same_id(server: RunningServer, world: W
         return {each["job"] for each in told if each.get("request_id") == "one-click-many-jobs"}
 
     # the mail is asked for by the job that the new revision asked for
-    until(lambda: ended() >= {"notifications.tell_list_revised"})
+    until(lambda: ended() >= {"notifications.notify_list_revised"})

@@ -11,9 +11,10 @@ import pytest
 from fastapi import Request
 
 from app import rooms
+from app.kit.db import new_id
 from app.kit.errors import Invalid
 from app.kit.parsing import Parsers
-from app.kit.parsing_turns import AT_ONCE, MOST_OF_ONE_CALLER, MOST_WAITING, ParsingBusy, parse_request
+from app.kit.parsing_queue import MAX_CONCURRENT, MAX_PER_CALLER, MAX_WAITING, ParsingBusy, parse_request
 from app.kit.reach import Reach
 from app.kit.runtime import Runtime
 from app.sound_lists.errors import SheetUnreadable
@@ -87,12 +88,12 @@ def _request_of(person: int, slow: _Slow) -> Request:
     scope = {"type": "http", "app": type("App", (), {"state": type("State", (), {})()})(), "headers": []}
     request = Request(scope)
     request.app.state.runtime = type("Runtime", (), {"parsers": slow, "database": _Database()})()
-    request.state.asking = lambda: None
+    request.state.lazy_authentication = lambda: None
     request.state.reach = Reach(person_id=person)  # type: ignore[arg-type]
     return request
 
 
-@pytest.mark.parametrize(("persons", "served"), [(1, MOST_OF_ONE_CALLER), (40, AT_ONCE + MOST_WAITING)])
+@pytest.mark.parametrize(("persons", "served"), [(1, MAX_PER_CALLER), (40, MAX_CONCURRENT + MAX_WAITING)])
 def test_a_flood_is_refused_and_the_rest_are_served_in_turn(persons: int, served: int):
     slow = _Slow()
     answers: list[str] = []
@@ -100,11 +101,14 @@ def test_a_flood_is_refused_and_the_rest_are_served_in_turn(persons: int, served
     async def ask(person: int) -> None:
         try:
             request = _request_of(person, slow)
-            answers.append(await parse_request(request, parse_text, refusal=SheetUnreadable, permit=lambda *_: None))
+            parsed = await parse_request(
+                request, parse_text, refusal=SheetUnreadable, permit=lambda *_: None, whose=new_id()
+            )
+            answers.append(parsed)
         except ParsingBusy:
             answers.append("busy")
             if answers.count("busy") == 40 - served:
-                while slow.now < AT_ONCE:
+                while slow.now < MAX_CONCURRENT:
                     await anyio.sleep(0.01)
                 slow.go.set()
 
@@ -114,7 +118,7 @@ def test_a_flood_is_refused_and_the_rest_are_served_in_turn(persons: int, served
                 group.start_soon(ask, place % persons)
 
     anyio.run(flood)
-    assert (answers.count("parsed"), slow.most) == (served, AT_ONCE)
+    assert (answers.count("parsed"), slow.most) == (served, MAX_CONCURRENT)
 
 
 def test_a_runtime_ends_its_parsers(tmp_path):

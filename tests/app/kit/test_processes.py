@@ -18,18 +18,18 @@ PROGRAM = """
 import os, sys
 from app.kit import processes
 
-processes.SETTLED_S = float(sys.argv[1])
+processes.MIN_UPTIME_S = float(sys.argv[1])
 kept = processes.listener("127.0.0.1", 0, shared=True)
 print(kept.getsockname()[1], flush=True)
 
 
 def work(place):
-    listening = processes.beside(kept)
+    listening = processes.shared_listener(kept)
     listening.listen()
     {work}
 
 
-sys.exit(processes.Siblings(work, 2).run())
+sys.exit(processes.PreforkSupervisor(work, 2).run())
 """
 TELL_WHO = """
     while True:

@@ -4,7 +4,9 @@ import inspect
 import json
 import re
 import time
+import tomllib
 from datetime import UTC, datetime, timedelta
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -17,7 +19,7 @@ from dbos._serialization import DefaultSerializer
 
 from app import worker
 from app.kit import job_format, queue, workers
-from app.kit.db import new_id
+from app.kit.db import Database, new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
 from tests.support.server import RunningServer
@@ -44,7 +46,7 @@ def fail_while_broken(_runtime: Runtime, payload: queue.Payload) -> None:
 @pytest.fixture
 def runtime(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Runtime:
     """The running server's; its worker runs these jobs too, with short pauses between attempts."""
-    monkeypatch.setattr(queue, "PAUSES_S", (0.01, 0.01))
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", (0.01, 0.01))
     server.wait_for_jobs()
     calls.clear()
     return server.runtime
@@ -116,7 +118,7 @@ def test_what_keeps_failing_is_parked_with_its_reason_and_runs_when_retried(runt
 
 
 def test_a_job_that_failed_once_waits_without_holding_up_others(runtime: Runtime, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(queue, "PAUSES_S", (3600.0,))
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", (3600.0,))
     broken["is"] = True
     for number in range(4):  # more than run at once
         enqueue(runtime, "tests.fail_while_broken", f"fails {number}")
@@ -262,6 +264,12 @@ def test_a_pickle_that_would_run_code_is_refused_and_others_go_on(runtime: Runti
     assert not written.exists()
 
 
+def test_the_private_method_that_we_replace_is_that_of_the_version_pinned():
+    project = tomllib.loads((Path(__file__).parents[3] / "pyproject.toml").read_text())["project"]
+    assert f"dbos=={version('dbos')}" in project["optional-dependencies"]["server"]
+    assert len(inspect.signature(DefaultSerializer.deserialize).parameters) == 2, "itself, and what is stored"
+
+
 def test_every_pickle_that_dbos_reads_is_read_by_ours():
     package = Path(dbos.__file__).parent
     importing = [path.name for path in package.rglob("*.py") if re.search(r"import (c?pickle|dill)", path.read_text())]
@@ -271,12 +279,13 @@ def test_every_pickle_that_dbos_reads_is_read_by_ours():
     assert DefaultSerializer.deserialize is job_format._read
 
 
-def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer):
+def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer, tmp_path: Path):
     if not runtime.database.is_sqlite:
         pytest.skip("SQLite's own")
     assert server.worker is not None
     synced = []
-    for engine in (runtime.database.engine, server.worker._dbos._sys_db.engine):
+    as_served = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")  # the server of tests syncs nothing
+    for engine in (as_served.engine, server.worker._dbos._sys_db.engine):
         with engine.connect() as connection:
             synced.append(connection.exec_driver_sql("PRAGMA synchronous").scalar_one())
     assert synced == [2, 1], "FULL and NORMAL"
@@ -288,7 +297,7 @@ def test_a_seat_that_falls_free_is_filled_at_once(
     """Where work waits nobody pauses for the next look."""
     assert server.worker is not None
     with monkeypatch.context() as rare:
-        rare.setattr(workers, "LOOK_EVERY_S", 3600.0)
+        rare.setattr(workers, "POLL_EVERY_S", 3600.0)
         rare.setattr(workers, "IDLE_LOOK_EVERY_S", 3600.0)
         enqueue_many(runtime, *((new_id(), queue.NORMAL, f"one of {number}") for number in range(20)))
         until(lambda: len(calls) == 20)
@@ -306,9 +315,9 @@ def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
             return set(session.scalars(sa.select(jobs.c.workflow_uuid).where(jobs.c.workflow_uuid.like("key of %"))))
 
     now = queue.clock.now()
-    runtime.queue.forget_done(now - queue.timedelta(days=1))
+    runtime.queue.delete_finished(now - queue.timedelta(days=1))
     assert {"key of long ago", "key of waits"} <= kept()
-    until(lambda: runtime.queue.forget_done(now + queue.timedelta(days=1)))
+    until(lambda: runtime.queue.delete_finished(now + queue.timedelta(days=1)))
     assert "key of waits" in kept()
     assert "key of long ago" not in kept()
 
@@ -319,7 +328,7 @@ def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypat
     with monkeypatch.context() as then:
         then.setattr(worker.clock, "now", lambda: datetime(2001, 1, 1, tzinfo=UTC))  # a turn of this test's own
         for _ in range(4):
-            worker.ask_for_chores(runtime)
+            worker.request_chores(runtime)
     until(lambda: done)
     enqueue(runtime, "tests.note", "after")
     until(lambda: "after" in calls)
@@ -328,5 +337,5 @@ def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypat
 
 def test_the_longest_silence_allowed_is_over_within_half_a_minute():
     longest_s = next(limit.le for limit in Settings.model_fields["worker_silent_s"].metadata if hasattr(limit, "le"))
-    beat_s = longest_s / workers.BEATS_WHILE_SILENT
+    beat_s = longest_s / workers.BEATS_UNTIL_SILENT
     assert beat_s + longest_s + beat_s <= 30, "since the last beat: until it is noticed, and until others look"

@@ -1,10 +1,10 @@
 """A process remembers so much and no more."""
 
-from app.kit.remembered import Remembered
+from app.kit.lru_cache import LRUCache
 
 
 def test_what_was_not_asked_for_longest_is_forgotten():
-    remembered: Remembered[str, int] = Remembered(2)
+    remembered: LRUCache[str, int] = LRUCache(2)
     remembered.keep("laser", 1)
     remembered.keep("door", 2)
     assert remembered.get("laser") == 1

@@ -51,7 +51,7 @@ def pieces(content: bytes, length: int = 300_000) -> Iterator[bytes]:
         yield content[start : start + length]
 
 
-def left_over(store: Store) -> list[Path]:
+def orphaned(store: Store) -> list[Path]:
     return [path for path in store.staging_root.glob(".*") if path.is_file()]
 
 
@@ -65,7 +65,7 @@ def test_what_is_put_is_given_back(store: Store, content: bytes, tmp_path: Path)
         assert path.read_bytes() == content
     with store.open(STUDIO, stored.sha256) as file:
         assert file.read(1000) + file.read() == content
-    assert left_over(store) == []
+    assert orphaned(store) == []
 
 
 def test_a_file_is_stored_and_stays(store: Store, tmp_path: Path):
@@ -80,8 +80,12 @@ def test_what_is_made_in_a_folder_of_the_store_is_kept_when_that_is_gone(store: 
     with store.making() as folder:
         made = folder / "render.wav"
         made.write_bytes(content)
-        stored = store.keep_made(STUDIO, made)
-        assert store.keep_made(STUDIO, made) == stored == StoredBlob(hashlib.sha256(content).hexdigest(), len(content))
+        (folder / "ab").mkdir()  # as deep as a blob lies, and none
+        (folder / "ab" / "part.wav").write_bytes(content)
+        stored = store.save_renders(STUDIO, made)
+        assert (
+            store.save_renders(STUDIO, made) == stored == StoredBlob(hashlib.sha256(content).hexdigest(), len(content))
+        )
         assert made.read_bytes() == content
         assert list(store.blobs()) == [(STUDIO, stored)]
     assert store.read(STUDIO, stored.sha256) == content
@@ -119,7 +123,7 @@ def test_what_is_missing_is_said_before_a_byte_is_given(store: Store):
         store.open(STUDIO, SHA256)
     with pytest.raises(BlobMissing), store.local_copy(STUDIO, SHA256):
         pass
-    assert left_over(store) == []
+    assert orphaned(store) == []
 
 
 def test_many_sizes_are_asked_at_once(store: Store):
@@ -134,14 +138,14 @@ def test_chunks_that_break_off_leave_nothing_behind(store: Store):
 
     with pytest.raises(ZeroDivisionError):
         store.put(STUDIO, broken())
-    assert left_over(store) == []
+    assert orphaned(store) == []
     assert list(store.blobs()) == []
 
 
 def test_ready_means_written_read_and_let_go(store: Store):
     store.ensure_ready()
     assert list(store.blobs()) == []
-    assert left_over(store) == []
+    assert orphaned(store) == []
 
 
 def test_a_folder_that_cannot_be_written_to_is_said_in_words(tmp_path: Path):
@@ -172,7 +176,7 @@ class TestBucket:
         stored.write_bytes(CONTENT[:-1])
         with pytest.raises(BlobAltered, match="5119999 bytes long, not 5120000"):
             store.put(STUDIO, [CONTENT])
-        assert left_over(store) == []
+        assert orphaned(store) == []
 
     def test_what_is_under_a_hash_is_never_put_again(self, s3: S3Server, tmp_path: Path):
         bucket = s3.new_bucket()

@@ -9,7 +9,7 @@ import pytest
 
 from app.kit.db import new_id
 from app.kit.storage import BucketStore, StoreUnavailable, multipart
-from app.kit.storage.patience import Patience
+from app.kit.storage.retry_policy import RetryPolicy
 from tests.support.s3 import KEY, FaultyLine, S3Server, faulty_line
 
 STUDIO = new_id()
@@ -18,7 +18,7 @@ SHA256 = hashlib.sha256(CONTENT).hexdigest()
 PART_BYTES = 5 << 20  # the least that S3 takes
 LARGE = CONTENT * 2  # two parts of an upload
 LARGE_SHA256 = hashlib.sha256(LARGE).hexdigest()
-HASTY = Patience(tries=3, first_pause_s=0.01, longest_pause_s=0.02, connect_s=2.0, silence_s=1.0)
+HASTY = RetryPolicy(tries=3, first_delay_s=0.01, max_delay_s=0.02, connect_timeout_s=2.0, read_timeout_s=1.0)
 READING, WRITING = "GET", "PUT|POST"
 FLEETING = ["503", "refused", "silent"]
 
@@ -123,7 +123,7 @@ def test_a_slow_line_is_no_failure_while_it_moves(store: BucketStore, line: Faul
     line.asked.clear()
     begun = time.monotonic()
     assert store.read(STUDIO, SHA256) == CONTENT
-    assert time.monotonic() - begun > HASTY.silence_s
+    assert time.monotonic() - begun > HASTY.read_timeout_s
     assert len(line.asked) == 1
 
 

@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from app.kit import clock, kill
+from app.kit import clock, kill_points
 from app.kit.db import Base, Database, new_id
 from app.kit.storage import BucketStore, FolderStore, multipart
 from app.kit.uploads import (
@@ -218,7 +218,7 @@ def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
 
     upload = send(begun(incoming))
     with monkeypatch.context() as patched:
-        patched.setattr(kill, "point", die)
+        patched.setattr(kill_points, "point", die)
         with pytest.raises(Killed):
             incoming.finish_parts(upload)
     assert hits == [point]
@@ -243,7 +243,7 @@ def test_a_second_who_finishes_waits_its_turn(incoming, send, store, monkeypatch
                 incoming.finish_parts(upload)
             refused.append(name)
 
-    monkeypatch.setattr(kill, "point", finish_too)
+    monkeypatch.setattr(kill_points, "point", finish_too)
     assert incoming.finish_parts(upload).sha256 == SHA256
     assert refused
 
@@ -310,7 +310,7 @@ def test_the_sweep_takes_what_expired_and_nothing_else(s3, bucket, incoming, sen
     assert nobodys.multipart_id not in str(left)
     with pytest.raises(UploadNotFound):
         found(incoming, fresh)
-    monkeypatch.setattr(staged, "LEFT_OVER_AFTER", timedelta(seconds=-60))
+    monkeypatch.setattr(staged, "ORPHANED_AFTER", timedelta(seconds=-60))
     assert incoming.sweep() == 1
     assert list(store.multipart.unfinished("")) == []
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.db import Base, Database, new_id
 from app.kit.errors import Conflict
 from app.kit.storage import FolderStore
@@ -23,6 +23,7 @@ from app.kit.uploads import (
     Checksum,
     ChecksumMismatch,
     OffsetMismatch,
+    Pace,
     StoreFull,
     Upload,
     UploadBusy,
@@ -140,18 +141,41 @@ def test_a_broken_line_keeps_what_came(incoming: Uploads, store: FolderStore) ->
     assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
 
 
-def test_a_silent_sender_frees_the_upload(incoming: Uploads, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(uploads, "SILENT_FOR_S", 0.05)
+@pytest.mark.parametrize("pause_s", [5.0, 0.05], ids=["silent", "trickling"])
+def test_a_slow_sender_frees_the_upload(database: Database, store: FolderStore, pause_s: float) -> None:
+    incoming = Uploads(database, store, pace=Pace(bytes_per_s=1_000, window_s=0.3))
 
-    async def mumbling() -> AsyncIterator[bytes]:
-        yield CONTENT[:10]
-        await asyncio.sleep(5)
+    async def slow() -> AsyncIterator[bytes]:
+        for at in range(0, len(CONTENT), 10):
+            yield CONTENT[at : at + 10]
+            await asyncio.sleep(pause_s)
 
     upload = begun(incoming)
-    with pytest.raises(UploadStalled):
-        asyncio.run(incoming.receive(upload, 0, mumbling()))
-    assert incoming.offset(upload) == 10
-    assert send(incoming, upload, 10, CONTENT[10:]).sha256 == SHA256
+    with pytest.raises(UploadStalled, match=r"bytes came in 0.3 s; an upload sends 300 or more"):
+        asyncio.run(incoming.receive(upload, 0, slow()))
+    here = incoming.offset(upload)
+    assert 10 <= here < 300
+    assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
+
+
+def test_a_sender_at_the_minimum_rate_is_waited_for(database: Database, store: FolderStore) -> None:
+    incoming = Uploads(database, store, pace=Pace(bytes_per_s=100, window_s=0.5))
+
+    async def steady() -> AsyncIterator[bytes]:
+        for at in range(0, 1_000, 100):  # 1 s in all: two windows; on average 1,000 bytes a second
+            yield CONTENT[at : at + 100]
+            await asyncio.sleep(0.1)
+
+    upload = asyncio.run(incoming.receive(begun(incoming, 1_000), 0, steady()))
+    assert upload.sha256 == hashlib.sha256(CONTENT[:1_000]).hexdigest()
+
+
+def test_the_time_to_write_is_not_the_senders(
+    database: Database, store: FolderStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(uploads, "_write", lambda *given, write=uploads._write: (time.sleep(0.3), write(*given)))
+    incoming = Uploads(database, store, pace=Pace(bytes_per_s=100 << 20, window_s=0.2))  # 20 MiB in 0.2 s
+    assert send(incoming, begun(incoming), 0, CONTENT).sha256 == SHA256  # five slow writes
 
 
 def test_a_second_writer_is_told_to_wait(incoming: Uploads) -> None:
@@ -262,7 +286,7 @@ def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
 
     upload = begun(incoming)
     with monkeypatch.context() as patched:
-        patched.setattr(kill, "point", die)
+        patched.setattr(kill_points, "point", die)
         with pytest.raises(Killed):
             send(incoming, upload, 0, CONTENT)
     assert hits == [point]
@@ -322,8 +346,8 @@ def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store:
     for folder in (half_made, being_made):
         folder.mkdir()
         (folder / "render.wav").write_bytes(b"half")
-    for left_over in (crashed_put, half_made):
-        grow_old(left_over, uploads.LEFT_OVER_AFTER.total_seconds() + 60)
+    for orphaned in (crashed_put, half_made):
+        grow_old(orphaned, uploads.ORPHANED_AFTER.total_seconds() + 60)
     with paths[str(busy.id)].open("rb") as held:
         fcntl.flock(held, fcntl.LOCK_EX)
         assert incoming.sweep() == 3

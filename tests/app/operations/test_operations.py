@@ -10,10 +10,10 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app.accounts.models import Operator
-from app.builds.models import PackedFile, SealedPack, StandIn
+from app.builds.models import PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind
-from app.conformance.models import Mend
-from app.conformance.rules import MendState
+from app.conformance.models import Fix
+from app.conformance.rules import FixState
 from app.kit import queue
 from app.kit.runtime import Runtime
 from app.renders.models import MasterExport, Picture, Reel, Render
@@ -43,14 +43,14 @@ def hold(_runtime: Runtime, _payload: queue.Payload) -> None:
 
 @pytest.fixture(autouse=True)
 def _no_second_tries(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(queue, "PAUSES_S", ())
+    monkeypatch.setattr(queue, "RETRY_DELAYS_S", ())
     broken["is"] = True
     ran.clear()
 
 
 @pytest.fixture
 def operator(world: World) -> TestClient:
-    """The browser of who runs the server, and is a member of no studio."""
+    """The browser of an operator who is a member of no studio."""
     world.server.in_database(lambda session: session.add(Operator(person_id=world.other_designer_id)))
     return world.other_designer
 
@@ -141,7 +141,7 @@ def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World,
 
 def test_who_does_not_run_the_server_is_told_so(world: World, operator: TestClient) -> None:
     key = enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S)
-    for who in (world.producer, world.decider, world.designer, world.stranger):
+    for who in (world.producer, world.approver, world.designer, world.stranger):
         for answer in (
             who.get("/v1/operations"),
             who.get("/v1/operations/storage"),
@@ -159,7 +159,9 @@ def test_without_operators_nobody_is_one(world: World) -> None:
     assert "soundlist operators add ADDRESS" in answer.json()["fix"]
 
 
-@pytest.mark.parametrize(("who", "status"), [("decider", 403), ("reviewer", 403), ("designer", 404), ("stranger", 404)])
+@pytest.mark.parametrize(
+    ("who", "status"), [("approver", 403), ("reviewer", 403), ("designer", 404), ("stranger", 404)]
+)
 def test_only_a_producer_sees_a_studios_operations(world: World, who: str, status: int) -> None:
     client: TestClient = getattr(world, who)
     for path in ("operations", "storage", "jobs"):
@@ -294,7 +296,7 @@ def test_what_is_delivered_twice_is_kept_once(
 def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str, Any]]) -> None:
     stage = Stage(world)
     cue_id = stage.cue("shield_hit")
-    take_id, mended_id = stage.take(cue_id, is_drawn=False), stage.take(cue_id, is_drawn=False)
+    take_id, fixed_id = stage.take(cue_id, is_drawn=False), stage.take(cue_id, is_drawn=False)
     tenant = {"studio_id": world.studio_id, "project_id": world.project_id}
     letters = iter("bcdefghijk")
 
@@ -302,18 +304,18 @@ def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str
         def file(size_bytes: int) -> dict[str, Any]:
             return {"sha256": next(letters) * 64, "file_bytes": size_bytes}
 
-        def mend(key: str, size_bytes: int, **used: Any) -> Mend:
+        def fix(key: str, size_bytes: int, **used: Any) -> Fix:
             sha256 = next(letters) * 64
-            return Mend(**tenant, take_id=take_id, key=key, state=MendState.MADE, sha256=sha256,
-                        mended_bytes=size_bytes, **used)  # fmt: skip
+            return Fix(**tenant, take_id=take_id, key=key, state=FixState.MADE, sha256=sha256,
+                        fixed_bytes=size_bytes, **used)  # fmt: skip
 
         session.add(Picture(studio_id=world.studio_id, sound_sha256="x", drawn_bytes=70))
         session.add(Picture(studio_id=world.studio_id, sound_sha256="y", drawn_bytes=None))  # drawn before it was noted
-        session.add(mend("waits", 50))
-        session.add(mend("used", 60, used_by=world.designer_id, new_take_id=mended_id))
+        session.add(fix("waits", 50))
+        session.add(fix("used", 60, used_by=world.designer_id, new_take_id=fixed_id))
         session.add(Reel(**tenant, cue_id=cue_id, key="reel", gap_ms=0, crossfade_ms=0, with_slates=False,
                          file_name="reel.wav", **file(40)))  # fmt: skip
-        session.add(StandIn(**tenant, cue_id=cue_id, variation=1, target="game", key="k", **file(30)))
+        session.add(PlaceholderFile(**tenant, cue_id=cue_id, variation=1, target="game", key="k", **file(30)))
         session.add(MasterExport(**tenant, take_id=take_id, key="k", provenance={}, file_name="m.wav", **file(20)))
         pack = SealedPack(**tenant, target="game", number=1, sealed_by=world.producer_id)
         session.add(pack)
@@ -326,10 +328,10 @@ def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str
     assert kinds(kept()) == {
         "masters": (2, 2_000),
         "drawings": (1, 70),
-        "mends": (1, 50),
+        "fixes": (1, 50),
         "reels": (1, 40),
         "exports": (1, 20),
-        "stand_ins": (1, 30),
+        "placeholder_files": (1, 30),
         "documents": (1, 10),
     }
 

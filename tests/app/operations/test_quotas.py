@@ -7,6 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from app import cli
+from app.accounts.models import Operator
 from app.accounts.quotas import DEFAULTS, QuotaKind, set_limit
 from app.accounts.rules import Role
 from app.deliveries import upload_quotas
@@ -20,7 +21,7 @@ SOUND = b"no sound, but bytes"
 def _counted_anew(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(upload_quotas, "COUNTED_EVERY_S", -1.0)
     yield
-    upload_quotas.forget_counts()
+    upload_quotas.reset_counts()
 
 
 def limit(world: World, kind: QuotaKind, most: int | None) -> None:
@@ -42,7 +43,7 @@ def add_cue(world: World) -> Any:
     return world.producer.post(f"/v1/projects/{world.project_id}/cues", json={"cues": [{"name": "Door"}]})
 
 
-def open_project(world: World) -> Any:
+def create_project(world: World) -> Any:
     body = {"studio_id": str(world.studio_id), "name": "Next", "cue_prefix": "NX"}
     return world.producer.post("/v1/projects", json=body)
 
@@ -61,7 +62,7 @@ ACTS: list[tuple[QuotaKind, Callable[[World], Any], int, int]] = [
     (QuotaKind.MASTER_BYTES, send, len(SOUND) - 1, 507),
     (QuotaKind.OPEN_UPLOADS, begin, 0, 409),
     (QuotaKind.CUES, add_cue, 0, 409),
-    (QuotaKind.PROJECTS, open_project, 1, 409),
+    (QuotaKind.PROJECTS, create_project, 1, 409),
     (QuotaKind.PEOPLE, invite, 3, 409),
     (QuotaKind.TOKENS, token, 0, 409),
 ]
@@ -103,6 +104,21 @@ def test_the_producer_sees_use_and_limit(world: World) -> None:
         "open_uploads": (0, DEFAULTS[QuotaKind.OPEN_UPLOADS]),
     }
     assert (world.reviewer.get(url).status_code, world.stranger.get(url).status_code) == (403, 404)
+
+
+def test_the_operator_sees_who_is_near(world: World) -> None:
+    add_cues(world, {"name": "Door"}, {"name": "Gate"})
+    limit(world, QuotaKind.CUES, 2)
+    operator = world.signed_in(world.approver_id)
+    assert operator.get("/v1/operations/quotas").status_code == 403
+    world.server.in_database(lambda session: session.add(Operator(person_id=world.approver_id)))
+    shown = operator.get("/v1/operations/quotas").json()
+    (own,) = [studio for studio in shown if studio["studio_id"] == str(world.studio_id)]
+    assert own["quotas"][0] == {"kind": "cues", "used": 2, "limit": 2, "default": DEFAULTS[QuotaKind.CUES]}
+    assert {one["kind"] for one in own["quotas"]} == set(QuotaKind)
+    nearest = [one["used"] / one["limit"] if one["limit"] else 1e9 for one in (studio["quotas"][0] for studio in shown)]
+    assert nearest == sorted(nearest, reverse=True)
+    assert len(shown) > 1, "studios of which the operator is no member"
 
 
 def test_uploads_leave_the_reserve_of_the_disk_and_the_database_goes_on(

@@ -5,7 +5,7 @@ import pytest
 from httpx import Response
 from sqlalchemy import select
 
-from app.accounts.doors import sha256_of
+from app.accounts.authentication import sha256_of
 from app.kit import clock
 from app.notifications.models import Mail
 from app.projects.errors import InvitationNotFound
@@ -108,7 +108,7 @@ def test_guessing_a_password_by_a_link_is_slowed_down(server: RunningServer, wor
 
 def test_who_invites(world: World) -> None:
     body = {"email": address()}
-    assert world.decider.post(invitations_path(world), json=body).status_code == 201  # a liaison
+    assert world.approver.post(invitations_path(world), json=body).status_code == 201  # a liaison
     for browser in (world.reviewer, world.designer):
         assert browser.post(invitations_path(world), json=body).json()["code"] == "team-needed"
         assert browser.get(invitations_path(world)).status_code == 403
@@ -183,7 +183,7 @@ def test_an_ended_engagement_is_not_taken_up_by_the_old_link(server: RunningServ
     browser = server.browser()
     engagement = browser.post(f"/v1/invitations/{secret}/accept", json=NEWCOMER).json()["engagement"]
     path = f"/v1/projects/{world.project_id}/engagements/{engagement['id']}"
-    assert world.decider.patch(path, json={"ended": True}).json()["code"] == "producer-needed"
+    assert world.approver.patch(path, json={"ended": True}).json()["code"] == "producer-needed"
     assert world.producer.patch(path, json={"ended": True}).json()["ended_at"] is not None
     assert browser.get(f"/v1/projects/{world.project_id}").status_code == 404
     assert not is_good(server, secret)

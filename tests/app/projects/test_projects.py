@@ -5,8 +5,15 @@ import sqlalchemy as sa
 from httpx import Response
 
 from app.accounts.queries import actor_for_person
-from app.projects.service import open_project
+from app.projects.service import create_project
+from tests.support.links import secret_for
 from tests.support.server import RunningServer, World
+
+PASSWORD = "four-unrelated-words"
+
+
+def address() -> str:
+    return f"{uuid4().hex}@example.test"
 
 
 def project_path(world: World, rest: str = "") -> str:
@@ -22,12 +29,12 @@ def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> N
     project = add_project(world, description="A station under the ice.", preset="48k").json()
     assert (project["name"], project["cue_prefix"], project["spec_version"]) == ("Deep Station", "DS", 1)
     assert project["studio"] == {"id": str(world.studio_id), "name": "Test studio"}
-    assert project["decider"]["name"] == "Producer"  # whoever opened it, until somebody is named
+    assert project["approver"]["name"] == "Producer"  # whoever opened it, until somebody is named
     assert project["mine"] == {
         "is_team": True,
         "is_producer": True,
         "is_liaison": False,
-        "is_decider": True,
+        "is_approver": True,
         "engagement_kind": None,
         "nda_open": False,
     }
@@ -99,7 +106,7 @@ def test_the_list_is_paged_and_put_away_projects_are_apart(server: RunningServer
     with server.runtime.database.writing() as session:
         actor = actor_for_person(session, world.producer_id)
         for number in range(60):
-            open_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
+            create_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
     first = world.producer.get("/v1/projects").json()
     second = world.producer.get("/v1/projects", params={"cursor": first["next"]}).json()
     names = [project["name"] for project in first["items"] + second["items"]]
@@ -121,7 +128,7 @@ def test_the_list_takes_as_many_selects_for_many_projects_as_for_one(server: Run
     with server.runtime.database.writing() as session:
         actor = actor_for_person(session, world.producer_id)
         for number in range(5):
-            open_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
+            create_project(session, actor, world.studio_id, name=f"Project {number}", cue_prefix="P")
     with server.counted_selects() as for_six:
         assert len(world.producer.get("/v1/projects").json()["items"]) == 6
     assert 0 < len(for_six) == len(for_one)
@@ -130,7 +137,7 @@ def test_the_list_takes_as_many_selects_for_many_projects_as_for_one(server: Run
 def test_changing_a_project_is_the_producers(world: World) -> None:
     changed = world.producer.patch(project_path(world), json={"name": "Shield Wing II", "cue_prefix": "SW2"}).json()
     assert (changed["name"], changed["cue_prefix"], changed["description"]) == ("Shield Wing II", "SW2", "")
-    assert world.decider.patch(project_path(world), json={"name": "X"}).json()["code"] == "producer-needed"
+    assert world.approver.patch(project_path(world), json={"name": "X"}).json()["code"] == "producer-needed"
     assert world.designer.patch(project_path(world), json={"name": "X"}).status_code == 403
     assert world.stranger.patch(project_path(world), json={"name": "X"}).status_code == 404
     assert world.producer.patch(project_path(world), json={"studio_id": str(uuid4())}).status_code == 422
@@ -143,22 +150,22 @@ def test_liaisons_come_from_the_studio(world: World) -> None:
         assert [person["name"] for person in project["liaisons"]] == ["Audio director", "Composer"]
     outsider = project_path(world, f"/liaisons/{world.designer_id}")
     assert world.producer.put(outsider).json()["code"] == "liaison-not-found"
-    assert world.decider.put(path).status_code == 403
+    assert world.approver.put(path).status_code == 403
     assert [person["name"] for person in world.producer.delete(path).json()["liaisons"]] == ["Audio director"]
     assert world.producer.delete(path).status_code == 404
 
 
 def test_the_last_word_goes_to_a_liaison_or_is_taken_over_by_a_producer(world: World) -> None:
-    path = project_path(world, "/decider")
+    path = project_path(world, "/approver")
     reviewer = {"person_id": str(world.reviewer_id), "reason": "Knows the music."}
-    assert world.producer.put(path, json=reviewer).json()["code"] == "cannot-decide"
+    assert world.producer.put(path, json=reviewer).json()["code"] == "cannot-approve"
     world.producer.put(project_path(world, f"/liaisons/{world.reviewer_id}"))
-    assert world.producer.put(path, json=reviewer).json()["decider"]["name"] == "Composer"
-    assert world.reviewer.get(project_path(world)).json()["mine"]["is_decider"] is True
-    assert world.decider.get(project_path(world)).json()["mine"]["is_decider"] is False
+    assert world.producer.put(path, json=reviewer).json()["approver"]["name"] == "Composer"
+    assert world.reviewer.get(project_path(world)).json()["mine"]["is_approver"] is True
+    assert world.approver.get(project_path(world)).json()["mine"]["is_approver"] is False
     producer = {"person_id": str(world.producer_id), "reason": "The composer is away."}
-    assert world.producer.put(path, json=producer).json()["decider"]["name"] == "Producer"
-    history = world.reviewer.get(project_path(world, "/decider-history")).json()
+    assert world.producer.put(path, json=producer).json()["approver"]["name"] == "Producer"
+    history = world.reviewer.get(project_path(world, "/approver-history")).json()
     assert [(change["person"]["name"], change["reason"], change["changer"]["name"]) for change in history] == [
         ("Producer", "The composer is away.", "Producer"),
         ("Composer", "Knows the music.", "Producer"),
@@ -166,26 +173,57 @@ def test_the_last_word_goes_to_a_liaison_or_is_taken_over_by_a_producer(world: W
     ]
 
 
+def test_a_member_is_the_approver_in_one_step(world: World) -> None:
+    path = project_path(world, "/approver-invitations")
+    email = world.reviewer.get("/v1/me").json()["email"]
+    answer = world.producer.post(path, json={"email": email.upper()})
+    assert (answer.status_code, answer.json()["is_named"]) == (201, True)
+    project = world.producer.get(project_path(world)).json()
+    assert project["approver"]["name"] == "Composer"
+    assert "Composer" in [person["name"] for person in project["liaisons"]]
+    for client in (world.approver, world.reviewer):
+        assert client.post(path, json={"email": email}).json()["code"] == "producer-needed"
+    assert world.stranger.post(path, json={"email": email}).status_code == 404
+    assert world.producer.post(path, json={"email": "no address"}).status_code == 422
+
+
+def test_an_invited_approver_is_named_on_joining(world: World, server: RunningServer) -> None:
+    email = address()
+    invited = world.producer.post(project_path(world, "/approver-invitations"), json={"email": email})
+    assert (invited.status_code, invited.json()) == (201, {"email": email, "is_named": False})
+    (waiting,) = world.producer.get(f"/v1/studios/{world.studio_id}/invitations").json()
+    assert (waiting["email"], waiting["approves_project_id"]) == (email, str(world.project_id))
+    assert world.producer.get(project_path(world)).json()["approver"]["name"] != "Ana"
+    body = {"name": "Ana", "password": PASSWORD}
+    path = f"/v1/studio-invitations/{secret_for(server, email)}/accept"
+    assert server.browser().post(path, json=body).status_code == 200
+    server.wait_for_jobs()
+    project = world.producer.get(project_path(world)).json()
+    assert (project["approver"]["name"], "Ana" in [one["name"] for one in project["liaisons"]]) == ("Ana", True)
+    history = world.producer.get(project_path(world, "/approver-history")).json()
+    assert (history[0]["reason"], history[0]["changer"]["name"]) == ("invited as the approver", "Producer")
+
+
 def test_the_last_word_is_not_taken_without_right_or_reason(world: World) -> None:
-    path = project_path(world, "/decider")
-    body = {"person_id": str(world.decider_id), "reason": "Because."}
-    assert world.decider.put(path, json=body).json()["code"] == "producer-needed"
+    path = project_path(world, "/approver")
+    body = {"person_id": str(world.approver_id), "reason": "Because."}
+    assert world.approver.put(path, json=body).json()["code"] == "producer-needed"
     assert world.designer.put(path, json=body).status_code == 403
     assert world.producer.put(path, json=body | {"reason": "  "}).json()["errors"][0]["where"] == "reason"
     for outsider in (world.designer_id, world.stranger_id, uuid4()):
         answer = world.producer.put(path, json=body | {"person_id": str(outsider)})
-        assert (answer.status_code, answer.json()["code"]) == (422, "cannot-decide")
-    assert world.designer.get(project_path(world, "/decider-history")).json()["code"] == "team-needed"
+        assert (answer.status_code, answer.json()["code"]) == (422, "cannot-approve")
+    assert world.designer.get(project_path(world, "/approver-history")).json()["code"] == "team-needed"
 
 
 def test_who_decides_stays_a_liaison(world: World) -> None:
-    path = project_path(world, f"/liaisons/{world.decider_id}")
-    assert world.producer.delete(path).json()["code"] == "liaison-decides"
+    path = project_path(world, f"/liaisons/{world.approver_id}")
+    assert world.producer.delete(path).json()["code"] == "liaison-is-approver"
 
 
 def test_who_left_the_studio_speaks_for_it_no_longer(world: World) -> None:
-    assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.decider_id}").status_code == 204
+    assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.approver_id}").status_code == 204
     assert world.producer.get(project_path(world)).json()["liaisons"] == []
-    assert world.decider.get(project_path(world)).status_code == 404
+    assert world.approver.get(project_path(world)).status_code == 404
     body = {"person_id": str(world.producer_id), "reason": "The audio director left."}
-    assert world.producer.put(project_path(world, "/decider"), json=body).json()["decider"]["name"] == "Producer"
+    assert world.producer.put(project_path(world, "/approver"), json=body).json()["approver"]["name"] == "Producer"

@@ -66,7 +66,7 @@ def test_the_designer_reads_it_and_does_not_write_it(world: World) -> None:
     body = {"toml": current(world)["toml"], "based_on_version": 1}
     assert world.designer.put(spec_path(world), json=body).json()["code"] == "team-needed"
     assert world.reviewer.put(spec_path(world), json=body).json()["code"] == "team-needed"
-    assert world.decider.put(spec_path(world), json=body).status_code == 200  # a liaison speaks for the team
+    assert world.approver.put(spec_path(world), json=body).status_code == 200  # a liaison speaks for the team
     for browser in (world.stranger, world.other_designer):
         assert browser.get(spec_path(world)).status_code == 404
         assert browser.put(spec_path(world), json=body).status_code == 404
@@ -100,11 +100,37 @@ def test_what_says_the_same_asks_nobody_to_check_again(
     assert published == []
 
 
+CATEGORY = """
+[categories.c{number}]
+kind = 'voice'
+accept = {{ channels = [1], duration_s = {{ max = {number}.5 }} }}
+limits = {{ true_peak_dbtp = -3.0, head_silence_ms = {number}, tail_silence_ms = 100 }}
+naming.pattern = 'c{number}_[a-z0-9]+(_[a-z0-9]+)*'
+targets.game.channels = 1
+checks = {{ true-peak = 'error', head-silence = 'warning' }}
+"""
+
+
+def test_60_categories_are_saved_as_text_and_by_the_form(world: World) -> None:
+    toml = "format = 1\nname = 'Large'\n[targets.game]\nsample_rate_hz = 44100\nbit_depth = 16\n[files]\n"
+    toml += "".join(f"'c{number}/**' = 'c{number}'\n" for number in range(1, 61))
+    toml += "".join(CATEGORY.format(number=number) for number in range(1, 61))
+    answer = save(world, toml)
+    assert answer.status_code == 200, answer.text
+    tables = current(world)["tables"]
+    tables["categories"]["c60"]["limits"]["head_silence_ms"] = 61
+    body = {"tables": tables, "based_on_version": 2}
+    assert world.producer.post(spec_path(world, "/form"), json=body).status_code == 200
+    saved = current(world)
+    assert len(saved["resolved"]["categories"]) == 60
+    assert audio_checks.parse_spec(saved["toml"]).for_category("c60").limits.head_silence_ms == 61
+
+
 def test_two_editors_notice_each_other(world: World) -> None:
     toml = current(world)["toml"]
     assert save(world, toml.replace("head_silence_ms = 5", "head_silence_ms = 9")).status_code == 200
     answer = save(world, toml.replace("head_silence_ms = 5", "head_silence_ms = 7"))
-    assert (answer.status_code, answer.json()["code"]) == (409, "spec-moved-on")
+    assert (answer.status_code, answer.json()["code"]) == (409, "spec-changed")
     assert current(world)["resolved"]["limits"]["head_silence_ms"] == 9
 
 
@@ -237,7 +263,7 @@ def test_tokens_are_the_producers_and_shown_once(world: World) -> None:
     (listed,) = world.producer.get(tokens).json()
     assert "secret" not in listed
     assert (listed["name"], listed["creator"]["name"], listed["last_used_at"]) == ("CI", "Producer", None)
-    assert world.decider.get(tokens).status_code == world.designer.post(tokens, json=body).status_code == 403
+    assert world.approver.get(tokens).status_code == world.designer.post(tokens, json=body).status_code == 403
     assert world.stranger.get(tokens).status_code == 404
     assert world.producer.post(tokens, json={"name": "CI", "scopes": []}).status_code == 422
     another = World(world.server)

@@ -41,7 +41,7 @@ def accepted(world: World, *names: str) -> list[str]:
         add_cue(world, name, category="weapon")
         takes.append(deliver_sound(world, f"{name}.wav", sine(hz=500 + place, dbfs=-12, rate=96_000, seconds=0.5)))
     for take in takes:
-        assert world.decider.post(f"/v1/takes/{take}/verdict", json={"kind": "approve"}).status_code == 200
+        assert world.approver.post(f"/v1/takes/{take}/verdict", json={"kind": "approve"}).status_code == 200
     world.server.wait_for_jobs()
     return takes
 
@@ -64,7 +64,7 @@ def renders(world: World) -> set[tuple[str, str | None]]:
 
 
 def begin(world: World, **body: Any) -> dict[str, Any]:
-    begun = world.decider.post(f"/v1/projects/{world.project_id}/batches", json=body)
+    begun = world.approver.post(f"/v1/projects/{world.project_id}/batches", json=body)
     assert begun.status_code == 201, begun.text
     answer: dict[str, Any] = begun.json()
     return answer
@@ -73,12 +73,12 @@ def begin(world: World, **body: Any) -> dict[str, Any]:
 @contextmanager
 def paused(world: World) -> Iterator[None]:
     """Let batches be planned, and nothing of them be made, until the block is over."""
-    original = jobs.make_next_of_batch
-    queue._handlers[batches.MAKE_NEXT] = lambda *_: None
+    original = jobs.render_next_of_batch
+    queue._handlers[batches.RENDER_NEXT] = lambda *_: None
     try:
         yield
     finally:
-        queue._handlers[batches.MAKE_NEXT] = original
+        queue._handlers[batches.RENDER_NEXT] = original
 
 
 def test_a_new_target_is_made_of_everything_and_the_sizes_are_compared(world: World) -> None:
@@ -97,7 +97,7 @@ def test_a_new_target_is_made_of_everything_and_the_sizes_are_compared(world: Wo
     assert 2 * 2 * 24_000 <= trailer["after_bytes"] <= 2 * (2 * 24_000 + 200)
     assert handheld["before_bytes"] == handheld["after_bytes"] >= 2 * MONO_16
     for take in takes:
-        made = {one["target"]: one["state"] for one in world.decider.get(f"/v1/takes/{take}/sounds").json()["renders"]}
+        made = {one["target"]: one["state"] for one in world.approver.get(f"/v1/takes/{take}/sounds").json()["renders"]}
         assert made == {"game": "made", "handheld": "made", "trailer": "made"}
 
 
@@ -138,9 +138,9 @@ def test_a_batch_can_be_cancelled_and_begun_again(world: World) -> None:
         world.server.wait_for_jobs()
         (told,) = listed(world)
         assert (told["state"], told["waiting"]) == ("running", 2)
-        ended = world.decider.post(f"/v1/batches/{told['id']}/cancel")
+        ended = world.approver.post(f"/v1/batches/{told['id']}/cancel")
         assert (ended.status_code, ended.json()["state"], ended.json()["waiting"]) == (200, "cancelled", 2)
-        again = world.decider.post(f"/v1/batches/{told['id']}/cancel")
+        again = world.approver.post(f"/v1/batches/{told['id']}/cancel")
         assert (again.status_code, again.json()["code"]) == (409, "batch-ended")
     begin(world, targets=["trailer"])
     world.server.wait_for_jobs()
@@ -161,9 +161,9 @@ def test_a_newer_batch_takes_the_place_of_one_that_runs(world: World) -> None:
 
 
 def test_nothing_to_make_and_no_such_target(world: World) -> None:
-    empty = world.decider.post(f"/v1/projects/{world.project_id}/batches", json={})
+    empty = world.approver.post(f"/v1/projects/{world.project_id}/batches", json={})
     assert (empty.status_code, empty.json()["code"]) == (409, "nothing-to-render")
-    unknown = world.decider.post(f"/v1/projects/{world.project_id}/batches", json={"targets": ["toaster"]})
+    unknown = world.approver.post(f"/v1/projects/{world.project_id}/batches", json={"targets": ["toaster"]})
     assert (unknown.status_code, unknown.json()["code"]) == (422, "target-unknown")
     add_target(world, "trailer", 48_000)
     world.server.wait_for_jobs()
@@ -233,7 +233,7 @@ def test_five_thousand_takes_are_planned_in_one_go(world: World) -> None:
         assert taken_s < 20, f"planning took {taken_s:.1f} s"
         unfinished = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
         assert len(unfinished) <= batches.LANES  # not a job a file: others never wait behind ten thousand
-        world.decider.post(f"/v1/batches/{told['id']}/cancel")
+        world.approver.post(f"/v1/batches/{told['id']}/cancel")
     items = sa.select(sa.func.count()).where(BatchItem.batch_id == UUID(told["id"]), BatchItem.state == ItemState.MADE)
     assert world.server.in_database(lambda session: session.scalar(items)) == 0
 

@@ -35,7 +35,7 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
     assert (export["state"], export["file_name"], export["left"]) == ("made", "laser.wav", [])
     project = world.producer.get(f"/v1/projects/{world.project_id}").json()
     number = f"{project['cue_prefix']}-001"
-    assert export["told"] == {
+    assert export["fields"] == {
         "project": project["name"],
         "originator": take["designer"]["name"],
         "originatorStudio": project["studio"]["name"],
@@ -52,7 +52,7 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
         told = sound.metadata.fields
         ours = file.content[sound.layout.data_offset :][: sound.layout.data_size]
         assert [one.id for one in sound.layout.chunks] == ["fmt ", "bext", "iXML", "data", "xYz1"]
-    assert {name: told[f"iXML.ASWG.{name}"] for name in export["told"]} == export["told"]
+    assert {name: told[f"iXML.ASWG.{name}"] for name in export["fields"]} == export["fields"]
     assert (told["bext.OriginatorReference"], told["bext.Originator"]) == (number, take["designer"]["name"])
     assert ours in content
     assert world.reviewer.get(f"/v1/takes/{take['id']}/master").content == content
@@ -67,13 +67,13 @@ def test_the_same_knowledge_gives_the_same_copy_and_other_knowledge_another(worl
     revised = world.producer.patch(f"/v1/cues/{cue['id']}", json=change)
     assert revised.status_code == 200, revised.text
     second = made(world, world.reviewer, take_id)
-    assert (second["id"] != first["id"], second["told"]["notes"]) == (True, "now with a tail")
+    assert (second["id"] != first["id"], second["fields"]["notes"]) == (True, "now with a tail")
     assert world.reviewer.get(first["file_url"]).status_code == 200  # nothing is replaced
 
 
 def test_an_unmatched_take_says_whose_it_is(world: World) -> None:
     export = made(world, world.reviewer, deliver_sound(world, "unasked.wav", TONE, rate=48_000))
-    assert set(export["told"]) == {"project", "originator", "originatorStudio"}
+    assert set(export["fields"]) == {"project", "originator", "originatorStudio"}
 
 
 def test_only_who_sees_the_take_gets_it(world: World) -> None:
@@ -94,7 +94,7 @@ def test_what_cannot_be_read_is_refused_in_words(world: World) -> None:
     world.server.wait_for_jobs()
     export = made(world, world.reviewer, take["id"])
     assert (export["state"], export["file_url"]) == ("refused", None)
-    assert ";" in export["refusal"]  # what was found; how to mend it
+    assert ";" in export["refusal"]  # what was found; how to fix it
     answer = world.reviewer.get(f"/v1/master-exports/{export['id']}/file")
     assert (answer.status_code, answer.json()["code"]) == (409, "master-export-not-made")
     assert answer.json()["fix"] == "take the master as it was delivered"

@@ -24,7 +24,7 @@ from tests.support.waves import sine, wav_bytes
 
 @pytest.fixture(autouse=True)
 def _without_speech(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jobs, "spoken", lambda *_: None)
+    monkeypatch.setattr(jobs, "synthesize_speech", lambda *_: None)
 
 
 def tone(hz: int, seconds: float = 0.2) -> Any:
@@ -136,9 +136,9 @@ def test_what_cannot_be_heard_is_refused_in_words(world: World, monkeypatch: pyt
         answer = world.reviewer.post(f"/v1/cues/{cue_id}/reels", json={})
         return answer.status_code, answer.json()["code"]
 
-    assert refusal() == (409, "nothing-to-hear")
+    assert refusal() == (409, "nothing-to-play")
     deliver_sound(world, "siren.wav", tone(400), rate=48_000, bits=16)
-    monkeypatch.setattr(reels, "LONGEST_S", 0.1)
+    monkeypatch.setattr(reels, "MAX_DURATION_S", 0.1)
     assert refusal() == (409, "reel-too-long")
     world.server.in_database(lambda session: session.execute(sa.delete(Picture)))
     assert refusal() == (409, "takes-being-drawn")
@@ -168,7 +168,7 @@ def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch
         said.append(words)
         return sine(hz=200, dbfs=0, rate=rate_hz, seconds=0.5)[:, 0]
 
-    monkeypatch.setattr(jobs, "spoken", speak)
+    monkeypatch.setattr(jobs, "synthesize_speech", speak)
     cue_id, _ = two_takes(world)
     reel = made(world, world.reviewer, cue_id)
     assert (reel["slates"], said) == ("spoken", ["version 1", "version 2"])
@@ -180,7 +180,7 @@ def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch
 
 def test_a_reel_never_ships(world: World) -> None:
     cue_id, takes = two_takes(world)
-    assert world.decider.post(f"/v1/takes/{takes[1]}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{takes[1]}/verdict", json={"kind": "approve"}).status_code == 200
     reel = made(world, world.reviewer, cue_id)
     sha256 = hashlib.sha256(world.reviewer.get(reel["file_url"]).content).hexdigest()
     pack = world.reviewer.get(f"/v1/projects/{world.project_id}/pack", params={"target": "game"})

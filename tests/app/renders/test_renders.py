@@ -18,7 +18,7 @@ import audio_checks
 from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit import kill
+from app.kit import kill_points
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
@@ -55,7 +55,7 @@ def test_a_conforming_take_gets_a_game_file_for_each_target(world: World) -> Non
         ("handheld", "made", None),
     ]
     for one, rate, channels in ((game, 44_100, 2), (handheld, 22_050, 1)):
-        file = world.decider.get(one["file_url"])
+        file = world.approver.get(one["file_url"])
         assert file.status_code == 200
         assert 'filename="laser.wav"' in file.headers["content-disposition"]
         assert len(file.content) == one["file_bytes"]
@@ -184,7 +184,7 @@ def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
 def test_an_approved_take_is_renewed_too(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-    assert world.decider.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"}).status_code == 200
+    assert world.approver.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"}).status_code == 200
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
     assert {one["target"]: one["state"] for one in sounds(world, take_id)["renders"]}["trailer"] == "made"
 
@@ -213,7 +213,7 @@ def test_a_game_file_that_two_workers_made_is_kept_once(world: World) -> None:
         made = session.scalars(select(Render).where(Render.take_id == take_id)).all()
         facts = ("studio_id", "project_id", "take_id", "target", "key", "state", "sha256")
         again = [Render(**{name: getattr(one, name) for name in facts}) for one in made]
-        service.keep_made(session, [(one, None) for one in again])
+        service.save_renders(session, [(one, None) for one in again])
     assert count(world.server, Render.take_id == take_id) == len(made) == 2
 
 
@@ -262,7 +262,7 @@ def test_what_moves_on_between_check_and_game_files_is_followed(
             moved.append(point)
             world.server.in_database(lambda session: move_on(session, world))
 
-    monkeypatch.setattr(kill, "point", move)
+    monkeypatch.setattr(kill_points, "point", move)
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
     assert moved
     with world.server.runtime.database.reading() as session:
@@ -312,7 +312,7 @@ def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
             monkeypatch.setattr(audio_checks, "check_file", None)  # nobody may ask for it again
             raise Interrupted
 
-    monkeypatch.setattr(kill, "point", interrupt)
+    monkeypatch.setattr(kill_points, "point", interrupt)
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     deadline = time.monotonic() + 20
     while sounds(world, take_id)["master"]["state"] != "drawn":
@@ -334,7 +334,7 @@ def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(audio_checks.Sandbox, "_fork", counted)
     heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
     assert heard["master"]["state"] == "drawn"
-    assert forked == ["audio_checks.runner"]
+    assert forked == ["audio_checks.run.runner"]
 
 
 def test_a_job_of_an_earlier_version_is_still_taken(world: World) -> None:
@@ -427,7 +427,7 @@ def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
     heard = sounds(world, take_id)
     assert heard["master"]["state"] == "undrawable"
     assert {one["refusal"] for one in heard["renders"]} == {jobs.OUR_FAULT}
-    queue = world.decider.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
+    queue = world.approver.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
     assert [take["id"] for item in queue["items"] for take in item["takes"]] == [take_id]
 
 
@@ -447,7 +447,7 @@ def test_who_may_see_and_hear(world: World) -> None:
         for who in (world.stranger, world.other_designer):
             assert who.get(address).status_code == 404, address
     for address in (f"/v1/takes/{new_id()}/sounds", f"/v1/sounds/{new_id()}/preview", f"/v1/renders/{new_id()}/file"):
-        assert world.decider.get(address).status_code == 404
+        assert world.approver.get(address).status_code == 404
 
 
 def test_a_designer_hears_only_their_own(world: World) -> None:
@@ -463,7 +463,7 @@ def test_a_designer_hears_only_their_own(world: World) -> None:
     for address in (f"/v1/takes/{take_id}/sounds", heard["master"]["preview_url"], heard["renders"][0]["file_url"]):
         assert world.designer.get(address).status_code == 404
         assert world.other_designer.get(address).status_code == 404  # made it, and is not engaged
-        assert world.decider.get(address).status_code == 200
+        assert world.approver.get(address).status_code == 200
 
 
 def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
@@ -484,7 +484,7 @@ def test_what_a_game_file_lost_is_told_in_figures_and_spectra(world: World) -> N
     take_id = deliver_sound(world, "chirp.wav", tones)
     by_target = {one["target"]: one for one in sounds(world, take_id)["renders"]}
     url = f"/v1/renders/{by_target['handheld']['id']}/loss"
-    loss = world.decider.get(url).json()
+    loss = world.approver.get(url).json()
     assert loss["above_nyquist_db"] == pytest.approx(-3.0, abs=0.2)
     assert loss["after"]["sample_peak_dbfs"] == pytest.approx(-12.0, abs=0.1)
     bands = list(zip(*(loss["spectra"][key] for key in ("hz", "master_dbfs", "render_dbfs")), strict=True))
@@ -496,5 +496,5 @@ def test_what_a_game_file_lost_is_told_in_figures_and_spectra(world: World) -> N
         assert client.get(url).status_code == status
     forget = update(Render).where(Render.id == UUID(by_target["handheld"]["id"])).values(loss=None)
     world.server.in_database(lambda session: session.execute(forget))
-    old = world.decider.get(url)
+    old = world.approver.get(url)
     assert (old.status_code, old.json()["code"]) == (409, "loss-unknown")

@@ -42,9 +42,9 @@ class InPlaceOfLibrosa:
 
 @pytest.fixture
 def sandbox(monkeypatch: pytest.MonkeyPatch) -> InPlaceOfLibrosa:
-    stand_in = InPlaceOfLibrosa()
-    monkeypatch.setattr(jobs, "_librosa_sandbox", lambda: stand_in)
-    return stand_in
+    placeholder_file = InPlaceOfLibrosa()
+    monkeypatch.setattr(jobs, "_librosa_sandbox", lambda: placeholder_file)
+    return placeholder_file
 
 
 def heard(world: World) -> list[list[float]]:

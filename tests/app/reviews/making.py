@@ -9,9 +9,9 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.conformance.models import CheckRun
+from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.deliveries.sums import keep_sums
 from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.renders.models import Picture, RenderSet
@@ -35,7 +35,7 @@ _numbers = count(1)
 
 @dataclass
 class Stage:
-    """One project with cues and takes that wait for its decider."""
+    """One project with cues and takes that wait for its approver."""
 
     world: World
     delivery_id: UUID = field(default_factory=new_id)
@@ -71,8 +71,8 @@ class Stage:
         return self.world.server.in_database(read)
 
     def verdict(self, take_id: UUID, kind: str, **more: Any) -> Any:
-        """Give a verdict as the decider."""
-        return self.world.decider.post(f"/v1/takes/{take_id}/verdict", json={"kind": kind, **more})
+        """Give a verdict as the approver."""
+        return self.world.approver.post(f"/v1/takes/{take_id}/verdict", json={"kind": kind, **more})
 
     def approve(self, take_id: UUID, **more: Any) -> dict[str, Any]:
         """Approve a take, and return the answer."""
@@ -85,18 +85,18 @@ class Stage:
 
     def send(self, note: str = "") -> dict[str, Any]:
         """Send all drafts."""
-        answer = self.world.decider.post(f"/v1/projects/{self.world.project_id}/sendings", json={"note": note})
+        answer = self.world.approver.post(f"/v1/projects/{self.world.project_id}/feedback", json={"note": note})
         assert answer.status_code == 201, answer.text
         body: dict[str, Any] = answer.json()
         return body
 
     def undo(self, take_id: UUID) -> Any:
         """Take back what was last decided of a take."""
-        return self.world.decider.delete(f"/v1/takes/{take_id}/verdict")
+        return self.world.approver.delete(f"/v1/takes/{take_id}/verdict")
 
     def queue(self) -> list[dict[str, Any]]:
         """Return what waits in this project."""
-        answer = self.world.decider.get("/v1/review-queue", params={"project_id": str(self.world.project_id)})
+        answer = self.world.approver.get("/v1/review-queue", params={"project_id": str(self.world.project_id)})
         assert answer.status_code == 200, answer.text
         items: list[dict[str, Any]] = answer.json()["items"]
         return items
@@ -158,7 +158,7 @@ def add_take(
     )
     session.add(take)
     session.flush()
-    keep_sums(session, cue_id)
+    update_cue_sums(session, cue_id)
     spec = current_spec(session, world.project_id)
     if is_drawn:
         session.add(Picture(studio_id=world.studio_id, sound_sha256=sha256, duration_s=0.84))

@@ -87,7 +87,7 @@ def test_the_palette_stands_in_where_a_category_is_too_young(stage: Stage) -> No
     palette(stage)
     fit = fit_of(stage, sounding(stage, stage.take(stage.cue("boom", category="impact")), -18.0, 2.0))
     assert (fit["basis"], fit["is_apart"]) == ("palette", False)
-    assert fit["says"] == "Lies among them in everything that was measured."
+    assert fit["says"] == "Within their range in everything measured."
 
 
 def test_its_own_cue_is_not_among_those_it_is_compared_with(stage: Stage) -> None:
@@ -108,7 +108,7 @@ def test_the_variations_of_a_cue_are_one_sound(stage: Stage) -> None:
 
 def test_why_nothing_is_compared_is_said(stage: Stage) -> None:
     mine = sounding(stage, stage.take(stage.cue("ui_new", category="ui")), -18.0)
-    assert fit_of(stage, mine)["says"].startswith("The list marks no cue as the palette.")
+    assert fit_of(stage, mine)["says"].startswith("No cue is marked as palette.")
     approved(stage, -18.0, 1.0)
     assert fit_of(stage, mine)["says"].startswith("Fewer than 3 other cues are approved")
     palette(stage)

@@ -40,7 +40,7 @@ def test_dryness_is_compared_by_the_score_of_reverb() -> None:
     assert fits[Measure.DRYNESS].stands is Stands.ABOVE
     assert in_words(fits) == "Stands apart: more reverberant than all of them."
     assert in_words(fit_of(at(-13.5, 0.3), OTHERS)) == "Stands apart: louder than all of them, by 3.5 LU."
-    assert in_words(fit_of(at(-19.0, 0.1), OTHERS)) == "Lies among them in everything that was measured."
+    assert in_words(fit_of(at(-19.0, 0.1), OTHERS)) == "Within their range in everything measured."
 
 
 def test_two_others_have_no_middle_and_what_is_not_measured_is_not_compared() -> None:

@@ -126,14 +126,14 @@ def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch
     seen, cursor = [], None
     while True:
         params = {"project_id": str(stage.world.project_id)} | ({"cursor": cursor} if cursor else {})
-        page = told(stage.world.decider.get("/v1/review-queue", params=params))
+        page = told(stage.world.approver.get("/v1/review-queue", params=params))
         seen += [(item["waiting_since"], item["cue"]["id"]) for item in page["items"]]
         if (cursor := page["next"]) is None:
             break
     assert len(seen) == 5
     assert seen == sorted(set(seen))
     for nonsense in ("x", "2026-11-20T00:00:00.0", "2026-11-20T00:00:00." + str(stage.delivery_id)):
-        answer = stage.world.decider.get("/v1/review-queue", params={"cursor": nonsense})
+        answer = stage.world.approver.get("/v1/review-queue", params={"cursor": nonsense})
         assert refused(answer) == (422, "bad-cursor")
 
 
@@ -201,7 +201,7 @@ def test_who_may_count_the_queue(stage: Stage) -> None:
     world, address = stage.world, "/v1/review-queue/count"
     stage.take(stage.cue())
     named = {"project_id": str(world.project_id)}
-    for who in (world.producer, world.decider, world.reviewer):
+    for who in (world.producer, world.approver, world.reviewer):
         assert told(who.get(address, params=named)) == told(who.get(address)) == {"cues": 1, "is_all": True}
     assert world.nobody.get(address).status_code == 401
     assert refused(world.designer.get(address, params=named)) == (403, "team-needed")
@@ -214,7 +214,7 @@ def test_who_sees_the_queue(stage: Stage) -> None:
     world = stage.world
     stage.take(stage.cue())
     named = {"project_id": str(world.project_id)}
-    for who in (world.producer, world.decider, world.reviewer):
+    for who in (world.producer, world.approver, world.reviewer):
         assert len(told(who.get("/v1/review-queue", params=named))["items"]) == 1
         assert len(told(who.get("/v1/review-queue"))["items"]) == 1
     assert world.nobody.get("/v1/review-queue").status_code == 401

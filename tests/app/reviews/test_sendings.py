@@ -53,7 +53,7 @@ def test_a_reversal_is_sent_and_counts_no_round(stage: Stage) -> None:
     assert draft["reverses"] is True
     (only,) = stage.send()["rounds"]
     assert only["number"] is None
-    assert only["why_not_counted"] == "the approver reversed an approved direction"
+    assert only["why_not_counted"] == "the approver reversed an approval"
     assert stage.states(take) == ["change_requested"]
     stage.draft(stage.take(cue), "shorter")
     assert [one["number"] for one in stage.send()["rounds"]] == [1]
@@ -74,20 +74,46 @@ def test_a_draft_whose_take_moved_on_is_kept_back(stage: Stage) -> None:
     stage.world.server.in_database(
         lambda session: session.execute(sa.update(Take).where(Take.id == gone).values(state=TakeState.RECEIVED))
     )
-    answer = stage.world.decider.post(f"/v1/projects/{stage.world.project_id}/sendings", json={})
+    answer = stage.world.approver.post(f"/v1/projects/{stage.world.project_id}/feedback", json={})
     assert refused(answer) == (409, "nothing-to-send")
     assert "is being checked" in answer.json()["detail"]
     stage.draft(here, "longer")
     sent = stage.send()
     assert [one["take_id"] for one in sent["change_requests"]] == [str(here)]
     assert [one["take_id"] for one in sent["held_back"]] == [str(gone)]
-    assert requests_seen_by(stage, "decider", "draft") == ["shorter"]
+    assert requests_seen_by(stage, "approver", "draft") == ["shorter"]
+
+
+def test_a_draft_stays_with_its_cue_when_its_take_leaves_it(stage: Stage) -> None:
+    bell, drum = stage.cue("bell"), stage.cue("drum")
+    take = stage.take(bell)
+    stage.draft(take, "shorter")
+
+    def put(**place: Any) -> None:
+        stage.world.server.in_database(
+            lambda session: session.execute(sa.update(Take).where(Take.id == take).values(**place))
+        )
+
+    for place, why in (
+        ({"cue_id": None, "number": None}, "is not matched to this cue any more"),
+        ({"cue_id": drum, "variation": 1, "number": 1}, "is not matched to this cue any more"),
+    ):
+        put(**place)
+        (draft,) = stage.review(bell)["change_requests"]
+        assert (draft["cue_id"], draft["cue_name"]) == (str(bell), "bell")
+        assert requests_seen_by(stage, "approver", "draft") == ["shorter"]
+        answer = stage.world.approver.post(f"/v1/projects/{stage.world.project_id}/feedback", json={})
+        assert refused(answer) == (409, "nothing-to-send")
+        assert why in answer.json()["detail"]
+    stage.draft(take, "duller")
+    (sent,) = stage.send()["rounds"]
+    assert sent["cue_id"] == str(drum)
 
 
 def test_nothing_is_sent_twice(stage: Stage) -> None:
     stage.draft(stage.take(stage.cue()))
     stage.send()
-    answer = stage.world.decider.post(f"/v1/projects/{stage.world.project_id}/sendings", json={})
+    answer = stage.world.approver.post(f"/v1/projects/{stage.world.project_id}/feedback", json={})
     assert refused(answer) == (409, "nothing-to-send")
 
 
@@ -96,15 +122,15 @@ def test_a_draft_can_be_dropped_until_it_is_sent(stage: Stage) -> None:
     take = stage.take(cue)
     first = stage.draft(take, "softer")
     path = f"/v1/change-requests/{first['id']}"
-    assert refused(stage.world.reviewer.delete(path)) == (403, "decider-needed")
+    assert refused(stage.world.reviewer.delete(path)) == (403, "approver-needed")
     assert refused(stage.world.designer.delete(path)) == (404, "change-request-not-found")
     assert refused(stage.world.stranger.delete(path)) == (404, "change-request-not-found")
-    assert stage.world.decider.delete(path).status_code == 204
-    assert refused(stage.world.decider.delete(path)) == (404, "change-request-not-found")
+    assert stage.world.approver.delete(path).status_code == 204
+    assert refused(stage.world.approver.delete(path)) == (404, "change-request-not-found")
     second = stage.draft(take, "softer")
     stage.send()
-    assert refused(stage.world.decider.delete(f"/v1/change-requests/{second['id']}")) == (409, "already-sent")
-    assert refused(stage.world.designer.delete(f"/v1/change-requests/{second['id']}")) == (403, "decider-needed")
+    assert refused(stage.world.approver.delete(f"/v1/change-requests/{second['id']}")) == (409, "already-sent")
+    assert refused(stage.world.designer.delete(f"/v1/change-requests/{second['id']}")) == (403, "approver-needed")
 
 
 def test_drafts_are_the_teams_and_what_was_sent_is_the_designers_too(stage: Stage) -> None:
@@ -122,24 +148,24 @@ def test_drafts_are_the_teams_and_what_was_sent_is_the_designers_too(stage: Stag
     assert world.nobody.get(path).status_code == 401
 
 
-def test_only_the_decider_sends(stage: Stage) -> None:
+def test_only_the_approver_sends(stage: Stage) -> None:
     world = stage.world
     stage.draft(stage.take(stage.cue()))
-    path = f"/v1/projects/{world.project_id}/sendings"
+    path = f"/v1/projects/{world.project_id}/feedback"
     for who in (world.producer, world.reviewer, world.designer):
-        assert refused(who.post(path, json={})) == (403, "decider-needed")
+        assert refused(who.post(path, json={})) == (403, "approver-needed")
     assert refused(world.stranger.post(path, json={})) == (404, "project-not-found")
     assert world.nobody.post(path, json={}).status_code == 401
 
 
 def test_lists_of_change_requests_have_pages(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.reviews.sendings.PAGE_CHANGE_REQUESTS", 2)
+    monkeypatch.setattr("app.reviews.feedback.PAGE_CHANGE_REQUESTS", 2)
     for number in range(5):
         stage.draft(stage.take(stage.cue(f"cue_{number}")), f"note {number}")
     path, seen, cursor = f"/v1/projects/{stage.world.project_id}/change-requests", [], None
     while True:
         params = {"state": "draft"} | ({"cursor": cursor} if cursor else {})
-        page = told(stage.world.decider.get(path, params=params))
+        page = told(stage.world.approver.get(path, params=params))
         seen += [one["text"] for one in page["items"]]
         if (cursor := page["next"]) is None:
             break
@@ -153,7 +179,11 @@ def comment(client: Any, take: UUID | str, text: str, **at: float) -> Any:
 def test_all_who_see_a_take_may_comment_and_only_one_decides(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
-    for who, text in ((world.reviewer, "I would take A"), (world.decider, "the shimmer stays"), (world.designer, "ok")):
+    for who, text in (
+        (world.reviewer, "I would take A"),
+        (world.approver, "the shimmer stays"),
+        (world.designer, "ok"),
+    ):
         assert comment(who, take, text, start_s=0.307, end_s=0.462).status_code == 201
     found = world.designer.get(f"/v1/takes/{take}/comments").json()
     assert [(one["text"], one["author"]["name"], one["decides"]) for one in found] == [
@@ -164,7 +194,7 @@ def test_all_who_see_a_take_may_comment_and_only_one_decides(stage: Stage) -> No
     assert stage.queue()[0]["takes"][0]["open_comments"] == 3
     resolved = told(world.designer.post(f"/v1/comments/{found[0]['id']}/resolve"))
     assert resolved["resolved_at"]
-    again = told(world.decider.post(f"/v1/comments/{found[0]['id']}/resolve"))
+    again = told(world.approver.post(f"/v1/comments/{found[0]['id']}/resolve"))
     assert again["resolved_at"] == resolved["resolved_at"]
     assert stage.queue()[0]["takes"][0]["open_comments"] == 2
 
@@ -183,7 +213,7 @@ def test_comments_are_checked_and_kept_from_strangers(stage: Stage) -> None:
         assert refused(who.get(f"/v1/takes/{take}/history")) == (404, "take-not-found")
     theirs = stage.take(stage.cue("theirs"), designer_id=world.other_designer_id)
     assert refused(world.designer.get(f"/v1/takes/{theirs}/comments")) == (404, "take-not-found")
-    assert refused(world.decider.post(f"/v1/comments/{new_id()}/resolve")) == (404, "comment-not-found")
+    assert refused(world.approver.post(f"/v1/comments/{new_id()}/resolve")) == (404, "comment-not-found")
 
 
 def test_a_history_tells_all_but_drafts(stage: Stage) -> None:
@@ -224,11 +254,11 @@ def test_the_review_room_shows_a_cue_with_its_older_versions(stage: Stage) -> No
     assert [one["text"] for one in room["change_requests"]] == ["add a dull metallic clank"]
     assert [one["text"] for one in room["comments"]] == ["better"]
     assert [(one["kind"], one["withdrawn"]) for one in room["verdicts"]] == [("request_change", False)]
-    assert (room["accepted"], room["may_decide"], room["decider"]["name"]) == (False, False, "Audio director")
-    assert told(world.decider.get(f"/v1/cues/{cue}/review"))["may_decide"] is True
+    assert (room["accepted"], room["may_approve"], room["approver"]["name"]) == (False, False, "Audio director")
+    assert told(world.approver.get(f"/v1/cues/{cue}/review"))["may_approve"] is True
     assert refused(world.designer.get(f"/v1/cues/{cue}/review")) == (403, "team-needed")
     assert refused(world.stranger.get(f"/v1/cues/{cue}/review")) == (404, "cue-not-found")
-    assert refused(world.decider.get(f"/v1/cues/{new_id()}/review")) == (404, "cue-not-found")
+    assert refused(world.approver.get(f"/v1/cues/{new_id()}/review")) == (404, "cue-not-found")
 
 
 def test_a_cue_is_cut_with_its_reason(stage: Stage) -> None:
@@ -244,10 +274,10 @@ def test_a_cue_is_cut_with_its_reason(stage: Stage) -> None:
     cut = told(world.producer.post(path, json=body))
     assert (cut["state"], cut["cut_reason"]) == ("cut", body["reason"])
     assert stage.queue() == []
-    assert requests_seen_by(stage, "decider", "draft") == []
+    assert requests_seen_by(stage, "approver", "draft") == []
     assert [one["state"] for one in stage.review(cue)["takes"]] == ["conforming"]
-    assert refused(world.decider.post(path, json=body)) == (409, "cue-is-cut")
-    assert refused(world.decider.post(f"/v1/cues/{cue}/accept-set", json={})) == (409, "cue-is-cut")
+    assert refused(world.approver.post(path, json=body)) == (409, "cue-is-cut")
+    assert refused(world.approver.post(f"/v1/cues/{cue}/accept-set", json={})) == (409, "cue-is-cut")
 
 
 def test_from_the_first_version_to_the_pack(world: World) -> None:
@@ -255,15 +285,15 @@ def test_from_the_first_version_to_the_pack(world: World) -> None:
     cue = add_cue(world, "suit_hit")
     first = deliver_sound(world, "suit_hit.wav", sine(hz=500, dbfs=-6, rate=96_000, seconds=0.3))
     body = {"kind": "request_change", "note": "add a dull metallic clank", "start_s": 0.1}
-    told(world.decider.post(f"/v1/takes/{first}/verdict", json=body))
-    sent = world.decider.post(f"/v1/projects/{world.project_id}/sendings", json={"note": ""})
+    told(world.approver.post(f"/v1/takes/{first}/verdict", json=body))
+    sent = world.approver.post(f"/v1/projects/{world.project_id}/feedback", json={"note": ""})
     assert sent.status_code == 201
     second = deliver_sound(world, "suit_hit.wav", sine(hz=300, dbfs=-6, rate=96_000, seconds=0.3))
-    (item,) = told(world.decider.get("/v1/review-queue"))["items"]
+    (item,) = told(world.approver.get("/v1/review-queue"))["items"]
     assert item["cue"]["id"] == cue["id"]
     assert (item["rounds_so_far"], [take["number"] for take in item["takes"]]) == (1, [2])
-    given = told(world.decider.post(f"/v1/takes/{second}/verdict", json={"kind": "approve"}))
+    given = told(world.approver.post(f"/v1/takes/{second}/verdict", json={"kind": "approve"}))
     assert given["cue_accepted"] is True
     world.server.wait_for_jobs()
-    found = told(world.decider.get(f"/v1/cues/{cue['id']}/review"))
+    found = told(world.approver.get(f"/v1/cues/{cue['id']}/review"))
     assert [(take["number"], take["state"]) for take in found["takes"]] == [(2, "approved"), (1, "change_requested")]

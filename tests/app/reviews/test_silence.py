@@ -10,12 +10,12 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.contracts.models import Contract, ContractEvent
-from app.contracts.queries import events_of
-from app.contracts.silence import Silence
+from app.agreements.deemed_acceptance import DeemedAcceptance
+from app.agreements.models import Contract, ContractEvent
+from app.agreements.queries import events_of
 from app.deliveries.models import Take
 from app.reviews import jobs
-from tests.app.contracts.agreed import Agreed, milestone
+from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import told
 from tests.support.server import World
 
@@ -33,17 +33,17 @@ class MovedClock:
         """Agree on a cue for 180.00, as if at that time, when its takes began to wait."""
         self.agreed.agree(milestone("Alpha", cue_id, amount_minor=18_000))
 
-        def put_back(session: Session) -> None:
+        def return_to_received(session: Session) -> None:
             session.get_one(Contract, self.agreed.contract_id).agreed_at = at
             for take_id in takes:
                 session.get_one(Take, take_id).state_since = at
 
-        self.agreed.world.server.in_database(put_back)
+        self.agreed.world.server.in_database(return_to_received)
 
-    def mind(self, at: datetime) -> None:
+    def apply_deemed(self, at: datetime) -> None:
         """Do what is done every five minutes, at that time."""
         self._patch.setattr(jobs, "clock", SimpleNamespace(now=lambda: at))
-        jobs.mind_silence(self.agreed.world.server.runtime, {})
+        jobs.apply_deemed_acceptance(self.agreed.world.server.runtime, {})
 
     def mails(self) -> list[tuple[str, str, str]]:
         """Return who was reminded or told of silence, under which subject, and what was said."""
@@ -53,7 +53,7 @@ class MovedClock:
         return [
             (mail["recipient"].split("@")[0], mail["subject"], mail["text"])
             for mail in mails
-            if "verdict" in mail["subject"] or "silence" in mail["subject"]
+            if "review soon" in mail["subject"] or "auto-accepted" in mail["subject"]
         ]
 
     def entries(self) -> list[str]:
@@ -93,7 +93,7 @@ def days(count: int) -> timedelta:
     ],
 )
 def test_ten_working_days_are_two_weeks(since: datetime, last_day: str) -> None:
-    silence = Silence(days=10, reminder_days=3)
+    silence = DeemedAcceptance(days=10, reminder_days=3)
     assert silence.last_day(since).isoformat() == last_day
     midnight = datetime.fromisoformat(f"{last_day}T00:00:00+00:00") + days(1)
     assert not silence.is_over(since, midnight - timedelta(microseconds=1))
@@ -101,26 +101,26 @@ def test_ten_working_days_are_two_weeks(since: datetime, last_day: str) -> None:
 
 
 def test_reminders_come_on_every_third_working_day_before_the_last() -> None:
-    silence = Silence(days=10, reminder_days=3)
+    silence = DeemedAcceptance(days=10, reminder_days=3)
     counted = [silence.reminders(FRIDAY, FRIDAY + days(day)) for day in range(16)]
     #                  fr sa su mo tu we th fr sa su mo tu we th fr sa
     assert counted == [0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3]
-    assert Silence(days=6, reminder_days=3).reminders(FRIDAY, FRIDAY + days(60)) == 1
+    assert DeemedAcceptance(days=6, reminder_days=3).reminders(FRIDAY, FRIDAY + days(60)) == 1
 
 
-def test_the_decider_is_reminded_once_each_time(moved: MovedClock) -> None:
+def test_the_approver_is_reminded_once_each_time(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     moved.agree(cue, moved.agreed.take(cue))
-    moved.mind(FRIDAY + days(4))
+    moved.apply_deemed(FRIDAY + days(4))
     assert moved.mails() == []
-    moved.mind(FRIDAY + days(5))
-    moved.mind(FRIDAY + days(6))
+    moved.apply_deemed(FRIDAY + days(5))
+    moved.apply_deemed(FRIDAY + days(6))
     ((recipient, subject, text),) = moved.mails()
-    assert (recipient, subject) == (str(moved.agreed.world.decider_id), "Shield Wing: sounds wait for your verdict")
-    assert text.count("counts as accepted after Friday 4 December 2026") == 1
-    moved.mind(FRIDAY + days(10))
+    assert (recipient, subject) == (str(moved.agreed.world.approver_id), "Shield Wing: sounds to review soon")
+    assert text.count("accepted automatically after Friday 4 December 2026") == 1
+    moved.apply_deemed(FRIDAY + days(10))
     ((_, _, text),) = moved.mails()
-    assert text.count("counts as accepted after") == 2, "news of one kind is one mail until it goes out"
+    assert text.count("accepted automatically after") == 2, "news of one kind is one mail until it goes out"
     assert moved.entries() == ["planned", "reminded", "reminded"]
     assert moved.agreed.owed() == []
 
@@ -130,10 +130,10 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     cue = agreed.cue()
     take = agreed.take(cue)
     moved.agree(cue, take)
-    moved.mind(datetime(2026, 12, 4, 23, 59, tzinfo=UTC))
+    moved.apply_deemed(datetime(2026, 12, 4, 23, 59, tzinfo=UTC))
     assert agreed.owed() == []
     for _ in range(2):  # again is once
-        moved.mind(datetime(2026, 12, 5, tzinfo=UTC))
+        moved.apply_deemed(datetime(2026, 12, 5, tzinfo=UTC))
     assert agreed.states(take) == ["approved"]
     (line,) = agreed.ledger()["lines"]
     assert (line["kind"], line["amount_minor"], line["clause"]) == ("accepted", 18_000, "silence")
@@ -142,12 +142,12 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert moved.authors()[-3:] == [("Soundlist", "server")] * 3, "nobody said anything"
     review = agreed.review(cue)
     (verdict,) = review["verdicts"]
-    assert (review["accepted"], verdict["kind"], verdict["by_silence"]) == (True, "approve", True)
-    assert verdict["note"] == "Accepted by silence: no verdict within 10 working days, until 2026-12-04 (Effects)"
+    assert (review["accepted"], verdict["kind"], verdict["by_deemed_acceptance"]) == (True, "approve", True)
+    assert verdict["note"] == "Auto-accepted: no response within 10 working days, until 2026-12-04 (Effects)"
     history = world.designer.get(f"/v1/takes/{take}/history").json()
-    assert [(one["kind"], one["by_silence"]) for one in history][-1] == ("approve", True)
-    told_of = {recipient for recipient, subject, _ in moved.mails() if "accepted by silence" in subject}
-    assert told_of == {str(world.designer_id), str(world.decider_id), str(world.producer_id)}
+    assert [(one["kind"], one["by_deemed_acceptance"]) for one in history][-1] == ("approve", True)
+    told_of = {recipient for recipient, subject, _ in moved.mails() if "sounds auto-accepted" in subject}
+    assert told_of == {str(world.designer_id), str(world.approver_id), str(world.producer_id)}
 
 
 def test_a_verdict_in_time_leaves_nothing_to_silence(moved: MovedClock) -> None:
@@ -156,7 +156,7 @@ def test_a_verdict_in_time_leaves_nothing_to_silence(moved: MovedClock) -> None:
     moved.agree(cue, take)
     moved.agreed.draft(take)
     moved.agreed.send()
-    moved.mind(FRIDAY + days(60))
+    moved.apply_deemed(FRIDAY + days(60))
     assert moved.agreed.states(take) == ["change_requested"]
     assert moved.mails() == []
 
@@ -165,7 +165,7 @@ def test_the_approver_may_still_reverse_it_and_the_money_goes_back(moved: MovedC
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue)
     moved.agree(cue, take)
-    moved.mind(FRIDAY + days(60))
+    moved.apply_deemed(FRIDAY + days(60))
     moved.agreed.draft(take, seen_state="approved")
     sent = moved.agreed.send()
     assert sent["rounds"][0]["number"] is None, "a reversal is no round"
@@ -177,12 +177,12 @@ def test_a_set_is_accepted_whole_and_waits_since_its_last_variation(moved: Moved
     steps = agreed.cue("steps", variations=2)
     first = agreed.take(steps)
     moved.agree(steps, first)
-    moved.mind(FRIDAY + days(60))
+    moved.apply_deemed(FRIDAY + days(60))
     assert agreed.states(first) == ["conforming"], "half a set is not accepted"
     second = agreed.take(steps, 2, state_since=FRIDAY + days(7))
-    moved.mind(FRIDAY + days(15))
+    moved.apply_deemed(FRIDAY + days(15))
     assert agreed.states(first, second) == ["conforming", "conforming"]
-    moved.mind(FRIDAY + days(22))
+    moved.apply_deemed(FRIDAY + days(22))
     assert agreed.states(first, second) == ["approved", "approved"]
     assert agreed.owed() == [("accepted", 18_000)]
 
@@ -192,9 +192,9 @@ def test_another_version_gives_the_studio_its_days_anew(moved: MovedClock) -> No
     first = moved.agreed.take(cue)
     moved.agree(cue, first)
     second = moved.agreed.take(cue, state_since=FRIDAY + days(14))
-    moved.mind(FRIDAY + days(15))
+    moved.apply_deemed(FRIDAY + days(15))
     assert moved.agreed.states(first, second) == ["conforming", "conforming"]
-    moved.mind(FRIDAY + days(29))
+    moved.apply_deemed(FRIDAY + days(29))
     assert moved.agreed.states(first, second) == ["set_aside", "approved"]
 
 
@@ -202,9 +202,9 @@ def test_what_was_delivered_before_waits_from_the_agreement_on(moved: MovedClock
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue, state_since=FRIDAY - days(300))
     moved.agree(cue)
-    moved.mind(FRIDAY + days(14))
+    moved.apply_deemed(FRIDAY + days(14))
     assert moved.agreed.states(take) == ["conforming"]
-    moved.mind(FRIDAY + days(15))
+    moved.apply_deemed(FRIDAY + days(15))
     assert moved.agreed.states(take) == ["approved"]
 
 
@@ -215,7 +215,7 @@ def test_only_what_stands_in_the_queue_counts(moved: MovedClock, facts: dict[str
     cue = moved.agreed.cue()
     moved.agree(cue, take := moved.agreed.take(cue, **facts))
     before = moved.agreed.states(take)
-    moved.mind(FRIDAY + days(60))
+    moved.apply_deemed(FRIDAY + days(60))
     assert moved.agreed.states(take) == before
 
 
@@ -227,7 +227,7 @@ def test_without_the_clause_nothing_happens(
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue)
     moved.agree(cue, take)
-    moved.mind(FRIDAY + days(400))
+    moved.apply_deemed(FRIDAY + days(400))
     assert moved.agreed.states(take) == ["conforming"]
     assert moved.mails() == []
 
@@ -236,7 +236,7 @@ def test_of_another_designer_nothing_is_accepted(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue, designer_id=moved.agreed.world.other_designer_id)
     moved.agree(cue, take)
-    moved.mind(FRIDAY + days(60))
+    moved.apply_deemed(FRIDAY + days(60))
     assert moved.agreed.states(take) == ["conforming"]
 
 
@@ -252,4 +252,4 @@ def test_screens_say_until_when_a_cue_waits(moved: MovedClock) -> None:
 def test_it_is_one_of_the_chores() -> None:
     from app import worker
 
-    assert "reviews.mind_silence" in worker.CHORES
+    assert "reviews.apply_deemed_acceptance" in worker.CHORES

@@ -9,11 +9,11 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.contracts.models import Contract, ContractEvent
+from app.agreements.models import Contract, ContractEvent
 from app.deliveries.models import Take
 from app.deliveries.rules import ReviewClock, TakeState
-from tests.app.contracts.agreed import Agreed, milestone
-from tests.support.deliver import deliver
+from tests.app.money.agreed import Agreed, milestone
+from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
@@ -132,7 +132,8 @@ def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> 
 
 def test_the_same_bytes_beside_do_not_start_it_anew(waiting: Waiting) -> None:
     sound = wav_bytes(sine(hz=997, dbfs=-3.0, seconds=0.5))
-    again = deliver(waiting.world, "something_else.wav", sound)
+    [elsewhere] = add_cues(waiting.world, {"name": "Something else"})
+    again = deliver(waiting.world, "something_else.wav", sound, cue_id=elsewhere["id"])
     waiting.world.server.wait_for_jobs()
     matched = waiting.world.reviewer.put(f"/v1/takes/{again['id']}/match", json={"cue_id": str(waiting.cue_id)})
     assert matched.status_code == 200, matched.text

@@ -19,8 +19,8 @@ from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.errors import Conflict
-from app.projects.models import DeciderChange
-from app.reviews import sendings, service
+from app.projects.models import ApproverChange
+from app.reviews import feedback, service
 from app.reviews.models import ChangeRequest, Verdict
 from app.reviews.queries import accepted_takes
 from app.reviews.rules import VerdictKind
@@ -82,27 +82,27 @@ def test_a_set_is_accepted_when_every_variation_has_its_take(stage: Stage) -> No
     assert stage.approve(two)["cue_accepted"] is True
 
 
-def test_only_the_decider_decides(stage: Stage) -> None:
+def test_only_the_approver_decides(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
     path, body = f"/v1/takes/{take}/verdict", {"kind": "approve"}
     assert world.nobody.post(path, json=body).status_code == 401
     for who in (world.producer, world.reviewer, world.designer):
         answer = who.post(path, json=body)
-        assert refused(answer) == (403, "decider-needed")
+        assert refused(answer) == (403, "approver-needed")
         assert "approver decides" in answer.json()["detail"]
-        assert refused(who.delete(path)) == (403, "decider-needed")
+        assert refused(who.delete(path)) == (403, "approver-needed")
     for stranger in (world.stranger, world.other_designer):
         assert refused(stranger.post(path, json=body)) == (404, "take-not-found")
         assert refused(stranger.delete(path)) == (404, "take-not-found")
-    assert refused(world.decider.post(f"/v1/takes/{new_id()}/verdict", json=body)) == (404, "take-not-found")
+    assert refused(world.approver.post(f"/v1/takes/{new_id()}/verdict", json=body)) == (404, "take-not-found")
     assert stage.states(take) == ["conforming"]
 
 
-def test_a_producer_decides_by_becoming_the_decider(stage: Stage) -> None:
+def test_a_producer_decides_by_becoming_the_approver(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
-    change = DeciderChange(
+    change = ApproverChange(
         studio_id=world.studio_id,
         project_id=world.project_id,
         person_id=world.producer_id,
@@ -111,7 +111,7 @@ def test_a_producer_decides_by_becoming_the_decider(stage: Stage) -> None:
     )
     world.server.in_database(lambda session: session.add(change))
     body = {"kind": "approve"}
-    assert refused(world.decider.post(f"/v1/takes/{take}/verdict", json=body)) == (403, "decider-needed")
+    assert refused(world.approver.post(f"/v1/takes/{take}/verdict", json=body)) == (403, "approver-needed")
     assert world.producer.post(f"/v1/takes/{take}/verdict", json=body).status_code == 200
 
 
@@ -121,7 +121,7 @@ def test_a_page_that_is_out_of_date_decides_nothing(stage: Stage, kind: str, sta
     take = stage.take(stage.cue(), state=state)
     answer = stage.verdict(take, kind, note="duller")
     assert refused(answer) == (409, "stale-view")
-    assert "since you looked" in answer.json()["detail"]
+    assert "since you opened this page" in answer.json()["detail"]
     assert stage.states(take) == [state.value]
 
 
@@ -176,7 +176,7 @@ def test_unmatched_files_and_cut_cues_cannot_be_judged(stage: Stage) -> None:
     assert refused(stage.verdict(unmatched, "approve")) == (409, "not-reviewable")
     cue = stage.cue()
     take = stage.take(cue)
-    told(stage.world.decider.post(f"/v1/cues/{cue}/cut", json={"reason": "no shields any more"}))
+    told(stage.world.approver.post(f"/v1/cues/{cue}/cut", json={"reason": "no shields any more"}))
     assert refused(stage.verdict(take, "approve")) == (409, "cue-is-cut")
     assert refused(stage.undo(take)) == (409, "cue-is-cut")
 
@@ -210,6 +210,20 @@ def test_a_change_request_is_checked(stage: Stage, more: dict[str, Any], code: s
     take = stage.take(stage.cue())  # 0.84 s long
     assert refused(stage.verdict(take, "request_change", **more)) == (422, code)
     assert stage.queue()[0]["takes"][0]["draft_change"] is None
+
+
+def test_a_change_noted_on_another_alternate_is_kept(stage: Stage) -> None:
+    cue = stage.cue()
+    picked, other = stage.take(cue), stage.take(cue)
+    stage.draft(other, "shorter", start_s=0.2)
+    stage.approve(picked)
+    drafts = {take["id"]: take["draft_change"] for take in stage.review(cue)["takes"] if take["draft_change"]}
+    assert (drafts[str(other)]["text"], drafts[str(other)]["start_s"]) == ("shorter", 0.2)
+    answer = stage.world.approver.post(f"/v1/projects/{stage.world.project_id}/feedback", json={})
+    assert refused(answer) == (409, "nothing-to-send")
+    assert "was set aside; its draft is kept" in answer.json()["detail"]
+    stage.undo(picked)
+    assert [one["text"] for one in stage.send()["change_requests"]] == ["shorter"]
 
 
 def test_undo_brings_everything_back(stage: Stage) -> None:
@@ -266,10 +280,10 @@ def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
     assert told(stage.undo(a))["takes"]  # what set `a` aside was the pick of `b`: one click, taken back whole
     assert stage.states(a, b) == ["approved", "set_aside"]
     stage.draft(a, "softer", seen_state="approved")
-    assert refused(stage.undo(b)) == (409, "decided-since")
+    assert refused(stage.undo(b)) == (409, "verdict-since")
     stage.send()
     assert refused(stage.undo(a)) == (409, "nothing-to-undo")
-    assert refused(stage.undo(b)) == (409, "decided-since")
+    assert refused(stage.undo(b)) == (409, "verdict-since")
     assert stage.states(a, b) == ["change_requested", "set_aside"]
 
 
@@ -277,11 +291,11 @@ def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     cue = stage.cue(variations=3)
     older = stage.take(cue, 1)
     takes = [stage.take(cue, variation) for variation in (1, 2, 3)]
-    answer = told(stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={"note": "good steps"}))
+    answer = told(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={"note": "good steps"}))
     assert answer["cue_accepted"] is True
     assert [take["id"] for take in answer["approved"]] == [str(take) for take in takes]
     assert answer["set_aside"] == [str(older)]
-    again = stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={})
+    again = stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={})
     assert refused(again) == (409, "already-accepted")
     told(stage.undo(takes[2]))
     assert stage.states(older, *takes) == ["conforming"] * 4
@@ -291,33 +305,33 @@ def test_the_takes_of_a_set_can_be_named(stage: Stage) -> None:
     cue = stage.cue(variations=2)
     older, newer, second = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
     body = {"take_ids": [str(older)]}
-    told(stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json=body))
+    told(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json=body))
     assert stage.states(older, newer, second) == ["approved", "set_aside", "approved"]
 
 
 def test_an_incomplete_set_is_not_accepted_in_part(stage: Stage) -> None:
     cue = stage.cue(variations=4)
     takes = [stage.take(cue, 1), stage.take(cue, 3), stage.take(cue, 4, state=TakeState.RETURNED)]
-    answer = stage.world.decider.post(f"/v1/cues/{cue}/accept-set", json={})
+    answer = stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={})
     assert refused(answer) == (409, "set-incomplete")
     assert "for 2, 4;" in answer.json()["detail"]
     assert stage.states(*takes) == ["conforming", "conforming", "returned"]
 
 
-def test_a_set_names_its_own_takes_once_and_only_the_decider_accepts(stage: Stage) -> None:
+def test_a_set_names_its_own_takes_once_and_only_the_approver_accepts(stage: Stage) -> None:
     cue, other = stage.cue(variations=2), stage.cue("other")
     one, twin, two = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
     foreign, returned = stage.take(other), stage.take(cue, 2, state=TakeState.RETURNED)
     path = f"/v1/cues/{cue}/accept-set"
 
     def accept(*take_ids: UUID) -> Any:
-        return stage.world.decider.post(path, json={"take_ids": [str(take) for take in take_ids]})
+        return stage.world.approver.post(path, json={"take_ids": [str(take) for take in take_ids]})
 
     assert refused(accept(foreign)) == (422, "not-of-this-cue")
     assert refused(accept(new_id())) == (422, "not-of-this-cue")
     assert refused(accept(one, twin)) == (422, "not-of-this-cue")
     assert refused(accept(returned)) == (409, "not-reviewable")
-    assert refused(stage.world.reviewer.post(path, json={})) == (403, "decider-needed")
+    assert refused(stage.world.reviewer.post(path, json={})) == (403, "approver-needed")
     assert refused(stage.world.stranger.post(path, json={})) == (404, "cue-not-found")
     assert stage.states(one, twin, two) == ["conforming"] * 3
 
@@ -327,7 +341,7 @@ def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
     picked = [stage.take(whole, 2), stage.take(whole, 1)]
     for take in (*picked, stage.take(half, 1), stage.take(cut)):
         stage.approve(take)
-    told(stage.world.decider.post(f"/v1/cues/{cut}/cut", json={"reason": "no longer needed"}))
+    told(stage.world.approver.post(f"/v1/cues/{cut}/cut", json={"reason": "no longer needed"}))
     found = stage.world.server.in_database(lambda session: accepted_takes(session, stage.world.project_id))
     assert [(cue.name, variation, take.id) for cue, variation, take in found] == [
         ("whole", 1, picked[1]),
@@ -347,12 +361,12 @@ def test_whatever_is_decided_at_most_one_take_is_approved(stage: Stage, actions:
 
 
 class Deciding:
-    """A decider who tries anything, lawful or not, on a set of two with alternates."""
+    """An approver who tries anything, lawful or not, on a set of two with alternates."""
 
     def __init__(self, session: Session, stage: Stage) -> None:
         self.session = session
         self.stage = stage
-        self.actor = actor_for_person(session, stage.world.decider_id)
+        self.actor = actor_for_person(session, stage.world.approver_id)
         self.cue_id = add_cue(session, stage.world, "steps", variations=2)
         self.takes = [self.new_take(variation) for variation in (1, 1, 2, 2)]
 
@@ -377,7 +391,7 @@ class Deciding:
         elif action == "undo":
             service.undo_verdict(self.session, self.actor, take.id)
         elif action == "send":
-            sendings.send_changes(self.session, self.actor, self.stage.world.project_id)
+            feedback.send_changes(self.session, self.actor, self.stage.world.project_id)
         elif action == "accept_set":
             service.accept_set(self.session, self.actor, self.cue_id)
         else:
@@ -396,8 +410,10 @@ class Deciding:
         for variation in (1, 2):
             assert sum(one[0] == variation and one[2] is TakeState.APPROVED for one in states) <= 1
         drafts = select(Take.state).join(ChangeRequest, ChangeRequest.take_id == Take.id)
-        for state in self.session.scalars(drafts.where(Take.cue_id == self.cue_id, ChangeRequest.sending_id.is_(None))):
-            assert state in (TakeState.CONFORMING, TakeState.APPROVED)
+        for state in self.session.scalars(
+            drafts.where(Take.cue_id == self.cue_id, ChangeRequest.feedback_id.is_(None))
+        ):
+            assert state in (TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE)
 
 
 def test_an_approval_taken_back_has_not_happened_lately(stage: Stage) -> None:

@@ -39,7 +39,7 @@ def page_of(world: World, path: str = "sound-list", by: TestClient | None = None
 
 
 def cut(world: World, cue_id: object, reason: str) -> None:
-    actor = Actor(person_id=world.decider_id, roles={world.studio_id: frozenset({Role.LIAISON})})
+    actor = Actor(person_id=world.approver_id, roles={world.studio_id: frozenset({Role.LIAISON})})
 
     def do(session: Session) -> None:
         cue = session.get_one(Cue, UUID(str(cue_id)))

@@ -144,6 +144,39 @@ def test_a_mapping_that_does_not_fit_is_refused(world: World) -> None:
     assert refused(world, "A,B\nx,y\n", mapping={"A": "name", "B": "name"})["code"] == "column-unknown"
 
 
+@pytest.mark.parametrize(
+    ("head", "cells", "field", "read"),
+    [
+        ("Prio", ["high", "low"], "playback_priority", [750, 250]),
+        ("Prio", ["hoch", "mittel"], "playback_priority", [750, 500]),
+        ("Wichtigkeit", ["3", ""], "playback_priority", [3, None]),
+        ("Kind", ["weapon", "ui"], "category", ["weapon", "ui"]),
+        ("Kind", ["loop", "one-shot"], "loop", [True, False]),
+        ("Typ", ["Loop", "Oneshot"], "loop", [True, False]),
+        ("Typ", ["Waffe", "UI"], "category", ["waffe", "ui"]),
+        ("Laufzeit (s)", ["1,5", "2"], "duration_s", [1.5, 2]),
+        ("Anz.", ["3", "1"], "variations", [3, 1]),
+        ("Szene", ["Brücke", "Hangar"], "use", ["Brücke", "Hangar"]),
+    ],
+)
+def test_common_spellings_of_heads(world: World, head: str, cells: list[str], field: str, read: list[object]) -> None:
+    rows = "".join(f"sound{place}\t{cell}\n" for place, cell in enumerate(cells))
+    told = send(world, f"name\t{head}\n{rows}", format="paste")
+    assert (told["columns"][1]["guess"], told["errors"]) == (field, [])
+    assert [cue[field] for cue in cues(world)] == read
+
+
+def test_one_wrong_mapping_is_one_error(world: World) -> None:
+    rows = "".join(f"sound{place},Mood {place}\n" for place in range(61))
+    told = send(world, f"name,Mood\n{rows}", mapping={"Mood": "duration_s"})
+    (fault,) = told["errors"]
+    assert (fault["row"], fault["column"], told["imported"]) == (2, "Mood", False)
+    assert fault["message"] == (
+        '61 of 61 cells in this column do not fit: wanted seconds such as 1.5, found "Mood 0"; '
+        "map the column to another field, or ignore it"
+    )
+
+
 def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World) -> None:
     told = send(
         world,
@@ -184,7 +217,7 @@ def test_faults_that_only_the_whole_row_shows(world: World) -> None:
 @pytest.mark.parametrize(
     ("rows", "words"),
     [
-        ("a,Laser\nb,laser\n", "capitals only"),
+        ("a,Laser\nb,laser\n", "in case only"),
         ("a,caf\u00e9\nb,cafe\u0301\n", "belongs to row 2"),
         ("a,hit.wav\nb,hit\n", "belongs to row 2"),
     ],

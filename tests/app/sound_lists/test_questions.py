@@ -17,14 +17,14 @@ def test_the_answer_joins_the_cue(world: World) -> None:
     assert asked.status_code == 201, asked.text
     listed = world.producer.get(f"/v1/projects/{world.project_id}/sound-list").json()
     assert listed["cues"][0]["open_questions"] == 1
-    answer = world.decider.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A tool."})
+    answer = world.approver.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A tool."})
     assert answer.status_code == 200, answer.text
     assert answer.json()["answered_by"]["name"] == "Audio director"
     cue = world.designer.get(f"/v1/cues/{cue_id}").json()
     assert cue["description"] == "Something falls in.\n\nA drop, a tool, a person? A tool."
     assert (cue["open_questions"], cue["edition"]) == (0, 2)
     assert cue["questions"][0]["answer"] == "A tool."
-    again = world.decider.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A drop."})
+    again = world.approver.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A drop."})
     assert again.status_code == 409
     assert again.json()["code"] == "question-answered"
 

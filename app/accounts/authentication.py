@@ -1,0 +1,153 @@
+"""Authentication by secret, cookie or network. Endpoints pass in what a request carried."""
+
+import hashlib
+import hmac
+import secrets
+from collections.abc import Mapping
+from dataclasses import dataclass
+from urllib.parse import urlsplit
+from uuid import UUID
+
+from app.accounts import queries
+from app.accounts.errors import CsrfMismatch, NotSignedIn
+from app.accounts.rules import Actor
+from app.kit.db import Database
+from app.kit.http import SAFE_METHODS
+from app.settings import Settings
+
+SESSION_COOKIE = "soundlist_session"
+CSRF_COOKIE = "soundlist_csrf"
+CSRF_HEADER = "x-csrf-token"
+DEVICE_COOKIE = "soundlist_device"  # OWASP, device cookies: shows that this browser has signed in to an account before
+DEMO_COOKIE = "soundlist_demo_part"
+DEMO_PARTS = ("approver", "producer", "designer")  # the first is who comes in without choosing
+DEMO_SECRET = "demo"  # noqa: S105  what the demo's CSRF token is made from: it has no session
+LOOPBACK_HOSTS = frozenset({"127.0.0.1", "localhost", "[::1]"})
+LOOPBACK_CLIENTS = frozenset({"127.0.0.1", "::1"})
+FORWARDING_HEADERS = frozenset(
+    {"forwarded", "via", "x-real-ip", "x-client-ip", "x-original-host", "true-client-ip", "cf-connecting-ip"}
+)
+
+
+@dataclass(frozen=True)
+class RequestCredentials:
+    """The credentials of a request: headers under lower-case names."""
+
+    method: str
+    headers: Mapping[str, str]
+    cookies: Mapping[str, str]
+    client_host: str
+
+
+@dataclass(frozen=True)
+class AuthResult:
+    """The authenticated caller, the secret that the CSRF token is made from, and the demo's part if it was the demo."""
+
+    actor: Actor
+    secret: str | None = None
+    demo_part: str | None = None
+    unrecorded_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
+
+
+def new_secret() -> str:
+    """Return a secret of 256 bits for a cookie or a link."""
+    return secrets.token_urlsafe(32)
+
+
+def sha256_of(secret: str) -> str:
+    """Return the only form in which a secret is kept."""
+    return hashlib.sha256(secret.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def csrf_token(settings: Settings, secret: str) -> str:
+    """Return the token that our own page must send along with a session's secret."""
+    return _signed(settings, "csrf", secret)
+
+
+def device_cookie(settings: Settings, account: str) -> str:
+    """Return what a browser shows from now on to guess apart from strangers at this account's password."""
+    nonce = new_secret()
+    return f"{nonce}.{_signed(settings, 'device', nonce, account)}"
+
+
+def device_for(settings: Settings, cookie: str, account: str) -> str | None:
+    """Return the name of a browser that has signed in to this account before, None for any other."""
+    nonce, _, signature = cookie.partition(".")
+    is_ours = hmac.compare_digest(
+        signature.encode("utf-8", "surrogatepass"), _signed(settings, "device", nonce, account).encode()
+    )
+    return nonce if is_ours else None
+
+
+def _signed(settings: Settings, purpose: str, *parts: str) -> str:
+    key = settings.secret_key.get_secret_value().encode()
+    message = f"{purpose}:{':'.join(parts)}".encode("utf-8", "surrogatepass")
+    return hmac.new(key, message, hashlib.sha256).hexdigest()
+
+
+def is_demo_request(settings: Settings, credentials: RequestCredentials) -> bool:
+    """Whether this visit may enter the demo without signing in: from this machine, to this machine, directly."""
+    if not settings.demo or credentials.client_host not in LOOPBACK_CLIENTS:
+        return False
+    if any(name in FORWARDING_HEADERS or name.startswith("x-forwarded") for name in credentials.headers):
+        return False
+    return _without_port(credentials.headers.get("host", "")) in LOOPBACK_HOSTS
+
+
+def ensure_same_origin(settings: Settings, credentials: RequestCredentials) -> None:
+    """Raise CsrfMismatch for a write that a browser sends from another site's page."""
+    origin = credentials.headers.get("origin")
+    if credentials.method in SAFE_METHODS or origin is None or origin == _origin_of(settings.base_url):
+        return
+    if _host_of(origin) != credentials.headers.get("host"):
+        raise CsrfMismatch("this request did not come from Soundlist; open Soundlist and try again")
+
+
+def authenticate_request(database: Database, settings: Settings, credentials: RequestCredentials) -> AuthResult:
+    """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's."""
+    scheme, _, bearer = credentials.headers.get("authorization", "").partition(" ")
+    if scheme:
+        actor = queries.actor_for_token(database, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
+        if actor is None:
+            raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
+        return AuthResult(actor)
+    secret = credentials.cookies.get(SESSION_COOKIE)
+    if secret and (found := queries.actor_for_sign_in(database, sha256_of(secret))) is not None:
+        _ensure_csrf_token(settings, credentials, secret)
+        actor, unnoted_id = found
+        return AuthResult(actor, secret, unrecorded_sign_in_id=unnoted_id)
+    if is_demo_request(settings, credentials):
+        wanted = credentials.cookies.get(DEMO_COOKIE, "")
+        part = wanted if wanted in DEMO_PARTS else DEMO_PARTS[0]
+        with database.reading() as session:
+            actor = queries.actor_for_demo_part(session, part)
+        if actor is not None:
+            _ensure_csrf_token(settings, credentials, DEMO_SECRET)
+            return AuthResult(actor, DEMO_SECRET, part)
+    raise NotSignedIn("you are not signed in; sign in to continue")
+
+
+def _ensure_csrf_token(settings: Settings, credentials: RequestCredentials, secret: str) -> None:
+    if credentials.method in SAFE_METHODS:
+        return
+    ensure_same_origin(settings, credentials)
+    sent = credentials.headers.get(CSRF_HEADER, "").encode("utf-8", "surrogatepass")
+    if not hmac.compare_digest(sent, csrf_token(settings, secret).encode()):
+        raise CsrfMismatch("this request did not come from our page; reload it and try again")
+
+
+def _without_port(host: str) -> str:
+    name, _, port = host.lower().rpartition(":")
+    return name if name and port.isdecimal() else host.lower()
+
+
+def _host_of(origin: str) -> str | None:
+    try:
+        return urlsplit(origin).netloc
+    except ValueError:  # a bracket without its pair
+        return None
+
+
+def _origin_of(address: str) -> str:
+    parts = urlsplit(address)
+    return f"{parts.scheme}://{parts.netloc}"

@@ -1,0 +1,49 @@
+"""Cookies by which a browser stays signed in."""
+
+from datetime import timedelta
+
+from fastapi import Request, Response
+from sqlalchemy.orm import Session
+
+from app.accounts import authentication, sign_ins
+from app.accounts.authentication import (
+    SESSION_COOKIE,
+    csrf_token,
+)
+from app.accounts.models import Person
+from app.accounts.policies import client_address
+from app.accounts.rules import device_of
+from app.settings import Settings
+
+DEVICE_LIFETIME = timedelta(days=365)
+
+
+def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
+    """Give the answering browser a session of its own, in place of the one it had."""
+    secret = sign_ins.start_sign_in(
+        session,
+        person.id,
+        replaces=request.cookies.get(SESSION_COOKIE),
+        device=device_of(request.headers.get("user-agent", "")),
+        place=client_address(request),
+    )
+    _set_cookie(response, settings, SESSION_COOKIE, secret, lifetime=sign_ins.SIGN_IN_LIFETIME)
+    device = authentication.device_cookie(settings, person.email)
+    _set_cookie(response, settings, authentication.DEVICE_COOKIE, device, lifetime=DEVICE_LIFETIME)
+    give_csrf_token(response, settings, secret)
+
+
+def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:
+    max_age = int(lifetime.total_seconds())
+    response.set_cookie(name, value, max_age=max_age, httponly=True, samesite="lax", secure=settings.is_https)
+
+
+def give_csrf_token(response: Response, settings: Settings, secret: str) -> None:
+    """Set the cookie from which our page reads its CSRF token."""
+    response.set_cookie(
+        authentication.CSRF_COOKIE,
+        csrf_token(settings, secret),
+        samesite="lax",
+        secure=settings.is_https,
+        httponly=False,
+    )

@@ -1,0 +1,131 @@
+"""How often a caller may try: rate limits of requests, and the routes that answer with Retry-After."""
+
+from collections.abc import Callable, Coroutine
+from contextlib import AbstractContextManager, nullcontext
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Depends, Request, Response
+from fastapi.responses import JSONResponse
+from sqlalchemy.orm import Session
+
+from app.accounts import authentication, rate_limits
+from app.accounts.errors import (
+    TooManyAttempts,
+)
+from app.accounts.policies import client_address
+from app.accounts.rules import Actor
+from app.kit.concurrency import limiter
+from app.kit.db import bypass_row_policies
+from app.kit.http import (
+    PROBLEM_TYPE,
+    Problem,
+    Route,
+    database_of,
+    runtime_of,
+    transaction,
+)
+from app.kit.single_thread_route import LazySession, SingleThreadRoute
+
+Handler = Callable[[Request], Coroutine[Any, Any, Response]]
+
+
+async def _deferred_session(request: Request) -> LazySession:
+    opener: Any = nullcontext(partial(transaction, request))
+    return LazySession(partial(limiter().for_person, reads=False), lambda: opener)
+
+
+# What opens the request's transaction, for endpoints that first write what stays although the request is refused.
+DeferredSession = Annotated[Callable[[], AbstractContextManager[Session]], Depends(_deferred_session)]
+
+
+def network_of(request: Request) -> str:
+    """Return the place that tries are counted for."""
+    return rate_limits.network_of(client_address(request))
+
+
+def ensure_within_limits(request: Request, *counted: tuple[rate_limits.Limit, str]) -> None:
+    """Count one try against each limit; raise TooManyAttempts for too many. What is counted stays counted."""
+    for limit, whom in counted:
+        with database_of(request).writing() as session:
+            rate_limits.count_attempt(session, limit, whom)
+
+
+def ensure_sign_in_allowed(request: Request, account: str) -> None:
+    """Count one guess at an account's password, or at the secret of a link; raise TooManyAttempts for too many."""
+    ensure_within_limits(request, *_sign_in_limits(request, account))
+
+
+def _sign_in_limits(request: Request, account: str) -> list[tuple[rate_limits.Limit, str]]:
+    settings = runtime_of(request).settings
+    if (
+        device := authentication.device_for(settings, request.cookies.get(authentication.DEVICE_COOKIE, ""), account)
+    ) is not None:
+        return [(rate_limits.SIGN_INS_FROM_DEVICE, device)]  # whatever strangers do, its owner comes through
+    place = network_of(request)
+    return [
+        (rate_limits.SIGN_INS_FROM_NETWORK, place),
+        (rate_limits.SIGN_INS_TO_ACCOUNT_FROM_NETWORK, f"{account} {place}"),
+        (rate_limits.SIGN_INS_TO_ACCOUNT, account),
+    ]
+
+
+def reset_attempts(session: Session, request: Request, account: str) -> None:
+    """Forget the guesses at an account's password, now that it was right."""
+    with bypass_row_policies(session):  # the counts are the server's own
+        for limit, whom in _sign_in_limits(request, account):
+            if limit is not rate_limits.SIGN_INS_FROM_NETWORK:  # who owns one account must not guess at others for ever
+                rate_limits.reset(session, limit, whom)
+
+
+def ensure_invitation_allowed(session: Session, actor: Actor) -> None:
+    """Count one invitation; raise TooManyAttempts for too many."""
+    with bypass_row_policies(session):  # the counts are the server's own
+        rate_limits.count_attempt(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
+
+
+def ensure_mail_allowed(request: Request, whom: str) -> None:
+    """Count one mail about an account that anybody can ask for; raise TooManyAttempts for too many."""
+    ensure_within_limits(
+        request,
+        (rate_limits.MAILS_FROM_NETWORK, network_of(request)),
+        (rate_limits.MAILS_TO_ADDRESS, whom),
+    )
+
+
+def _wait(request: Request, error: TooManyAttempts) -> Response:
+    problem = Problem(
+        title="Too many tries",
+        status=error.status,
+        code=error.code(),
+        detail=error.message,
+        request_id=getattr(request.state, "request_id", None),
+    )
+    headers = {"Retry-After": str(error.retry_after_s)}
+    return JSONResponse(problem.model_dump(mode="json"), error.status, headers, media_type=PROBLEM_TYPE)
+
+
+def _with_retry_after(handle: Handler) -> Handler:
+    async def handle_with_retry_after(request: Request) -> Response:
+        try:
+            return await handle(request)
+        except TooManyAttempts as error:
+            return _wait(request, error)
+
+    return handle_with_retry_after
+
+
+class RateLimitedRoute(Route):
+    """A route that says how long to wait after too many tries."""
+
+    def get_route_handler(self) -> Handler:
+        """Answer TooManyAttempts with Retry-After."""
+        return _with_retry_after(super().get_route_handler())
+
+
+class UnsavedResponseRoute(SingleThreadRoute):
+    """A patient route whose answer carries a secret, so none is kept to be replayed for an Idempotency-Key."""
+
+    def get_route_handler(self) -> Handler:
+        """Answer TooManyAttempts with Retry-After."""
+        return _with_retry_after(super().get_route_handler())

@@ -1,0 +1,387 @@
+"""The endpoints of contracts."""
+
+import json
+from collections.abc import Sequence
+from typing import Annotated, Any
+from uuid import UUID
+
+from fastapi import Depends, Path, Query, Request, Response
+from starlette.concurrency import run_in_threadpool
+
+from app.accounts.policies import allows, client_address
+from app.accounts.rules import Actor, Audience
+from app.accounts.schemas import PersonBrief
+from app.agreements import comparison, lifecycle, queries, record, schemas
+from app.agreements.access import party_of, visible_contract
+from app.agreements.documents import PDF, TextPdf
+from app.agreements.errors import (
+    AddressNotProven,
+    AlreadyAccepted,
+    BadDraft,
+    ContractNotFound,
+    ContractVersionNotFound,
+    DraftChanged,
+    FrameworkNeeded,
+    NoContractNeeded,
+    NotYourContract,
+    SamePersonOnBothSides,
+    TemplateNotFound,
+    TextChanged,
+    TooLongToCompare,
+    WrongState,
+)
+from app.agreements.models import Contract, ContractVersion
+from app.agreements.rules import ContractState, Party
+from app.agreements.template_endpoints import attachment, clauses_of
+from app.agreements.text import Block, blocks_of
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.fair_share import FairShare, TooManyAtOnce
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
+from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
+
+router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
+VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
+
+
+def _blocks(blocks: Sequence[Block]) -> list[schemas.BlockRead]:
+    return [schemas.BlockRead.model_validate(block) for block in blocks]
+
+
+def _version(version: ContractVersion, *, is_team: bool) -> schemas.VersionRead:
+    rows = [row for row in version.clauses if is_team or row["stands"]]
+    return schemas.VersionRead(
+        **schemas.VersionBrief.model_validate(version).model_dump(),
+        blocks=_blocks(blocks_of(version.text)),
+        clauses=[schemas.ClauseRow.model_validate(row) for row in rows],
+        terms=version.terms,
+    )
+
+
+def _waits_for(contract: Contract, accepted: Sequence[Party]) -> list[Party]:
+    if contract.state is ContractState.DRAFT:
+        return [Party.STUDIO]
+    return [party for party in Party if party not in accepted] if contract.state is ContractState.SENT else []
+
+
+def _brief(contract: Contract, actor: Actor, accepted: Sequence[Party]) -> dict[str, Any]:
+    same = {
+        name: getattr(contract, name)
+        for name in schemas.ContractBrief.model_fields
+        if name not in ("designer", "my_party", "waits_for")
+    }
+    return same | {
+        "designer": PersonBrief.model_validate(contract.designer),
+        "my_party": party_of(actor, contract),
+        "waits_for": _waits_for(contract, accepted),
+    }
+
+
+def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.ContractRead:
+    versions = lifecycle.visible_versions(session, actor, contract)
+    shown, is_team = versions[0], bool(actor.roles_in(contract.studio_id))
+    acceptances = queries.acceptances_of(session, shown.id) if contract.state is not ContractState.DRAFT else []
+    accepted = [each.party for each in acceptances]
+    party, state = party_of(actor, contract), contract.state
+    is_draft, is_sent = state is ContractState.DRAFT, state is ContractState.SENT
+    asked = queries.newest_event(session, contract.id) if is_draft else None
+    change = json.loads(asked.payload) if asked and asked.kind == "change_requested" else None
+    return schemas.ContractRead(
+        **_brief(contract, actor, accepted),
+        studio_name=contract.project.studio.name,
+        version=_version(shown, is_team=is_team),
+        acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
+        change_requested=schemas.ContractChangeRead(
+            text=change["text"], clause=change["clause"], by=change["by"], at=asked.at
+        )
+        if asked and change
+        else None,
+        may=schemas.MayRead(
+            change=is_draft and party is Party.STUDIO,
+            send=is_draft and party is Party.STUDIO,
+            recall=is_sent and party is Party.STUDIO,
+            request_change=is_sent and party is Party.DESIGNER,
+            accept=is_sent and party is not None and party not in accepted,
+            end=party is not None and state is not ContractState.ENDED,
+        ),
+    )
+
+
+def _draft(body: schemas.DraftChange) -> lifecycle.Draft:
+    return lifecycle.Draft(
+        title=body.title,
+        clauses=clauses_of(body.clauses),
+        terms=body.terms,
+        currency=body.currency,
+        release_clause=body.release_clause,
+        holdback_bp=body.holdback_bp,
+    )
+
+
+@router.get(
+    "/projects/{project_id}/contracts",
+    response_model=list[schemas.ContractBrief],
+    responses=problems(ProjectNotFound, TeamNeeded),
+)
+def list_contracts(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[schemas.ContractBrief]:
+    """Return the project's contracts, the oldest first; a designer sees their own, once they were sent."""
+    found = lifecycle.contracts_of(session, actor, project_id)
+    accepted = queries.parties_who_accepted(session, [contract.id for contract in found])
+    return [schemas.ContractBrief(**_brief(contract, actor, accepted[contract.id])) for contract in found]
+
+
+@router.post(
+    "/projects/{project_id}/contracts",
+    status_code=201,
+    responses=problems(
+        ProjectNotFound, ProducerNeeded, EngagementNotFound, NoContractNeeded, FrameworkNeeded, TemplateNotFound
+    ),
+)
+def create_contract(
+    project_id: UUID, body: schemas.ContractAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Begin a draft with one designer, from the library or a template of the studio."""
+    contract = lifecycle.create_contract(
+        session,
+        actor,
+        project_id,
+        engagement_id=body.engagement_id,
+        kind=body.kind,
+        title=body.title,
+        currency=body.currency,
+        template_id=body.template_id,
+        framework_id=body.framework_id,
+        with_music=body.with_music,
+    )
+    return _contract(session, actor, contract)
+
+
+@router.get("/contracts/{contract_id}", responses=problems(ContractNotFound))
+def read_contract(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ContractRead:
+    """Return a contract with its newest text; the designer reads what was sent."""
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.put(
+    "/contracts/{contract_id}/draft",
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftChanged, BadDraft),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def save_contract_draft(
+    contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Save the draft as its next version."""
+    lifecycle.save_draft(
+        session, actor, contract_id, _draft(body), based_on_version=body.based_on_version, note=body.note
+    )
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post(
+    "/contracts/{contract_id}/preview",
+    responses=problems(ContractNotFound, ProducerNeeded),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def preview_contract(
+    contract_id: UUID, body: schemas.DraftChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.DraftPreview:
+    """Return the text that a draft would have; nothing is saved."""
+    text, found = lifecycle.preview(session, actor, contract_id, _draft(body))
+    return schemas.DraftPreview(
+        blocks=_blocks(blocks_of(text)), problems=[schemas.DraftProblem.model_validate(each) for each in found]
+    )
+
+
+async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
+    database = request.app.state.runtime.database
+    return await run_in_threadpool(
+        lambda: lifecycle.pdf_to_send(database, request.state.lazy_authentication(), contract_id)
+    )
+
+
+@router.post(
+    "/contracts/{contract_id}/send",
+    responses=problems(ContractNotFound, DocumentTooLarge, DraftChanged, ProducerNeeded, TypesettingBusy, WrongState),
+)
+def send_contract(
+    contract_id: UUID,
+    body: schemas.SendAdd,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER),
+    pdf: TextPdf = Depends(_pdf_to_send),
+) -> schemas.ContractRead:
+    """Put the text before both parties as PDF, with the open questions of this moment."""
+    lifecycle.send(session, runtime.store, actor, contract_id, pdf=pdf, note=body.note)
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/recall", responses=problems(ContractNotFound, ProducerNeeded, WrongState))
+def recall_contract(
+    contract_id: UUID, body: schemas.RecallAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Make a sent contract a draft again."""
+    lifecycle.recall(session, actor, contract_id, reason=body.reason)
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/ask-change", responses=problems(ContractNotFound, NotYourContract, WrongState))
+def request_contract_change(
+    contract_id: UUID, body: schemas.ContractChangeAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.ContractRead:
+    """Send a contract back to the studio with what its designer wants otherwise."""
+    lifecycle.request_change(session, actor, contract_id, text=body.text, clause_key=body.clause_key)
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post(
+    "/contracts/{contract_id}/accept",
+    responses=problems(
+        ContractNotFound,
+        NotYourContract,
+        WrongState,
+        TextChanged,
+        AlreadyAccepted,
+        AddressNotProven,
+        SamePersonOnBothSides,
+    ),
+)
+def accept_contract(
+    contract_id: UUID,
+    body: schemas.AcceptAdd,
+    request: Request,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ContractRead:
+    """Say yes to the text that was sent, for the caller's party; with the second yes it is agreed."""
+    lifecycle.accept(
+        session,
+        actor,
+        contract_id,
+        name=body.name,
+        text_sha256=body.text_sha256,
+        address=client_address(request),
+        proof_needed=bool(runtime.settings.smtp_url),
+    )
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post("/contracts/{contract_id}/end", responses=problems(ContractNotFound, NotYourContract, WrongState))
+def end_contract(
+    contract_id: UUID, body: schemas.EndAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ContractRead:
+    """End a contract, or give up a draft."""
+    lifecycle.end(session, actor, contract_id, reason=body.reason)
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.get(
+    "/contracts/{contract_id}/versions",
+    response_model=list[schemas.VersionBrief],
+    responses=problems(ContractNotFound),
+)
+def list_contract_versions(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Sequence[ContractVersion]:
+    """Return the versions that the caller may see, the newest first."""
+    contract = visible_contract(session, actor, contract_id)
+    return lifecycle.visible_versions(session, actor, contract)
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}", responses=problems(ContractNotFound, ContractVersionNotFound)
+)
+def read_contract_version(
+    contract_id: UUID, version: VersionNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.VersionRead:
+    """Return one version of the text."""
+    contract = visible_contract(session, actor, contract_id)
+    found = lifecycle.visible_version(session, actor, contract, version)
+    return _version(found, is_team=bool(actor.roles_in(contract.studio_id)))
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}/contract.pdf",
+    response_class=Response,
+    responses={
+        **problems(ContractNotFound, ContractVersionNotFound),
+        200: {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def download_contract_pdf(
+    contract_id: UUID,
+    version: VersionNumber,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> Response:
+    """Return the PDF of a version that was sent: the bytes that both saw."""
+    contract = visible_contract(session, actor, contract_id)
+    found = lifecycle.visible_version(session, actor, contract, version)
+    if found.pdf_sha256 is None:
+        raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
+    pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
+    return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
+
+
+@router.get(
+    "/contracts/{contract_id}/comparison",
+    responses=problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
+)
+def compare_contract_versions(
+    contract_id: UUID,
+    session: DbSession,
+    from_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    to_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ComparisonRead:
+    """Return two versions word by word."""
+    contract = visible_contract(session, actor, contract_id)
+    earlier = lifecycle.visible_version(session, actor, contract, from_version)
+    later = lifecycle.visible_version(session, actor, contract, to_version)
+    with COMPARISONS.of(actor.person):
+        lines = comparison.compare(earlier.text, later.text)
+        return schemas.ComparisonRead(
+            from_version=from_version,
+            to_version=to_version,
+            lines=[schemas.ComparedRead.model_validate(line) for line in lines],
+        )
+
+
+@router.get("/contracts/{contract_id}/record", responses=problems(ContractNotFound))
+def read_contract_record(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.RecordRead:
+    """Return the record of a contract, verified now."""
+    contract = visible_contract(session, actor, contract_id)
+    document = record.document_of(session, contract)
+    entries = [entry | {"payload": json.loads(entry["payload"])} for entry in document["entries"]]
+    return schemas.RecordRead(
+        contract_id=contract.id,
+        title=contract.title,
+        length=contract.record_length,
+        sha256=contract.record_sha256,
+        faults=list(record.faults_of(session, contract)),
+        entries=[schemas.RecordEntryRead.model_validate(entry) for entry in entries],
+    )
+
+
+@router.get(
+    "/contracts/{contract_id}/record.json",
+    response_class=Response,
+    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+)
+def download_contract_record(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Response:
+    """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
+    contract = visible_contract(session, actor, contract_id)
+    text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
+    headers = attachment(f"{contract.title}, record.json")
+    return Response(text, media_type="application/json", headers=headers)

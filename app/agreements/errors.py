@@ -1,0 +1,83 @@
+"""What this room refuses, each named after the fact."""
+
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
+
+
+class ContractNotFound(NotFound):
+    """No contract of that id within the caller's sight."""
+
+
+class PlanLocked(Conflict):
+    """Milestones and prices stand as they were sent or agreed; a draft's can be changed."""
+
+
+class BadPlan(Invalid):
+    """The plan cannot be kept; its problems say why, milestone by milestone."""
+
+
+class UnderContract(Conflict):
+    """Another contract that runs covers the same cue."""
+
+
+class NothingToSplit(Invalid):
+    """A milestone has an amount and no cues to share it."""
+
+
+class ContractVersionNotFound(NotFound):
+    """The contract has no version of that number that the caller may see."""
+
+
+class TemplateNotFound(NotFound):
+    """The studio has no template of that id."""
+
+
+class NotYourContract(Forbidden):
+    """Only a party to the contract may do this: a producer of the studio, or its designer."""
+
+
+class SamePersonOnBothSides(Forbidden):
+    """One person cannot act for both parties of a contract."""
+
+
+class AddressNotProven(Forbidden):
+    """Who accepts a contract must first have shown that they read their mail address."""
+
+
+class WrongState(Conflict):
+    """The contract is not in the state in which this can be done."""
+
+
+class DraftChanged(Conflict):
+    """The draft was changed by another person since it was read."""
+
+
+class TextChanged(Conflict):
+    """The text that was read is not the one that stands."""
+
+
+class AlreadyAccepted(Conflict):
+    """The party has accepted the text already."""
+
+
+class NoContractNeeded(Conflict):
+    """The studio's own people work without a contract."""
+
+
+class TemplateNameTaken(Conflict):
+    """The studio has a template of that name."""
+
+
+class FrameworkNeeded(Invalid):
+    """A statement of work names an agreed framework with the same designer, and nothing else does."""
+
+
+class BadDraft(Invalid):
+    """Clauses or terms cannot stand so; `errors` names the places."""
+
+
+class BadTemplate(Invalid):
+    """What was sent is no template; says where and why."""
+
+
+class TooLongToCompare(Invalid):
+    """Two versions of a contract are longer than what is compared word by word."""

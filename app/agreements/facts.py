@@ -1,0 +1,137 @@
+"""What the server fills into a contract: names, the list, open questions, and the plan of milestones."""
+
+from collections.abc import Collection, Mapping, Sequence
+from datetime import date
+from typing import Protocol
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.agreements.clauses import BY_DAY
+from app.agreements.models import Contract, ContractCue, Milestone
+from app.agreements.plan_queries import cues_of as covered_cues
+from app.agreements.plan_queries import milestones_of
+from app.agreements.rules import ReleaseClause
+from app.agreements.text import literal
+from app.kit.money import money, percent
+from app.projects.queries import approver_of, current_spec
+from app.sound_lists.models import Cue
+from app.sound_lists.queries import cues_of, questions_of, revision_number
+from app.sound_lists.rules import CueState, label
+
+RELEASE_SENTENCES = {
+    ReleaseClause.PER_CUE: "Each cue's share is due when the cue is accepted.",
+    ReleaseClause.ON_COMPLETION: "A milestone is due when the last of its cues is accepted.",
+}
+DEPOSIT_SENTENCE = "Of it {} is a deposit, due when this is agreed."
+HOLDBACK_SENTENCE = "Of each share {} is held back, and due when all cues are accepted."
+NONE_YET = "None has been written down yet."
+
+
+class Priced(Protocol):
+    """What a contract, or a draft that is not saved yet, says on how it is paid."""
+
+    currency: str
+    release_clause: ReleaseClause
+    holdback_bp: int
+
+
+def facts_of(
+    session: Session, contract: Contract, terms: Mapping[str, object], priced: Priced | None = None
+) -> dict[str, str]:
+    """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise."""
+    priced = priced or contract
+    project = contract.project
+    milestones, covered = milestones_of(session, contract.id), covered_cues(session, contract.id)
+    prices = {each.cue_id: each.price_minor for each in covered}
+    wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
+    cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
+    approver = session.get_one(Person, approver_of(session, project))
+    total_minor = sum(milestone.amount_minor for milestone in milestones) + _days_minor(terms)
+    deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
+    return {
+        "studio": literal(project.studio.name),
+        "designer": literal(contract.designer.name),
+        "project": literal(project.name),
+        "approver": literal(approver.name),
+        "currency": priced.currency,
+        "list_revision": str(revision_number(session, project.id)),
+        "spec_version": str(current_spec(session, project.id).version),
+        "cue_count": str(len(cues)),
+        "file_count": str(sum(cue.variations for cue in cues)),
+        "cues": _cue_table(cues, prices, project.cue_prefix, priced.currency),
+        "open_questions": _questions(session, contract, {cue.id for cue in cues}),
+        "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency),
+        "total": money(total_minor, priced.currency),
+        "deposit_sentence": DEPOSIT_SENTENCE.format(money(deposit_minor, priced.currency)) if deposit_minor else "",
+        "holdback_sentence": HOLDBACK_SENTENCE.format(percent(priced.holdback_bp)) if priced.holdback_bp else "",
+        "release_sentence": RELEASE_SENTENCES[priced.release_clause],
+        **_framework(session, contract),
+    }
+
+
+def _days_minor(terms: Mapping[str, object]) -> int:
+    """Return what all days together may cost; a draft that is only looked at may have any terms."""
+    rate_minor, days = terms.get("day_rate_minor"), terms.get("days_cap")
+    if terms.get("price_mode") != BY_DAY or not isinstance(rate_minor, int) or not isinstance(days, int):
+        return 0
+    return rate_minor * days
+
+
+def in_words(day: date) -> str:
+    """Return a day as texts write it: Friday 20 November 2026."""
+    return f"{day:%A} {day.day} {day:%B %Y}"
+
+
+def _framework(session: Session, contract: Contract) -> dict[str, str]:
+    if contract.framework_id is None:
+        return {"framework_title": "", "framework_agreed_on": ""}
+    framework = session.get_one(Contract, contract.framework_id)
+    agreed = in_words(framework.agreed_at.date()) if framework.agreed_at else ""
+    return {"framework_title": literal(framework.title), "framework_agreed_on": agreed}
+
+
+def _cue_table(cues: Sequence[Cue], prices: Mapping[UUID, int | None], cue_prefix: str, currency: str) -> str:
+    if not cues:
+        return NONE_YET
+    heads = ["Number", "Sound", "Files", "Length", *(["Price"] if any(prices.values()) else [])]
+    rows = [heads, ["---"] * len(heads)]
+    for cue in cues:
+        length = f"{cue.duration_s:.2f} s" if cue.duration_s else ""
+        name = literal(cue.name) + (" (loop)" if cue.loop else "")
+        price = prices.get(cue.id)
+        cells = [label(cue_prefix, cue.number), name, str(cue.variations), length]
+        rows.append([*cells, money(price, currency) if price is not None else ""][: len(heads)])
+    return _table(rows)
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in rows)
+
+
+def _questions(session: Session, contract: Contract, cue_ids: Collection[UUID]) -> str:
+    prefix = contract.project.cue_prefix
+    lines = [
+        f"- {label(prefix, question.cue.number)} {literal(question.cue.name)}: {literal(question.text)}"
+        for question in questions_of(session, contract.project_id, only_open=True)
+        if question.cue_id in cue_ids
+    ]
+    return "\n".join(lines) or "No question is open."
+
+
+def _milestone_table(
+    milestones: Sequence[Milestone], covered: Sequence[ContractCue], cue_prefix: str, currency: str
+) -> str:
+    if not milestones:
+        return NONE_YET
+    has_rates = any(milestone.tax_bp is not None for milestone in milestones)
+    heads = ["Milestone", "Date", "Cues", "Amount", *(["Tax"] if has_rates else [])]
+    rows = [heads, ["---"] * len(heads)]
+    for milestone in milestones:
+        own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
+        day = "at signing" if milestone.is_deposit else in_words(milestone.due_on) if milestone.due_on else ""
+        rate = percent(milestone.tax_bp) if milestone.tax_bp is not None else ""
+        cells = [literal(milestone.name), day, ", ".join(own), money(milestone.amount_minor, currency), rate]
+        rows.append(cells[: len(heads)])
+    return _table(rows)

@@ -1,0 +1,407 @@
+"""From a draft to a text that both parties accepted."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.accounts.rules import PROOF_WORDS, Actor
+from app.agreements import clauses as clause_rules
+from app.agreements import queries, record
+from app.agreements.access import contract_for_producer, contract_to_change, party_of, visible_contract
+from app.agreements.clauses import Clause, Terms, render, terms_in_force
+from app.agreements.documents import TextPdf, sha256_of
+from app.agreements.errors import (
+    AlreadyAccepted,
+    BadDraft,
+    ContractVersionNotFound,
+    DraftChanged,
+    FrameworkNeeded,
+    NotYourContract,
+    TemplateNotFound,
+)
+from app.agreements.facts import facts_of
+from app.agreements.models import Contract, ContractAcceptance, ContractVersion
+from app.agreements.plan import activate_plan
+from app.agreements.rules import (
+    KIND_WORDS,
+    ContractKind,
+    ContractState,
+    Party,
+    ReleaseClause,
+    ensure_address_proven,
+    ensure_another_person,
+    ensure_needs_contract,
+    ensure_same_text,
+    ensure_state,
+    ensure_under_framework,
+)
+from app.kit import clock
+from app.kit.db import Database
+from app.kit.errors import FieldProblem
+from app.kit.events import publish
+from app.kit.storage import Store
+from app.projects.engagements import record_nda
+from app.projects.errors import EngagementNotFound
+from app.projects.queries import engagement_by_id
+from app.projects.rules import EngagementKind
+from app.projects.service import project_access
+
+
+@dataclass
+class Draft:
+    """What a producer may change of a contract before it is sent."""
+
+    title: str
+    clauses: Sequence[Clause]
+    terms: Terms
+    currency: str
+    release_clause: ReleaseClause
+    holdback_bp: int
+
+
+def contracts_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
+    """Return the contracts of a project that the caller may see, the oldest first."""
+    project_access(session, actor, project_id, before_nda=True).ensure_party()
+    return queries.contracts_in(session, actor, project_id)
+
+
+def create_contract(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    *,
+    engagement_id: UUID,
+    kind: ContractKind,
+    title: str,
+    currency: str,
+    template_id: UUID | None = None,
+    framework_id: UUID | None = None,
+    with_music: bool = False,
+) -> Contract:
+    """Begin a draft with one designer, from the library or from a template of the studio."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    engagement = engagement_by_id(session, project_id, engagement_id)
+    if engagement is None or engagement.ended_at is not None:
+        raise EngagementNotFound(f"no running engagement {engagement_id} in this project")
+    ensure_another_person(
+        actor.person,
+        session.get_one(Person, actor.person).email,
+        [(engagement.designer_id, engagement.designer.email)],
+    )
+    ensure_needs_contract(is_in_house=engagement.kind is EngagementKind.IN_HOUSE)
+    ensure_under_framework(kind, has_framework=framework_id is not None)
+    if framework_id is not None:
+        _ensure_framework(session, actor, framework_id, access.project.studio_id, engagement.designer_id)
+    clauses, terms = clause_rules.begin(kind, with_music=with_music)
+    if template_id is not None:
+        template = queries.template_by_id(session, access.project.studio_id, template_id)
+        if template is None or template.kind is not kind:
+            raise TemplateNotFound(f"the studio has no template {template_id} for a {KIND_WORDS[kind]}")
+        clauses, terms = [Clause.of(row) for row in template.clauses], dict(template.terms)
+    queries.lock_contracts_of(session, project_id)
+    contract = Contract(
+        studio_id=access.project.studio_id,
+        project_id=project_id,
+        engagement_id=engagement.id,
+        designer_id=engagement.designer_id,
+        framework_id=framework_id,
+        number=queries.next_number(session, project_id),
+        title=title,
+        kind=kind,
+        currency=currency,
+        created_by=actor.person,
+    )
+    session.add(contract)
+    session.flush()
+    whole = visible_contract(session, actor, contract.id)
+    _add_version(session, actor, whole, clauses, terms, note=f"Begun as a {KIND_WORDS[kind]}")
+    return whole
+
+
+def _ensure_framework(session: Session, actor: Actor, framework_id: UUID, studio_id: UUID, designer_id: UUID) -> None:
+    framework = queries.contract_for(session, actor, framework_id)
+    fits = (
+        framework is not None
+        and framework.kind is ContractKind.FRAMEWORK
+        and framework.state is ContractState.AGREED
+        and framework.studio_id == studio_id
+        and framework.designer_id == designer_id
+    )
+    if not fits:
+        message = "there is no framework agreement with that id that this designer has signed"
+        raise FrameworkNeeded(
+            message,
+            errors=[{"where": "framework_id", "message": message}],
+            fix="sign a framework agreement first, or use a single contract",
+        )
+
+
+def save_draft(
+    session: Session, actor: Actor, contract_id: UUID, draft: Draft, *, based_on_version: int, note: str = ""
+) -> ContractVersion:
+    """Save a draft as its next version; the same text again is the version that it was."""
+    contract = contract_to_change(session, actor, contract_id)
+    ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
+    newest = _newest(session, contract)
+    if newest.number != based_on_version:
+        raise DraftChanged(
+            f"{newest.author.name} saved version {newest.number}; yours began from version {based_on_version}",
+            fix=f"compare with version {newest.number}, then save what you still want",
+        )
+    _ensure_whole(draft)
+    _put(contract, draft)
+    return _add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
+
+
+def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> tuple[str, list[FieldProblem]]:
+    """Return the text that a draft would have, and what is wrong with it; nothing is saved."""
+    contract = contract_for_producer(session, actor, contract_id)
+    facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft)
+    text = render(draft.title, draft.clauses, draft.terms, facts, draft.currency)
+    return text, _problems(draft)
+
+
+def pdf_to_send(database: Database, actor: Actor, contract_id: UUID) -> TextPdf:
+    """Return the PDF of a draft as it would be sent now; it is made outside of any transaction, as it may take long."""
+    with database.reading(actor.reach) as session:
+        contract = contract_for_producer(session, actor, contract_id)
+        newest, clauses = _sendable(session, contract)
+        text = _text_now(session, contract, clauses, newest.terms)
+    return TextPdf.of(contract.title, text)
+
+
+def send(
+    session: Session, store: Store, actor: Actor, contract_id: UUID, *, pdf: TextPdf, note: str = ""
+) -> ContractVersion:
+    """Put the text before both parties as it reads now; raise DraftChanged where the PDF is of another text."""
+    contract = contract_to_change(session, actor, contract_id)
+    newest, clauses = _sendable(session, contract)
+    anew = newest.sent_at is not None
+    version = _add_version(session, actor, contract, clauses, newest.terms, note="As sent", anew=anew)
+    if version.text_sha256 != pdf.text_sha256:
+        raise DraftChanged("the text changed while its PDF was made", fix="read it again, then send it")
+    stored = store.put(contract.studio_id, [pdf.content])
+    version.sent_at, version.pdf_sha256, version.pdf_bytes = clock.now(), stored.sha256, stored.size_bytes
+    contract.state = ContractState.SENT
+    session.flush()
+    _note(session, actor, contract, "sent", version=version, note=note)
+    publish(session, "contract.sent", studio_id=contract.studio_id, contract_id=contract.id, version=version.number)
+    return version
+
+
+def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
+    ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
+    newest = _newest(session, contract)
+    return newest, [Clause.of(row) for row in newest.clauses]
+
+
+def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
+    """Make a sent contract a draft again, for the studio to change; what was accepted of it counts no more."""
+    contract = contract_to_change(session, actor, contract_id)
+    ensure_state(
+        contract.state, {ContractState.SENT}, "only a sent contract that is not signed by both can be recalled"
+    )
+    contract.state = ContractState.DRAFT
+    _note(session, actor, contract, "taken_back", reason=reason)
+
+
+def request_change(
+    session: Session, actor: Actor, contract_id: UUID, *, text: str, clause_key: str | None = None
+) -> None:
+    """Send a contract back to the studio with what its designer wants otherwise."""
+    contract = visible_contract(session, actor, contract_id)
+    if party_of(actor, contract) is not Party.DESIGNER:
+        raise NotYourContract("only the contract's designer requests a change; a producer recalls and edits it")
+    contract = queries.lock_contract(session, contract.id)
+    ensure_state(contract.state, {ContractState.SENT}, "a change can be requested while it needs your signature")
+    contract.state = ContractState.DRAFT
+    _note(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
+    publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)
+
+
+def accept(
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    *,
+    name: str,
+    text_sha256: str,
+    address: str,
+    proof_needed: bool,
+) -> ContractAcceptance:
+    """Record a party's yes to the text that was sent; with the second one the contract is agreed.
+
+    Raises TextChanged unless `text_sha256` is the hash of the current text, SamePersonOnBothSides where the other
+    yes is the same person's, and AddressNotProven where a proof is needed. Where none is needed, the record says so.
+    """
+    contract = visible_contract(session, actor, contract_id)
+    party = party_of(actor, contract)
+    if party is None:
+        raise NotYourContract("only a producer of the studio and the contract's designer can sign it")
+    contract = queries.lock_contract(session, contract.id)
+    ensure_state(contract.state, {ContractState.SENT}, "a contract can be signed once it was sent")
+    version = _newest(session, contract)
+    ensure_same_text(text_sha256, version.text_sha256)
+    given = queries.acceptances_of(session, version.id)
+    if any(each.party is party for each in given):
+        raise AlreadyAccepted(f"the {party} has signed this text already; the other party has not")
+    person = session.get_one(Person, actor.person)
+    ensure_another_person(person.id, person.email, [(each.person_id, each.email) for each in given])
+    if proof_needed:
+        ensure_address_proven(person.email_proof, person.email)
+    acceptance = ContractAcceptance(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        version_id=version.id,
+        party=party,
+        person_id=person.id,
+        name=name,
+        email=person.email,
+        email_proof=person.email_proof,
+        address=address,
+    )
+    session.add(acceptance)
+    session.flush()
+    _note(
+        session,
+        actor,
+        contract,
+        "accepted_by",
+        version=version,
+        party=party,
+        name=name,
+        email=person.email,
+        email_proof=PROOF_WORDS[person.email_proof],
+        address=address,
+    )
+    if given:
+        _agree(session, actor, contract, version)
+    return acceptance
+
+
+def _agree(session: Session, actor: Actor, contract: Contract, version: ContractVersion) -> None:
+    contract.state, contract.agreed_at = ContractState.AGREED, clock.now()
+    session.flush()
+    _note(session, actor, contract, "agreed", version=version)
+    if contract.kind is ContractKind.NDA:
+        record_nda(session, contract.engagement_id, document_sha256=version.pdf_sha256 or "", at=contract.agreed_at)
+    activate_plan(session, contract, person_id=actor.person)
+    publish(
+        session,
+        "contract.agreed",
+        studio_id=contract.studio_id,
+        contract_id=contract.id,
+        person_id=actor.person,
+    )
+
+
+def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
+    """End a contract, or give up a draft; either party may, and the reason is kept."""
+    contract = visible_contract(session, actor, contract_id)
+    if party_of(actor, contract) is None:
+        raise NotYourContract("only a producer of the studio and the contract's designer end it")
+    contract = queries.lock_contract(session, contract.id)
+    running = {ContractState.DRAFT, ContractState.SENT, ContractState.AGREED}
+    ensure_state(contract.state, running, "this contract has ended already")
+    contract.state, contract.ended_at, contract.end_reason = ContractState.ENDED, clock.now(), reason
+    session.flush()
+    _note(session, actor, contract, "ended", reason=reason)
+
+
+def visible_versions(session: Session, actor: Actor, contract: Contract) -> Sequence[ContractVersion]:
+    """Return the versions that the caller may see, the newest first: the designer sees what was sent."""
+    is_team = bool(actor.roles_in(contract.studio_id))
+    return [each for each in queries.versions_of(session, contract.id) if is_team or each.sent_at is not None]
+
+
+def visible_version(session: Session, actor: Actor, contract: Contract, number: int) -> ContractVersion:
+    """Return one version that the caller may see; raise ContractVersionNotFound for any other."""
+    version = queries.version_by_number(session, contract.id, number)
+    if version is None or not (actor.roles_in(contract.studio_id) or version.sent_at is not None):
+        raise ContractVersionNotFound(f"this contract has no version {number}")
+    return version
+
+
+def _newest(session: Session, contract: Contract) -> ContractVersion:
+    newest = queries.newest_version(session, contract.id)
+    if newest is None:
+        raise ContractVersionNotFound("this contract has no text")
+    return newest
+
+
+def _put(contract: Contract, draft: Draft) -> None:
+    contract.title, contract.currency, contract.release_clause = draft.title, draft.currency, draft.release_clause
+    contract.holdback_bp = draft.holdback_bp
+
+
+def _problems(draft: Draft) -> list[FieldProblem]:
+    return [
+        {"where": where, "message": message} for where, message in clause_rules.faults_of(draft.clauses, draft.terms)
+    ]
+
+
+def _ensure_whole(draft: Draft) -> None:
+    if problems := _problems(draft):
+        first = problems[0]
+        raise BadDraft(f"nothing was saved; {first['where']}: {first['message']}", errors=problems)
+
+
+def _add_version(
+    session: Session,
+    actor: Actor,
+    contract: Contract,
+    clauses: Sequence[Clause],
+    terms: Terms,
+    *,
+    note: str,
+    anew: bool = False,
+) -> ContractVersion:
+    """Add the text as a version, unless it equals the newest version and no new version is required."""
+    session.flush()
+    text = _text_now(session, contract, clauses, terms)
+    newest = queries.newest_version(session, contract.id)
+    rows = [clause.as_row() for clause in clauses]
+    if newest and not anew and (newest.text, newest.clauses, newest.terms) == (text, rows, terms):
+        return newest
+    version = ContractVersion(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        number=newest.number + 1 if newest else 1,
+        clauses=rows,
+        terms=dict(terms),
+        text=text,
+        text_sha256=sha256_of(text),
+        note=note,
+        created_by=actor.person,
+        author=session.get_one(Person, actor.person),
+    )
+    session.add(version)
+    session.flush()
+    return version
+
+
+def _text_now(session: Session, contract: Contract, clauses: Sequence[Clause], terms: Terms) -> str:
+    facts = facts_of(session, contract, terms_in_force(clauses, terms))
+    return render(contract.title, clauses, terms, facts, contract.currency)
+
+
+def _note(
+    session: Session, actor: Actor, contract: Contract, kind: str, version: ContractVersion | None = None, **facts: Any
+) -> None:
+    """Write into the contract's record who did it, and to which text."""
+    person = session.get_one(Person, actor.person)
+    payload: dict[str, Any] = {"by_email": person.email, **facts}
+    if version is not None:
+        payload |= {
+            "version": version.number,
+            "text_sha256": version.text_sha256,
+            "pdf_sha256": version.pdf_sha256 or "",
+        }
+    record.append(session, contract.id, kind, payload, by=person.id)

@@ -1,0 +1,191 @@
+"""The tables of this room."""
+
+from datetime import date, datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person
+from app.accounts.rules import AddressProof
+from app.agreements.rules import AcceptedBy, ContractKind, ContractState, Party, ReleaseClause, WorkState
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.kit.record import START
+from app.projects.models import Engagement, Project
+from app.sound_lists.models import Cue
+
+
+class Contract(Base):
+    """What a studio and one designer agree in a project, from the first draft on."""
+
+    __tablename__ = "contracts_contracts"
+    __table_args__ = (
+        UniqueConstraint("project_id", "number"),
+        CheckConstraint("(kind = 'statement_of_work') = (framework_id is not null)", name="batch_has_framework"),
+        CheckConstraint("deposit_bp between 0 and 10000", name="deposit_is_a_part"),
+        CheckConstraint("holdback_bp between 0 and 10000", name="holdback_is_a_part"),
+        CheckConstraint("(state <> 'agreed') or (agreed_at is not null)", name="agreed_is_dated"),
+        CheckConstraint("(state = 'ended') = (ended_at is not null)", name="ended_is_dated"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    engagement_id: Mapped[UUID] = mapped_column(ForeignKey("projects_engagements.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    framework_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    number: Mapped[int]  # counts in the project
+    title: Mapped[str]
+    kind: Mapped[ContractKind]
+    state: Mapped[ContractState] = mapped_column(default=ContractState.DRAFT)
+    currency: Mapped[str]  # ISO 4217
+    release_clause: Mapped[ReleaseClause] = mapped_column(default=ReleaseClause.PER_CUE)
+    deposit_bp: Mapped[int] = mapped_column(default=0)
+    holdback_bp: Mapped[int] = mapped_column(default=0)
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    agreed_at: Mapped[datetime | None]
+    ended_at: Mapped[datetime | None]
+    end_reason: Mapped[str | None]
+    record_length: Mapped[int] = mapped_column(default=0)
+    record_sha256: Mapped[str] = mapped_column(default=START)  # of the newest entry of its record
+    project: Mapped[Project] = relationship(lazy="raise")
+    engagement: Mapped[Engagement] = relationship(lazy="raise")
+    designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
+    framework: Mapped["Contract | None"] = relationship(lazy="raise", remote_side="Contract.id")
+
+
+class ContractVersion(Base):
+    """One state of a contract's text, with the clauses and figures that it was written from; never altered."""
+
+    __tablename__ = "contracts_versions"
+    __table_args__ = (
+        UniqueConstraint("contract_id", "number"),
+        CheckConstraint("(sent_at is null) = (pdf_sha256 is null)", name="sent_as_pdf"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    number: Mapped[int]
+    clauses: Mapped[list[dict[str, Any]]]  # key, title, text and whether it stands, in order
+    terms: Mapped[dict[str, Any]]  # what the clauses leave open: rounds, days, parts
+    text: Mapped[str]  # Markdown, as both read it
+    text_sha256: Mapped[str]
+    note: Mapped[str] = mapped_column(default="")
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    sent_at: Mapped[datetime | None]
+    pdf_sha256: Mapped[str | None]
+    pdf_bytes: Mapped[int | None]
+    author: Mapped[Person] = relationship(lazy="raise")
+
+
+class ContractAcceptance(Base):
+    """One party's yes to one version: who gave it, under which name, when and from where."""
+
+    __tablename__ = "contracts_acceptances"
+    __table_args__ = (UniqueConstraint("version_id", "party"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"))
+    party: Mapped[Party]
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    name: Mapped[str]  # as typed
+    email: Mapped[str]
+    email_proof: Mapped[AddressProof | None]  # that they read the mail of that address; None: it was not shown
+    address: Mapped[str]  # on the network
+    accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class ContractEvent(Base):
+    """One entry of a contract's record, chained to the one before; never altered, never deleted."""
+
+    __tablename__ = "contracts_events"
+    __table_args__ = (UniqueConstraint("contract_id", "seq"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    seq: Mapped[int]
+    at: Mapped[datetime]
+    kind: Mapped[str]
+    payload: Mapped[str]  # canonical JSON: the hash is over these bytes
+    previous_sha256: Mapped[str]
+    sha256: Mapped[str]
+
+
+class ContractTemplate(Base):
+    """Clauses and figures that a studio keeps to begin contracts from."""
+
+    __tablename__ = "contracts_templates"
+    __table_args__ = (UniqueConstraint("studio_id", "name"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    name: Mapped[str]
+    kind: Mapped[ContractKind]
+    clauses: Mapped[list[dict[str, Any]]]
+    terms: Mapped[dict[str, Any]]
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Milestone(Base):
+    """A dated part of a contract: cues and an amount; a deposit has no cues and is due at signing."""
+
+    __tablename__ = "contracts_milestones"
+    __table_args__ = (
+        UniqueConstraint("contract_id", "position"),
+        CheckConstraint("amount_minor >= 0", name="amount_not_negative"),
+        CheckConstraint("tax_bp between 0 and 10000", name="tax_is_a_part"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    position: Mapped[int]
+    name: Mapped[str]
+    is_deposit: Mapped[bool] = mapped_column(default=False)
+    amount_minor: Mapped[int] = mapped_column(BigInteger)  # as agreed; its cues share it
+    due_on: Mapped[date | None]
+    tax_bp: Mapped[int | None]  # None: the contract's rate
+
+
+class ContractCue(Base):
+    """A cue that a contract covers: its price, fixed when agreed, and what became of it."""
+
+    __tablename__ = "contracts_cues"
+    __table_args__ = (
+        UniqueConstraint("contract_id", "cue_id"),
+        CheckConstraint("price_minor >= 0", name="price_not_negative"),
+        CheckConstraint("amount_minor >= 0", name="amount_not_negative"),
+        CheckConstraint("estimate_min > 0", name="estimate_positive"),
+        CheckConstraint("(cut_at is null) = (cut_in is null)", name="cut_in_a_state"),
+        CheckConstraint("(accepted_at is null) = (accepted_by is null)", name="accepted_somehow"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    milestone_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_milestones.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    position: Mapped[int]
+    price_minor: Mapped[int | None] = mapped_column(BigInteger)  # as asked for; the weight of its share
+    amount_minor: Mapped[int | None] = mapped_column(BigInteger)  # its share, from the agreement on
+    estimate_min: Mapped[int | None]  # minutes of work; stands from the agreement on
+    accepted_at: Mapped[datetime | None]
+    accepted_by: Mapped[AcceptedBy | None]
+    cut_at: Mapped[datetime | None]
+    cut_in: Mapped[WorkState | None]
+    cue: Mapped[Cue] = relationship(lazy="raise")

@@ -1,0 +1,209 @@
+"""A contract's plan: milestones with dates, cues and amounts; free in a draft, fixed when both have agreed."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import date
+from uuid import UUID
+
+from sqlalchemy import delete
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.agreements import plan_queries, record
+from app.agreements.access import contract_for_producer, contract_to_change
+from app.agreements.amounts import split
+from app.agreements.errors import BadPlan, PlanLocked, UnderContract
+from app.agreements.models import Contract, ContractCue, Milestone
+from app.agreements.plan_check import Advice, PlannedPayment, check_plan
+from app.agreements.plan_queries import terms_of
+from app.agreements.rules import ContractKind, ContractState
+from app.agreements.terms import PriceMode
+from app.kit.errors import FieldProblem
+from app.kit.money import BASIS_POINTS, money
+from app.sound_lists.rules import CueState
+
+LARGEST_MINOR = 10**12  # of one milestone
+
+
+@dataclass(frozen=True)
+class PlannedCue:
+    """A cue of a planned milestone."""
+
+    cue_id: UUID
+    price_minor: int | None = None
+    estimate_min: int | None = None
+
+
+@dataclass(frozen=True)
+class PlannedMilestone:
+    """A milestone as it is planned; without an amount, its cues' prices add up to it."""
+
+    name: str
+    amount_minor: int | None
+    due_on: date | None
+    is_deposit: bool = False
+    tax_bp: int | None = None
+    cues: Sequence[PlannedCue] = field(default_factory=tuple)
+
+    @property
+    def whole_minor(self) -> int:
+        """What the milestone pays."""
+        if self.amount_minor is not None:
+            return self.amount_minor
+        return sum(cue.price_minor or 0 for cue in self.cues)
+
+
+def review_plan(
+    session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]
+) -> tuple[list[FieldProblem], list[Advice]]:
+    """Return what is wrong with a plan and what is unwise about it, while it is written; nothing is saved."""
+    contract = contract_for_producer(session, actor, contract_id)
+    payments = [
+        PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
+    ]
+    cue_ids = [cue.cue_id for one in plan for cue in one.cues]
+    return _faults(session, contract, plan), [
+        *check_plan(payments, contract.currency),
+        *_covered_elsewhere(session, contract, cue_ids),
+    ]
+
+
+def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:
+    """Put a plan in the place of a draft's plan; raise BadPlan with every problem that it has."""
+    contract = contract_to_change(session, actor, contract_id)
+    if contract.state is not ContractState.DRAFT:
+        raise PlanLocked(
+            f"this contract is {contract.state.value}, so its plan can't be edited",
+            fix="recall it first, or create another statement of work",
+        )
+    if contract.kind in (ContractKind.NDA, ContractKind.FRAMEWORK):
+        raise PlanLocked(f"a contract of the kind {contract.kind.value} has no milestones; its batches have")
+    if faults := _faults(session, contract, plan):
+        raise BadPlan("; ".join(fault["message"] for fault in faults[:5]), errors=faults)
+    session.execute(delete(ContractCue).where(ContractCue.contract_id == contract.id))
+    session.execute(delete(Milestone).where(Milestone.contract_id == contract.id))
+    position = 0
+    for place, planned in enumerate(plan, start=1):
+        of = {"studio_id": contract.studio_id, "project_id": contract.project_id, "contract_id": contract.id}
+        milestone = Milestone(
+            **of,
+            position=place,
+            name=planned.name,
+            is_deposit=planned.is_deposit,
+            amount_minor=planned.whole_minor,
+            due_on=planned.due_on,
+            tax_bp=planned.tax_bp,
+        )
+        session.add(milestone)
+        session.flush()
+        for cue in planned.cues:
+            position += 1
+            session.add(ContractCue(**of, milestone_id=milestone.id, position=position, **vars(cue)))
+    whole = sum(planned.whole_minor for planned in plan)
+    deposit = sum(planned.whole_minor for planned in plan if planned.is_deposit)
+    contract.deposit_bp = (2 * deposit * BASIS_POINTS + whole) // (2 * whole) if whole else 0
+    session.flush()
+    return contract
+
+
+def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> list[FieldProblem]:
+    faults: list[FieldProblem] = []
+
+    def report(where: str, message: str) -> None:
+        faults.append(FieldProblem(where=where, message=message))
+
+    wanted = [cue.cue_id for planned in plan for cue in planned.cues]
+    known = {cue.id: cue for cue in plan_queries.cues_in_project(session, contract.project_id, wanted)}
+    for place, planned in enumerate(plan):
+        at = f"milestones.{place}"
+        if planned.is_deposit and planned.cues:
+            report(at, f"{planned.name} is a deposit, which is due at signing; move its cues into a milestone")
+        if not 0 <= planned.whole_minor <= LARGEST_MINOR:
+            report(at, f"{planned.name} pays {planned.whole_minor}; wanted 0 to {LARGEST_MINOR} in whole minor units")
+        prices = [cue.price_minor for cue in planned.cues]
+        if planned.amount_minor is not None and None not in prices and prices:
+            added = sum(price or 0 for price in prices)
+            if added != planned.amount_minor:
+                report(
+                    at,
+                    f"the cues of {planned.name} add up to {money(added, contract.currency)}, "
+                    f"and it pays {money(planned.amount_minor, contract.currency)}; leave one of them out",
+                )
+        elif planned.amount_minor is None and None in prices:
+            report(at, f"{planned.name} has no amount, and one of its cues has no price; enter one of them")
+        for cue in planned.cues:
+            if cue.cue_id not in known:
+                report(at, f"{planned.name}: there is no cue {cue.cue_id} in this project")
+            elif known[cue.cue_id].state is CueState.CUT:
+                report(at, f"{planned.name}: {known[cue.cue_id].name} was cut")
+    for cue_id, times in Counter(wanted).items():
+        if times > 1 and cue_id in known:
+            report("milestones", f"{known[cue_id].name} is in the plan {times} times; a cue belongs to one milestone")
+    return faults
+
+
+def advice_on(session: Session, contract: Contract) -> list[Advice]:
+    """Return what is unwise about a contract's plan, and why."""
+    covered = plan_queries.cues_of(session, contract.id)
+    cues = Counter(cue.milestone_id for cue in covered)
+    payments = [
+        PlannedPayment(
+            name=milestone.name,
+            amount_minor=milestone.amount_minor,
+            due_on=milestone.due_on,
+            cues=cues[milestone.id],
+            is_deposit=milestone.is_deposit,
+        )
+        for milestone in plan_queries.milestones_of(session, contract.id)
+    ]
+    advice = check_plan(payments, contract.currency)
+    if contract.state in (ContractState.DRAFT, ContractState.SENT):
+        advice += _covered_elsewhere(session, contract, [cue.cue_id for cue in covered])
+    return advice
+
+
+def _covered_elsewhere(session: Session, contract: Contract, cue_ids: Sequence[UUID]) -> list[Advice]:
+    return [
+        Advice(
+            "covered-elsewhere",
+            f"{cue} is part of {title}, which is signed.",
+            "Two contracts would pay for it twice; remove it from one of them before signing.",
+        )
+        for cue, title in plan_queries.covered_elsewhere(session, contract.id, cue_ids)
+    ]
+
+
+def activate_plan(session: Session, contract: Contract, *, person_id: UUID) -> None:
+    """Fix the price of every cue now that both have agreed.
+
+    Raises UnderContract where a cue is not settled under another contract, NothingToSplit for an amount without cues.
+    """
+    milestones = plan_queries.milestones_of(session, contract.id)
+    cues = plan_queries.cues_of(session, contract.id)
+    taken = plan_queries.covered_elsewhere(session, contract.id, [cue.cue_id for cue in cues])
+    if taken:
+        named = ", ".join(f"{cue} ({title})" for cue, title in taken)
+        raise UnderContract(f"another contract covers {named}", fix="end that one, or take these cues out of this one")
+    by_day = terms_of(session, contract).price_mode is PriceMode.DAY_RATE
+    for milestone in milestones:
+        own = [cue for cue in cues if cue.milestone_id == milestone.id]
+        if not milestone.is_deposit and (own or (milestone.amount_minor and not by_day)):
+            for cue, amount_minor in zip(own, _shares(milestone, own), strict=True):
+                cue.amount_minor = amount_minor
+    session.flush()
+    plan = [
+        {
+            "name": milestone.name,
+            "amount": money(milestone.amount_minor, contract.currency),
+            "due_on": milestone.due_on.isoformat() if milestone.due_on else "",
+            "cues": sum(cue.milestone_id == milestone.id for cue in cues),
+        }
+        for milestone in milestones
+    ]
+    if plan:
+        record.append(session, contract.id, "planned", {"milestones": plan}, by=person_id)
+
+
+def _shares(milestone: Milestone, cues: Sequence[ContractCue]) -> list[int]:
+    return split(milestone.amount_minor, [cue.price_minor or 0 for cue in cues])

@@ -1,0 +1,183 @@
+"""Contracts within the caller's reach: those who act for the studio see its contracts, a designer their own.
+
+A price is between two parties. Reviewers, implementers and other designers see none of it.
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+from uuid import UUID
+
+from sqlalchemy import ColumnElement, exists, func, or_, select
+from sqlalchemy.orm import Session, joinedload
+
+from app.accounts.rules import Actor, Role
+from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractTemplate, ContractVersion
+from app.agreements.rules import ContractKind, ContractState, Party
+from app.projects.models import Liaison, Project
+
+WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
+
+
+def in_reach(actor: Actor) -> ColumnElement[bool]:
+    """Return which contracts a caller may see: a producer the studio's, a liaison the project's, a designer their own.
+
+    Only the studio sees a contract before it is first sent.
+    """
+    produces = [studio_id for studio_id, roles in actor.roles.items() if Role.PRODUCER in roles]
+    named = exists().where(Liaison.project_id == Contract.project_id, Liaison.person_id == actor.person_id)
+    speaks = or_(Contract.studio_id.in_(produces), Contract.studio_id.in_(actor.roles) & named)
+    was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
+    is_shown = or_(Contract.state == ContractState.AGREED, was_sent)
+    return or_(speaks, (Contract.designer_id == actor.person_id) & is_shown)
+
+
+def contract_for(session: Session, actor: Actor, contract_id: UUID) -> Contract | None:
+    """Return a contract that the caller may see, with project, studio and designer."""
+    return session.scalar(select(Contract).where(Contract.id == contract_id, in_reach(actor)).options(*WHOLE))
+
+
+def contracts_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
+    """Return the contracts of a project that the caller may see, the oldest first."""
+    return session.scalars(
+        select(Contract)
+        .where(Contract.project_id == project_id, in_reach(actor))
+        .options(*WHOLE)
+        .order_by(Contract.number)
+    ).all()
+
+
+def agreed_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
+    """Return the agreed and ended contracts about work in a project that the caller may see, the oldest first."""
+    return session.scalars(
+        select(Contract)
+        .where(
+            Contract.project_id == project_id,
+            Contract.agreed_at.is_not(None),
+            Contract.state.in_((ContractState.AGREED, ContractState.ENDED)),
+            Contract.kind.in_((ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK)),
+            in_reach(actor),
+        )
+        .options(*WHOLE)
+        .order_by(Contract.number)
+    ).all()
+
+
+def lock_contract(session: Session, contract_id: UUID) -> Contract:
+    """Return a current contract, locked until the transaction ends."""
+    return session.scalars(
+        select(Contract)
+        .where(Contract.id == contract_id)
+        .options(*WHOLE)
+        .with_for_update(key_share=True, of=Contract)
+        .execution_options(populate_existing=True)
+    ).one()
+
+
+def lock_contracts_of(session: Session, project_id: UUID) -> None:
+    """Lock the numbering of contracts in this project until the transaction ends."""
+    session.execute(select(Project.id).where(Project.id == project_id).with_for_update(key_share=True))
+
+
+def next_number(session: Session, project_id: UUID) -> int:
+    """Return the number of a project's next contract."""
+    return (session.scalar(select(func.max(Contract.number)).where(Contract.project_id == project_id)) or 0) + 1
+
+
+def newest_version(session: Session, contract_id: UUID) -> ContractVersion | None:
+    """Return the text as it was saved last, with its author."""
+    return session.scalar(
+        select(ContractVersion)
+        .where(ContractVersion.contract_id == contract_id)
+        .options(joinedload(ContractVersion.author))
+        .order_by(ContractVersion.number.desc())
+        .limit(1)
+    )
+
+
+def version_by_number(session: Session, contract_id: UUID, number: int) -> ContractVersion | None:
+    """Return one version of a contract's text, with its author."""
+    return session.scalar(
+        select(ContractVersion)
+        .where(ContractVersion.contract_id == contract_id, ContractVersion.number == number)
+        .options(joinedload(ContractVersion.author))
+    )
+
+
+def versions_of(session: Session, contract_id: UUID) -> Sequence[ContractVersion]:
+    """Return the versions of a contract's text, the newest first, with their authors."""
+    return session.scalars(
+        select(ContractVersion)
+        .where(ContractVersion.contract_id == contract_id)
+        .options(joinedload(ContractVersion.author))
+        .order_by(ContractVersion.number.desc())
+    ).all()
+
+
+def acceptances_of(session: Session, version_id: UUID) -> Sequence[ContractAcceptance]:
+    """Return who said yes to a version, in order."""
+    return session.scalars(
+        select(ContractAcceptance).where(ContractAcceptance.version_id == version_id).order_by(ContractAcceptance.id)
+    ).all()
+
+
+def templates_of(session: Session, studio_id: UUID) -> Sequence[ContractTemplate]:
+    """Return a studio's own templates by name."""
+    return session.scalars(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id).order_by(ContractTemplate.name)
+    ).all()
+
+
+def template_by_id(session: Session, studio_id: UUID, template_id: UUID) -> ContractTemplate | None:
+    """Return one of a studio's own templates."""
+    return session.scalar(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id, ContractTemplate.id == template_id)
+    )
+
+
+def template_by_name(session: Session, studio_id: UUID, name: str) -> ContractTemplate | None:
+    """Return a studio's own template of that name."""
+    return session.scalar(
+        select(ContractTemplate).where(ContractTemplate.studio_id == studio_id, ContractTemplate.name == name)
+    )
+
+
+def parties_who_accepted(session: Session, contract_ids: Collection[UUID]) -> dict[UUID, list[Party]]:
+    """Return by contract which parties said yes to its newest text."""
+    newest = (
+        select(ContractVersion.contract_id, func.max(ContractVersion.number).label("number"))
+        .where(ContractVersion.contract_id.in_(contract_ids))
+        .group_by(ContractVersion.contract_id)
+        .subquery()
+    )
+    rows = session.execute(
+        select(ContractAcceptance.contract_id, ContractAcceptance.party)
+        .join(ContractVersion, ContractVersion.id == ContractAcceptance.version_id)
+        .join(
+            newest, (newest.c.contract_id == ContractVersion.contract_id) & (newest.c.number == ContractVersion.number)
+        )
+    )
+    found: dict[UUID, list[Party]] = {contract_id: [] for contract_id in contract_ids}
+    for contract_id, party in rows:
+        found[contract_id].append(party)
+    return found
+
+
+def newest_event(session: Session, contract_id: UUID) -> ContractEvent | None:
+    """Return the last entry of a contract's record."""
+    return session.scalar(
+        select(ContractEvent)
+        .where(ContractEvent.contract_id == contract_id)
+        .order_by(ContractEvent.seq.desc())
+        .limit(1)
+    )
+
+
+def events_of(session: Session, contract_id: UUID) -> Sequence[ContractEvent]:
+    """Return the record of a contract, in order."""
+    return session.scalars(
+        select(ContractEvent).where(ContractEvent.contract_id == contract_id).order_by(ContractEvent.seq)
+    ).all()
+
+
+def every_contract(session: Session) -> Iterator[Contract]:
+    """Yield every contract of every studio; for the server's own commands."""
+    yield from session.scalars(select(Contract).order_by(Contract.id).execution_options(yield_per=200))

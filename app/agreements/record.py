@@ -1,0 +1,163 @@
+"""The record of a contract: what was agreed, delivered, accepted and paid, chained by hashes."""
+
+import hashlib
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.agreements import queries
+from app.agreements.authorship import author_of
+from app.agreements.documents import sha256_of
+from app.agreements.models import Contract, ContractEvent
+from app.kit import clock
+from app.kit.record import Entry, canonical, faults, link
+from app.kit.storage import Store
+from app.kit.storage.store import BlobMissing
+
+FORMAT = 1
+HOW = (
+    "Each sha256 is that of the UTF-8 JSON of at, kind, of (the contract), payload, previous and seq, "
+    "with keys in order and no spaces; previous is the sha256 of the entry before, 64 zeros for the first."
+)
+
+
+class NoRecord(Exception):
+    """A file is no record that was taken from a contract, or was altered since."""
+
+
+def append(
+    session: Session,
+    contract_id: UUID,
+    kind: str,
+    payload: Mapping[str, Any],
+    *,
+    by: UUID | None,
+    on_behalf_of: UUID | None = None,
+) -> ContractEvent:
+    """Add an entry to a contract's record; it names who did it, as what, and on whose behalf.
+
+    `by` is a person or a build token; None: the server, by a clause or a schedule. The payload is plain JSON (text,
+    whole numbers, lists and tables of these), and names people and cues in words: both parties read it without the
+    server.
+    """
+    contract = queries.lock_contract(session, contract_id)
+    payload = {**payload, **author_of(session, contract, by, on_behalf_of)}
+    at = clock.now()
+    entry = link(
+        contract.record_sha256,
+        of=str(contract_id),
+        seq=contract.record_length + 1,
+        at=at.isoformat(timespec="microseconds"),
+        kind=kind,
+        payload=canonical(payload),
+    )
+    event = ContractEvent(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract_id,
+        seq=entry.seq,
+        at=at,
+        kind=kind,
+        payload=entry.payload,
+        previous_sha256=entry.previous_sha256,
+        sha256=entry.sha256,
+    )
+    session.add(event)
+    contract.record_length, contract.record_sha256 = entry.seq, entry.sha256
+    session.flush()
+    return event
+
+
+def entry_of(event: ContractEvent) -> Entry:
+    """Return an entry as its hash was made."""
+    return Entry(
+        of=str(event.contract_id),
+        seq=event.seq,
+        at=event.at.isoformat(timespec="microseconds"),
+        kind=event.kind,
+        payload=event.payload,
+        previous_sha256=event.previous_sha256,
+        sha256=event.sha256,
+    )
+
+
+def faults_of(session: Session, contract: Contract) -> Iterator[str]:
+    """Yield, in words, where a contract's record is not the one that was written."""
+    entries = (entry_of(event) for event in queries.events_of(session, contract.id))
+    yield from faults(entries, of=str(contract.id), length=contract.record_length, last_sha256=contract.record_sha256)
+
+
+def document_of(session: Session, contract: Contract) -> dict[str, Any]:
+    """Return the record as the file that a party keeps: whole, and verifiable without the server."""
+    return {
+        "format": FORMAT,
+        "contract": str(contract.id),
+        "title": contract.title,
+        "studio": contract.project.studio.name,
+        "designer": contract.designer.name,
+        "how": HOW,
+        "length": contract.record_length,
+        "sha256": contract.record_sha256,
+        "entries": [
+            {name: value for name, value in vars(entry_of(event)).items() if name != "of"}
+            for event in queries.events_of(session, contract.id)
+        ],
+    }
+
+
+def read_document(text: str) -> tuple[UUID, list[Entry]]:
+    """Return whose record a kept file is, and its entries; raise NoRecord, saying why, for anything else."""
+    try:
+        said = json.loads(text)
+        if said["format"] != FORMAT:
+            raise NoRecord(f"its format is {said['format']!r}; this version reads format {FORMAT}")
+        entries = [Entry(of=str(UUID(said["contract"])), **entry) for entry in said["entries"]]
+        ends = said["length"], said["sha256"]
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise NoRecord(f"it is no record that was taken from a contract ({error})") from None
+    if found := list(faults(entries, of=said["contract"], length=ends[0], last_sha256=ends[1])):
+        raise NoRecord(f"the file itself was altered: {found[0]}")
+    return UUID(said["contract"]), entries
+
+
+def faults_beside(session: Session, contract_id: UUID, kept: Sequence[Entry]) -> Iterator[str]:
+    """Yield sentences on where the server's record differs from a kept copy."""
+    here = {event.seq: entry_of(event) for event in queries.events_of(session, contract_id)}
+    if missing := [entry.seq for entry in kept if entry.seq not in here]:
+        yield f"entry {missing[0]} of the copy is not in the server's record"
+    for entry in kept:
+        if entry.seq in here and here[entry.seq] != entry:
+            yield f"entry {entry.seq} is another one in the copy"
+            return
+
+
+def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[str]:
+    """Yield, in words, where texts and PDFs are not those that the record names."""
+    versions = {version.number: version for version in queries.versions_of(session, contract.id)}
+    for version in versions.values():
+        if sha256_of(version.text) != version.text_sha256:
+            yield f"the text of version {version.number} was altered"
+        if version.pdf_sha256 is not None:
+            try:
+                pdf = store.read(contract.studio_id, version.pdf_sha256)
+            except BlobMissing:
+                yield f"the PDF of version {version.number} is not in the store"
+                continue
+            if hashlib.sha256(pdf).hexdigest() != version.pdf_sha256:
+                yield f"the PDF of version {version.number} was altered"
+    for event in queries.events_of(session, contract.id):
+        said = json.loads(event.payload)
+        if "text_sha256" in said:
+            named = versions.get(said["version"])
+            known = named and (named.text_sha256, named.pdf_sha256 or "")
+            if known != (said["text_sha256"], said["pdf_sha256"]):
+                yield f"version {said['version']} is not the text that entry {event.seq} names"
+
+
+def faults_of_all(session: Session, store: Store) -> Iterator[tuple[Contract, list[str]]]:
+    """Yield every contract of every studio with what is wrong with its record and its texts."""
+    for contract in queries.every_contract(session):
+        yield contract, [*faults_of(session, contract), *text_faults(session, store, contract)]

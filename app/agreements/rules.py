@@ -1,0 +1,133 @@
+"""What a contract may be and become, stated without a database."""
+
+from collections.abc import Collection, Iterable
+from enum import StrEnum
+from uuid import UUID
+
+from app.accounts.rules import AddressProof, mailbox_of
+from app.agreements.errors import (
+    AddressNotProven,
+    FrameworkNeeded,
+    NoContractNeeded,
+    SamePersonOnBothSides,
+    TextChanged,
+    WrongState,
+)
+
+
+class ContractKind(StrEnum):
+    """What is agreed by one text."""
+
+    NDA = "nda"
+    FRAMEWORK = "framework"  # rights and rates once, for many batches
+    STATEMENT_OF_WORK = "statement_of_work"  # one batch under a framework: cues, price, dates
+    SINGLE = "single"  # all of it in one text
+
+
+class ContractState(StrEnum):
+    """How far the parties are."""
+
+    DRAFT = "draft"
+    SENT = "sent"
+    AGREED = "agreed"
+    ENDED = "ended"
+
+
+class ReleaseClause(StrEnum):
+    """When an accepted cue's share becomes due."""
+
+    PER_CUE = "per_cue"
+    ON_COMPLETION = "on_completion"  # with the last cue of its milestone
+
+
+class Party(StrEnum):
+    """Who agrees with whom."""
+
+    STUDIO = "studio"
+    DESIGNER = "designer"
+
+
+class AcceptedBy(StrEnum):
+    """How a cue came to be accepted."""
+
+    VERDICT = "verdict"  # the approver's
+    SILENCE = "silence"  # no decision within the days of the contract's clause
+    ADOPTION = "adoption"  # it was approved already when the contract was agreed
+
+
+class WorkState(StrEnum):
+    """How far the work on a cue was when it was cut."""
+
+    NOT_BEGUN = "not_begun"
+    IN_WORK = "in_work"
+    DELIVERED = "delivered"  # every variation conforms and waits for the approver
+    ACCEPTED = "accepted"
+
+
+KIND_WORDS = {
+    ContractKind.NDA: "non-disclosure agreement",
+    ContractKind.FRAMEWORK: "framework agreement",
+    ContractKind.STATEMENT_OF_WORK: "statement of work",
+    ContractKind.SINGLE: "contract",
+}
+STATE_WORDS = {
+    ContractState.DRAFT: "is a draft",
+    ContractState.SENT: "was sent and needs both signatures",
+    ContractState.AGREED: "is agreed",
+    ContractState.ENDED: "has ended",
+}
+
+
+def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str) -> None:
+    """Raise WrongState unless a contract is in one of the states in which this can be done."""
+    if now not in wanted:
+        raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
+
+
+def ensure_same_text(seen_sha256: str, sent_sha256: str) -> None:
+    """Raise TextChanged unless the accepted text is the one that was sent."""
+    if seen_sha256 != sent_sha256:
+        raise TextChanged(
+            "the text was changed after you opened it; nothing was signed",
+            fix="reload the page and read what changed, then sign",
+        )
+
+
+def ensure_needs_contract(*, is_in_house: bool) -> None:
+    """Raise NoContractNeeded for the studio's own people."""
+    if is_in_house:
+        raise NoContractNeeded(
+            "this designer works in-house and needs no contract",
+            fix="change their engagement to contractor first",
+        )
+
+
+def ensure_under_framework(kind: ContractKind, *, has_framework: bool) -> None:
+    """Raise FrameworkNeeded where a batch names no framework, or another text names one."""
+    if (kind is ContractKind.STATEMENT_OF_WORK) != has_framework:
+        message = (
+            "a statement of work is a batch under a framework agreement that both have agreed to"
+            if kind is ContractKind.STATEMENT_OF_WORK
+            else f"a {KIND_WORDS[kind]} stands by itself"
+        )
+        fix = "sign a framework agreement first, or use a single contract" if not has_framework else None
+        raise FrameworkNeeded(message, errors=[{"where": "framework_id", "message": message}], fix=fix)
+
+
+def ensure_another_person(person_id: UUID, email: str, others: Iterable[tuple[UUID, str]]) -> None:
+    """Raise SamePersonOnBothSides if the other party has the same person, or one with the same mailbox."""
+    for other_id, other_email in others:
+        if person_id == other_id or mailbox_of(email) == mailbox_of(other_email):
+            raise SamePersonOnBothSides(
+                f"{other_email} is on the contract's other side; you can't sign for both sides",
+                fix="have someone else on your side do it",
+            )
+
+
+def ensure_address_proven(proof: AddressProof | None, email: str) -> None:
+    """Raise AddressNotProven for an address that is not verified."""
+    if proof is None:
+        raise AddressNotProven(
+            f"{email} is not verified, so the other party could not know who signs",
+            fix="verify your email on the Account page, then sign",
+        )

@@ -1,0 +1,346 @@
+"""What contracts are asked and answer."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+from uuid import UUID
+
+from pydantic import ConfigDict, Field, StringConstraints
+
+from app.accounts.rules import AddressProof
+from app.accounts.schemas import Line, PersonBrief, Prose
+from app.agreements.rules import ContractKind, ContractState, Party, ReleaseClause
+from app.kit.http import LARGEST_NUMBER, Schema
+
+Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
+BasisPoints = Annotated[int, Field(ge=0, le=10_000)]
+Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
+Sha256 = Annotated[str, StringConstraints(max_length=64)]
+
+
+class ClauseRow(Schema):
+    """One clause: Markdown with variables in braces; what does not stand is kept, and not in the text."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
+
+    key: str = Field(max_length=61)
+    title: str = Field(max_length=200)
+    text: str = Field(max_length=25_000, pattern="^[^\\x00]*$")
+    stands: bool = True
+
+
+class ChoiceRead(Schema):
+    """One of the values that a term may have, and what the text says then."""
+
+    value: int | str
+    label: str
+    words: str
+
+
+class TermRead(Schema):
+    """What a clause leaves open: `_bp` ends a part in basis points, `_minor` an amount in minor units."""
+
+    name: str
+    default: int | str
+    label: str
+    min: int | None
+    max: int | None
+    choices: list[ChoiceRead] = Field(description="Empty where any value does.")
+
+
+class LibraryClauseRead(Schema):
+    """A clause of the library, and why one would want it."""
+
+    key: str
+    title: str
+    text: str
+    stands: bool
+    why: str
+    music: bool
+    instead_of: str | None
+    terms: list[TermRead]
+
+
+class LibraryRead(Schema):
+    """What the library has for a kind of contract, and the variables that the server fills in."""
+
+    kind: ContractKind
+    notice: str
+    clauses: list[LibraryClauseRead]
+    variables: dict[str, str]
+
+
+class TemplateBrief(Schema):
+    """A template that the studio keeps."""
+
+    id: UUID
+    name: str
+    kind: ContractKind
+    created_at: datetime
+    changed_at: datetime
+
+
+class TemplateRead(TemplateBrief):
+    """A template with its clauses and terms."""
+
+    clauses: list[ClauseRow]
+    terms: dict[str, int | str]
+
+
+class TemplateAdd(Schema):
+    """A template to keep."""
+
+    name: Line
+    kind: ContractKind
+    clauses: list[ClauseRow] = Field(min_length=1, max_length=200)
+    terms: dict[str, int | str]
+
+
+class TemplateChange(Schema):
+    """What a template is to say."""
+
+    name: Line
+    clauses: list[ClauseRow] = Field(min_length=1, max_length=200)
+    terms: dict[str, int | str]
+
+
+class TemplateImport(Schema):
+    """A template as TOML; under another name if one is given."""
+
+    toml: str = Field(max_length=1_000_000)
+    name: Line | None = None
+
+
+class ContractTemplateAdd(Schema):
+    """Under which name to keep a contract's clauses."""
+
+    name: Line
+
+
+class ContractAdd(Schema):
+    """A contract to begin with one designer."""
+
+    engagement_id: UUID
+    kind: ContractKind
+    title: Line
+    currency: Currency = "USD"
+    template_id: UUID | None = None
+    framework_id: UUID | None = None
+    with_music: bool = False
+
+
+class DraftChange(Schema):
+    """The whole draft as it is to be."""
+
+    title: Line
+    clauses: list[ClauseRow] = Field(min_length=1, max_length=200)
+    terms: dict[str, int | str]
+    currency: Currency
+    release_clause: ReleaseClause = ReleaseClause.PER_CUE
+    holdback_bp: BasisPoints = 0
+
+
+class DraftSave(DraftChange):
+    """The draft to save, and the version that it was made from."""
+
+    note: Prose = ""
+    based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
+
+
+class SpanRead(Schema):
+    """A run of letters of one weight."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
+
+    text: str
+    strong: bool
+    emphatic: bool
+
+
+class BlockRead(Schema):
+    """A head, a paragraph, one item of a list, or a table whose first row is its head."""
+
+    kind: Literal["head", "text", "item", "table"]
+    level: int
+    spans: list[SpanRead]
+    rows: list[list[list[SpanRead]]]
+
+
+class DraftProblem(Schema):
+    """What is wrong with a draft, and where: `clauses.KEY` or `terms.NAME`."""
+
+    where: str
+    message: str
+
+
+class DraftPreview(Schema):
+    """The text that a draft would have, and what is wrong with it."""
+
+    blocks: list[BlockRead]
+    problems: list[DraftProblem]
+
+
+class VersionBrief(Schema):
+    """One version of a contract's text."""
+
+    number: int
+    note: str
+    author: PersonBrief
+    created_at: datetime
+    sent_at: datetime | None
+    text_sha256: str
+    pdf_sha256: str | None
+
+
+class VersionRead(VersionBrief):
+    """One version with its text; what it was written from is the studio's alone."""
+
+    blocks: list[BlockRead]
+    clauses: list[ClauseRow]
+    terms: dict[str, int | str]
+
+
+class AcceptanceRead(Schema):
+    """A party's yes."""
+
+    party: Party
+    name: str
+    email: str
+    email_proof: AddressProof | None = Field(
+        description="How it was shown that they read the mail of that address; null: it was not."
+    )
+    accepted_at: datetime
+
+
+class MayRead(Schema):
+    """What the caller may do with the contract now."""
+
+    change: bool
+    send: bool
+    recall: bool
+    request_change: bool
+    accept: bool
+    end: bool
+
+
+class ContractBrief(Schema):
+    """A contract as lists show it."""
+
+    id: UUID
+    project_id: UUID
+    number: int
+    title: str
+    kind: ContractKind
+    state: ContractState
+    designer: PersonBrief
+    engagement_id: UUID
+    framework_id: UUID | None
+    currency: str
+    release_clause: ReleaseClause
+    deposit_bp: int
+    holdback_bp: int
+    created_at: datetime
+    agreed_at: datetime | None
+    ended_at: datetime | None
+    end_reason: str | None
+    my_party: Party | None
+    waits_for: list[Party] = Field(description="Whose step is next.")
+
+
+class ContractRead(ContractBrief):
+    """A contract with the text that the caller sees, and who said yes to it."""
+
+    studio_name: str
+    version: VersionRead
+    acceptances: list[AcceptanceRead]
+    change_requested: "ContractChangeRead | None" = Field(
+        description="The changes that the designer requests, until it is sent again."
+    )
+    may: MayRead
+
+
+class ContractChangeRead(Schema):
+    """What the designer wants otherwise."""
+
+    text: str
+    clause: str
+    by: str
+    at: datetime
+
+
+class SendAdd(Schema):
+    """What goes with the text."""
+
+    note: Prose = ""
+
+
+class RecallAdd(Schema):
+    """Why a text is taken back."""
+
+    reason: Reason
+
+
+class ContractChangeAdd(Schema):
+    """What the designer wants otherwise, of one clause or of the whole."""
+
+    text: Reason
+    clause_key: str | None = Field(default=None, max_length=61)
+
+
+class AcceptAdd(Schema):
+    """A yes: under which name, and to which text."""
+
+    name: Line
+    text_sha256: Sha256
+
+
+class EndAdd(Schema):
+    """Why a contract ends."""
+
+    reason: Reason
+
+
+class RunRead(Schema):
+    """Words in both texts, in the earlier alone, or in the later alone."""
+
+    model_config = ConfigDict(str_strip_whitespace=False)
+
+    is_in: Literal["both", "earlier", "later"]
+    text: str
+
+
+class ComparedRead(Schema):
+    """One line of a comparison."""
+
+    kind: Literal["head", "text", "item", "table"]
+    change: Literal["same", "changed", "added", "removed"]
+    runs: list[RunRead]
+
+
+class ComparisonRead(Schema):
+    """Two versions word by word."""
+
+    from_version: int
+    to_version: int
+    lines: list[ComparedRead]
+
+
+class RecordEntryRead(Schema):
+    """One entry of the record."""
+
+    seq: int
+    at: str
+    kind: str
+    payload: dict[str, Any]
+    previous_sha256: str
+    sha256: str
+
+
+class RecordRead(Schema):
+    """The record of a contract, and whether it is the one that was written."""
+
+    contract_id: UUID
+    title: str
+    length: int
+    sha256: str
+    faults: list[str]
+    entries: list[RecordEntryRead]

@@ -1,0 +1,82 @@
+"""The figures that a contract's clauses leave open, as money is reckoned by them."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from enum import StrEnum
+from typing import Any
+
+from app.agreements.clauses import BY_DAY
+from app.agreements.rules import WorkState
+
+
+class PriceMode(StrEnum):
+    """How a contract's price comes about."""
+
+    FLAT = "flat"  # a milestone's amount, shared by its cues
+    PER_CUE = "per_cue"  # a price for each cue, which its milestone adds up
+    DAY_RATE = BY_DAY  # days worked, up to a number of them
+
+
+@dataclass(frozen=True)
+class KillFees:
+    """What a cut cue is owed, in basis points of its price, by how far the work was; an accepted one is owed whole."""
+
+    not_begun_bp: int = 0
+    in_work_bp: int = 5_000
+    delivered_bp: int = 7_500
+
+    def of(self, state: WorkState) -> int:
+        """Return the basis points owed for a cue that was cut in this state."""
+        return {
+            WorkState.NOT_BEGUN: self.not_begun_bp,
+            WorkState.IN_WORK: self.in_work_bp,
+            WorkState.DELIVERED: self.delivered_bp,
+            WorkState.ACCEPTED: 10_000,
+        }[state]
+
+
+@dataclass(frozen=True)
+class MoneyTerms:
+    """What decides over amounts; the defaults are what a new template says."""
+
+    price_mode: PriceMode = PriceMode.FLAT
+    rounds_included: int = 2
+    extra_round_bp: int = 2_500  # of the cue's price
+    kill_fee_not_begun_bp: int = 0
+    kill_fee_in_work_bp: int = 5_000
+    kill_fee_delivered_bp: int = 7_500
+    payment_days: int = 14
+    tax_bp: int = 0
+    reverse_charge: bool = False  # the studio owes the tax where it is; none is invoiced
+    day_rate_minor: int = 0
+    days_cap: int = 0
+    po_number: str = ""  # what invoices begin with
+
+    @classmethod
+    def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":
+        """Read the terms of a version; what it does not say is the default, and what is no matter of money is left."""
+        known = {field.name: terms[field.name] for field in fields(cls) if terms.get(field.name) is not None}
+        if "price_mode" in known:
+            known["price_mode"] = PriceMode(known["price_mode"])
+        if "reverse_charge" in known:
+            known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
+        return cls(**known)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the terms as a version keeps them."""
+        return asdict(self) | {"price_mode": self.price_mode.value}
+
+    @property
+    def kill_fees(self) -> KillFees:
+        """What a cut cue is owed by how far the work was."""
+        return KillFees(self.kill_fee_not_begun_bp, self.kill_fee_in_work_bp, self.kill_fee_delivered_bp)
+
+    @property
+    def days_cap_minor(self) -> int:
+        """What all days together may cost."""
+        return self.day_rate_minor * self.days_cap if self.price_mode is PriceMode.DAY_RATE else 0
+
+    @property
+    def invoiced_tax_bp(self) -> int:
+        """The rate that invoices carry."""
+        return 0 if self.reverse_charge else self.tax_bp

@@ -1,0 +1,322 @@
+"""The endpoints of plans, ledgers, invoices and payments."""
+
+from dataclasses import asdict
+from typing import Any
+from uuid import UUID
+
+from fastapi import APIRouter, Response
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.agreements import documents, plan
+from app.agreements.errors import BadPlan, ContractNotFound, PlanLocked
+from app.agreements.plan import PlannedCue, PlannedMilestone
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.single_thread_route import SingleThreadRoute
+from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
+from app.money import calendar, days, estimates, invoice_text, invoices, overview, payments, schemas, settlement
+from app.money.errors import (
+    CalendarNotFound,
+    CapExceeded,
+    CueNotInContract,
+    DayAgreed,
+    DayInFuture,
+    ExtraRoundNotFound,
+    InvoiceNotFound,
+    NotAgreed,
+    NotDayRate,
+    NothingToInvoice,
+    OtherPartyNeeded,
+    Overpayment,
+    PaymentNotFound,
+    RefundTooLarge,
+    RoundAlreadySettled,
+    WorkedDayNotFound,
+)
+from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
+from app.sound_lists.errors import CueNotFound
+
+router = Router(prefix="/v1", tags=["money"], route_class=Route)
+_unsaved_router = APIRouter(route_class=SingleThreadRoute)  # answers that hold a secret are kept for no Idempotency-Key
+CALENDAR_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {calendar.ICALENDAR: {}}, "description": "Dates"}}
+PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
+
+
+@router.get("/contracts/{contract_id}/milestones", responses=problems(ContractNotFound))
+def read_plan(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.PlanRead:
+    """Return the milestones of a contract with what became of them, and what is unwise about the plan."""
+    return overview.plan(session, actor, contract_id)
+
+
+@router.put(
+    "/contracts/{contract_id}/milestones",
+    responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def save_plan(
+    contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.PlanRead:
+    """Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it."""
+    return overview.plan_of(session, plan.save_plan(session, actor, contract_id, _planned(body)))
+
+
+def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
+    return [
+        PlannedMilestone(
+            name=one.name,
+            amount_minor=one.amount_minor,
+            due_on=one.due_on,
+            is_deposit=one.is_deposit,
+            tax_bp=one.tax_bp,
+            cues=[PlannedCue(cue.cue_id, cue.price_minor, cue.estimate_min) for cue in one.cues],
+        )
+        for one in body.milestones
+    ]
+
+
+@router.post(
+    "/contracts/{contract_id}/plan-check",
+    responses=problems(ContractNotFound, ProducerNeeded),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def check_plan(
+    contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.PlanChecked:
+    """Return what is wrong with a plan, and what is unwise about it and why; nothing is saved."""
+    faults, advice = plan.review_plan(session, actor, contract_id, _planned(body))
+    return schemas.PlanChecked(
+        faults=[schemas.PlanFault(**fault) for fault in faults],
+        advice=[schemas.AdviceRead(**asdict(one)) for one in advice],
+    )
+
+
+@router.get("/contracts/{contract_id}/ledger", responses=problems(ContractNotFound))
+def read_ledger(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.LedgerRead:
+    """Return a contract's ledger line by line, and what it comes to."""
+    return overview.ledger(session, actor, contract_id)
+
+
+@router.get("/contracts/{contract_id}/extra-rounds", responses=problems(ContractNotFound))
+def read_extra_rounds(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[schemas.ExtraRoundRead]:
+    """Return the rounds beyond the included ones, with their prices."""
+    return overview.extra_rounds(session, actor, contract_id)
+
+
+@router.post(
+    "/extra-rounds/{extra_round_id}/agree",
+    responses=problems(ExtraRoundNotFound, OtherPartyNeeded, ProducerNeeded, RoundAlreadySettled),
+)
+def agree_extra_round(
+    extra_round_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ExtraRoundRead:
+    """Agree to the price of a further round; it is due at once."""
+    return overview.extra_round(session, settlement.agree_extra_round(session, actor, extra_round_id))
+
+
+@router.post(
+    "/extra-rounds/{extra_round_id}/drop", responses=problems(ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled)
+)
+def drop_extra_round(
+    extra_round_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.ExtraRoundRead:
+    """Let a further round go without its price."""
+    return overview.extra_round(session, settlement.drop_extra_round(session, actor, extra_round_id))
+
+
+@router.get(
+    "/contracts/{contract_id}/invoice-draft",
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
+)
+def read_invoice_draft(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.InvoiceDraft:
+    """Return what an invoice would say if it were issued now."""
+    return invoices.draft_invoice(session, actor, contract_id)
+
+
+@router.get("/contracts/{contract_id}/invoices", responses=problems(ContractNotFound))
+def list_invoices(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[schemas.InvoiceRead]:
+    """Return the invoices of a contract, the oldest first."""
+    return invoices.invoices(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/invoices",
+    status_code=201,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
+)
+def issue_invoice(
+    contract_id: UUID, body: schemas.InvoiceIssue, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.InvoiceRead:
+    """Issue an invoice over everything that is due and on none yet."""
+    issued = invoices.issue_invoice(
+        session,
+        actor,
+        contract_id,
+        seller=body.seller,
+        buyer=body.buyer,
+        po_number=body.po_number,
+        note=body.note,
+    )
+    return invoices.invoice(session, actor, issued.id)
+
+
+@router.get("/invoices/{invoice_id}", responses=problems(InvoiceNotFound))
+def read_invoice(invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.InvoiceRead:
+    """Return an invoice with its lines and payments."""
+    return invoices.invoice(session, actor, invoice_id)
+
+
+@router.get(
+    "/invoices/{invoice_id}/invoice.pdf",
+    response_class=Response,
+    responses=PDF_ANSWER | problems(InvoiceNotFound, DocumentTooLarge, TypesettingBusy),
+)
+def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
+    """Return an invoice as PDF; the same invoice is the same bytes."""
+    found = invoices.invoice(session, actor, invoice_id)
+    name = f'inline; filename="invoice-{found.number}.pdf"'
+    return Response(invoice_text.pdf_of(found), media_type=documents.PDF, headers={"Content-Disposition": name})
+
+
+@router.post(
+    "/invoices/{invoice_id}/payments",
+    status_code=201,
+    responses=problems(InvoiceNotFound, ProducerNeeded, Overpayment, DayInFuture),
+)
+def record_payment(
+    invoice_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.InvoiceRead:
+    """Record what was paid on an invoice, in part or whole."""
+    payments.record_payment(
+        session,
+        actor,
+        invoice_id,
+        amount_minor=body.amount_minor,
+        reference=body.reference,
+        paid_on=body.paid_on,
+    )
+    return invoices.invoice(session, actor, invoice_id)
+
+
+@router.post(
+    "/payments/{payment_id}/refunds",
+    status_code=201,
+    responses=problems(PaymentNotFound, ProducerNeeded, RefundTooLarge, DayInFuture),
+)
+def refund_payment(
+    payment_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.InvoiceRead:
+    """Record that a payment went back, in part or whole."""
+    refund = payments.refund_payment(
+        session,
+        actor,
+        payment_id,
+        amount_minor=body.amount_minor,
+        reference=body.reference,
+        paid_on=body.paid_on,
+    )
+    return invoices.invoice(session, actor, refund.invoice_id)
+
+
+@router.get("/cues/{cue_id}/money", responses=problems(CueNotFound))
+def read_cue_money(
+    cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.CueMoneyRead | None:
+    """Return what accepting a cue would make due, and its rounds; null where no contract covers it."""
+    return overview.cue_money(session, actor, cue_id)
+
+
+@router.get("/contracts/{contract_id}/estimates", responses=problems(ContractNotFound, ProducerNeeded))
+def read_estimates(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.EstimatesRead:
+    """Return estimates against actual values; for the two parties only."""
+    return estimates.estimates(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/work-logs",
+    status_code=204,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, CueNotInContract),
+)
+def log_work(
+    contract_id: UUID, body: schemas.WorkLogAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> None:
+    """Note time that went into a cue."""
+    estimates.log_work(session, actor, contract_id, cue_id=body.cue_id, minutes=body.minutes, worked_on=body.worked_on)
+
+
+@router.get("/contracts/{contract_id}/worked-days", responses=problems(ContractNotFound))
+def list_worked_days(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[schemas.WorkedDayRead]:
+    """Return the days that were logged under a contract by the day."""
+    return days.worked_days(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/worked-days",
+    status_code=201,
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NotDayRate, DayAgreed, DayInFuture),
+)
+def log_day(
+    contract_id: UUID, body: schemas.WorkedDayAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.WorkedDayRead:
+    """Log a day, or quarters of one; logged again, it is corrected."""
+    day = days.log_day(session, actor, contract_id, worked_on=body.worked_on, quarters=body.quarters, note=body.note)
+    return days.worked_day(session, day)
+
+
+@router.delete(
+    "/worked-days/{worked_day_id}",
+    status_code=204,
+    responses=problems(WorkedDayNotFound, OtherPartyNeeded, DayAgreed),
+)
+def drop_day(worked_day_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> None:
+    """Take a logged day back, until the studio agrees to it."""
+    days.drop_day(session, actor, worked_day_id)
+
+
+@router.post(
+    "/worked-days/{worked_day_id}/agree",
+    responses=problems(WorkedDayNotFound, ProducerNeeded, DayAgreed, CapExceeded),
+)
+def agree_day(
+    worked_day_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.WorkedDayRead:
+    """Agree to a logged day; it is due, up to the cap."""
+    return days.worked_day(session, days.agree_day(session, actor, worked_day_id))
+
+
+@_unsaved_router.post(
+    "/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound, TeamNeeded)
+)
+def make_calendar(
+    project_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.CalendarLinkMade:
+    """Make the secret address of the caller's calendar; an earlier one loses its worth."""
+    secret = calendar.make_link(session, actor, project_id)
+    return schemas.CalendarLinkMade(url=f"{runtime.settings.base_url}/v1/calendars/{secret}")
+
+
+@router.delete("/projects/{project_id}/calendar", status_code=204, responses=problems(ProjectNotFound))
+def withdraw_calendar(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> None:
+    """Revoke the addresses of the caller's calendar."""
+    calendar.withdraw_links(session, actor, project_id)
+
+
+@_unsaved_router.get(
+    "/calendars/{secret}", response_class=Response, responses=CALENDAR_ANSWER | problems(CalendarNotFound)
+)
+def read_calendar(secret: str, session: DbSession, _actor: Actor = allows(Audience.ANYONE)) -> Response:
+    """Return the dates of contracts as iCalendar, for the holder of the address."""
+    return Response(calendar.feed(session, secret), media_type=calendar.ICALENDAR)
+
+
+router.include_router(_unsaved_router)

@@ -1,0 +1,71 @@
+"""What this room refuses, each named after the fact."""
+
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
+
+
+class NotAgreed(Conflict):
+    """Money is invoiced, paid and logged under an agreed contract only."""
+
+
+class NothingToInvoice(Conflict):
+    """Nothing is due that is not on an invoice already."""
+
+
+class InvoiceNotFound(NotFound):
+    """No invoice of that id within the caller's sight."""
+
+
+class PaymentNotFound(NotFound):
+    """No payment of that id within the caller's sight."""
+
+
+class Overpayment(Invalid):
+    """A payment is none, or more than what is open on its invoice."""
+
+
+class RefundTooLarge(Invalid):
+    """A refund is none, or more than what is left of its payment."""
+
+
+class ExtraRoundNotFound(NotFound):
+    """No round of that id beyond the included ones within the caller's sight."""
+
+
+class RoundAlreadySettled(Conflict):
+    """The extra round was agreed or dropped already."""
+
+
+class CueNotInContract(NotFound):
+    """The contract does not cover that cue."""
+
+
+class OtherPartyNeeded(Forbidden):
+    """Only the other party of the contract can do this."""
+
+
+class CalendarNotFound(NotFound):
+    """No calendar behind this link; it may have been withdrawn."""
+
+
+class NotDayRate(Conflict):
+    """The contract does not pay by the day."""
+
+
+class DayAgreed(Conflict):
+    """The studio agreed to this day already."""
+
+
+class DayInFuture(Invalid):
+    """A day of work or of a payment that has not come yet."""
+
+
+class MilestoneNotFound(NotFound):
+    """No milestone of that id within the caller's sight."""
+
+
+class CapExceeded(Conflict):
+    """The days that were agreed on are used up."""
+
+
+class WorkedDayNotFound(NotFound):
+    """No logged day of that id within the caller's sight."""

@@ -1,0 +1,44 @@
+"""An invoice as the text that is printed."""
+
+from app.agreements.documents import pdf_of as document
+from app.agreements.facts import in_words
+from app.agreements.text import literal
+from app.kit.money import money, percent
+from app.money.schemas import InvoiceRead
+
+REVERSE_CHARGE = "Reverse charge: the recipient of the service owes the tax."
+
+
+def pdf_of(invoice: InvoiceRead) -> bytes:
+    """Return an invoice as PDF; the same invoice gives the same bytes."""
+    return document(_title(invoice), markdown_of(invoice))
+
+
+def _title(invoice: InvoiceRead) -> str:
+    return f"{'Invoice' if invoice.total_minor >= 0 else 'Credit note'} {invoice.number}"
+
+
+def markdown_of(invoice: InvoiceRead) -> str:
+    """Return what an invoice says; every sum of it is that of the lines above."""
+
+    def amount(amount_minor: int) -> str:
+        return money(amount_minor, invoice.currency)
+
+    rows = [f"| {literal(line.text)} | {amount(line.amount_minor)} |" for line in invoice.lines]
+    rows.append(f"| **Net** | {amount(invoice.net_minor)} |")
+    rows += [f"| Tax, {percent(tax.tax_bp)} | {amount(tax.amount_minor)} |" for tax in invoice.taxes]
+    rows.append(f"| **To pay** | **{amount(invoice.total_minor)}** |")
+    paragraphs = [
+        f"# {_title(invoice)}",
+        f"Issued on {in_words(invoice.issued_on)}. To be paid by {in_words(invoice.due_on)}.",
+        f"Purchase order: {literal(invoice.po_number)}" if invoice.po_number else "",
+        "## From",
+        *(literal(line) for line in invoice.seller.splitlines() if line.strip()),
+        "## To",
+        *(literal(line) for line in invoice.buyer.splitlines() if line.strip()),
+        "## For",
+        "\n".join(["| What | Amount |", "| --- | --- |", *rows]),
+        REVERSE_CHARGE if invoice.reverse_charge else "",
+        literal(invoice.note),
+    ]
+    return "\n\n".join(paragraph for paragraph in paragraphs if paragraph)

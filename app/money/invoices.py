@@ -1,0 +1,236 @@
+"""Invoices: everything that is due and on none yet, numbered without gaps, with the tax of each rate."""
+
+from collections.abc import Iterable, Sequence
+from datetime import timedelta
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.agreements import plan_queries, record
+from app.agreements.access import visible_contract
+from app.agreements.errors import ContractNotFound
+from app.agreements.models import Contract
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import lock_contract
+from app.agreements.rules import ContractState, WorkState
+from app.kit import clock
+from app.kit.money import money, percent
+from app.money import queries, schemas
+from app.money.errors import InvoiceNotFound, NotAgreed, OtherPartyNeeded
+from app.money.ledger import called, load_ledger_book, write
+from app.money.ledger_book import Entry, LedgerBook, Line, tax_entries
+from app.money.models import Invoice, InvoiceLine
+from app.money.rules import LineKind
+from app.projects.models import Project
+from app.sound_lists.models import Cue
+
+CUT_IN = {
+    WorkState.NOT_BEGUN: "cut before work began",
+    WorkState.IN_WORK: "cut in progress",
+    WorkState.DELIVERED: "cut after delivery",
+    WorkState.ACCEPTED: "cut after acceptance",
+}
+
+
+def draft_invoice(session: Session, actor: Actor, contract_id: UUID) -> schemas.InvoiceDraft:
+    """Return what an invoice would say if it were issued now."""
+    contract = _for_designer(session, actor, contract_id)
+    book, terms = load_ledger_book(session, contract), terms_of(session, contract)
+    billed = book.billable
+    taxes = tax_entries(billed, _rates(session, contract), default_bp=terms.invoiced_tax_bp)
+    texts = texts_of(session, contract, billed)
+    last = queries.last_invoice(session, contract.studio_id, contract.designer_id)
+    net_minor = sum(line.amount_minor for line in billed)
+    return schemas.InvoiceDraft(
+        contract_id=contract.id,
+        currency=contract.currency,
+        number=last.number + 1 if last else 1,
+        seller=last.seller if last else contract.designer.name,
+        buyer=last.buyer if last else contract.project.studio.name,
+        po_number=terms.po_number or (last.po_number if last else ""),
+        reverse_charge=terms.reverse_charge,
+        payment_days=terms.payment_days,
+        lines=[
+            schemas.InvoiceLineRead(text=texts[line.id], amount_minor=line.amount_minor, tax_bp=None) for line in billed
+        ],
+        taxes=[schemas.TaxRead(tax_bp=tax.tax_bp or 0, amount_minor=tax.amount_minor) for tax in taxes],
+        net_minor=net_minor,
+        total_minor=net_minor + sum(tax.amount_minor for tax in taxes),
+    )
+
+
+def issue_invoice(
+    session: Session, actor: Actor, contract_id: UUID, *, seller: str, buyer: str, po_number: str, note: str
+) -> Invoice:
+    """Issue an invoice over everything that is due and on none yet; raise NothingToInvoice where nothing is."""
+    contract = _for_designer(session, actor, contract_id)
+    parties = contract.designer.name, contract.project.studio.name
+    lock_contract(session, contract.id)
+    number = queries.next_invoice_number(session, contract.studio_id, contract.designer_id)
+    book, terms = load_ledger_book(session, contract), terms_of(session, contract)
+    billed = book.billable
+    taxes: Sequence[Entry] = tax_entries(billed, _rates(session, contract), default_bp=terms.invoiced_tax_bp)
+    today = clock.now().date()
+    invoice = Invoice(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        designer_id=contract.designer_id,
+        number=number,
+        issued_on=today,
+        due_on=today + timedelta(days=terms.payment_days),
+        po_number=po_number or terms.po_number,
+        seller=seller or parties[0],
+        buyer=buyer or parties[1],
+        note=note,
+        reverse_charge=terms.reverse_charge,
+        issued_by=actor.person,
+    )
+    session.add(invoice)
+    session.flush()
+    texts = texts_of(session, contract, billed)
+    _put_on(session, invoice, texts)
+    tax_lines = write(session, contract, taxes, person_id=actor.person)
+    _put_on(session, invoice, {line.id: f"Tax, {percent(line.tax_bp or 0)}" for line in tax_lines})
+    whole_minor = sum(line.amount_minor for line in (*billed, *taxes))
+    facts = {
+        "number": number,
+        "total": money(whole_minor, contract.currency),
+        "due_on": invoice.due_on.isoformat(),
+        "lines": [str(line_id) for line_id in texts],
+    }
+    record.append(session, contract.id, "invoiced", facts, by=actor.person)
+    return invoice
+
+
+def _for_designer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    contract = visible_contract(session, actor, contract_id)
+    if contract.designer_id != actor.person:
+        raise OtherPartyNeeded("the designer of this contract invoices what is due")
+    if contract.state not in (ContractState.AGREED, ContractState.ENDED):
+        raise NotAgreed("nothing is due before both have signed", fix="sign the contract first")
+    return contract
+
+
+def _rates(session: Session, contract: Contract) -> dict[UUID, int]:
+    if terms_of(session, contract).reverse_charge:
+        return {}
+    milestones = plan_queries.milestones_of(session, contract.id)
+    return {milestone.id: milestone.tax_bp for milestone in milestones if milestone.tax_bp is not None}
+
+
+def _put_on(session: Session, invoice: Invoice, texts: dict[UUID, str]) -> None:
+    session.add_all(
+        InvoiceLine(
+            ledger_line_id=line_id,
+            invoice_id=invoice.id,
+            studio_id=invoice.studio_id,
+            project_id=invoice.project_id,
+            text=text,
+        )
+        for line_id, text in texts.items()
+    )
+    session.flush()
+
+
+def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dict[UUID, str]:
+    """Return in words what lines are for, by their ids."""
+    cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
+    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
+    cut_in = {cue.cue_id: cue.cut_in for cue in plan_queries.cues_of(session, contract.id)}
+
+    def text(line: Line) -> str:
+        cue = called(session.get_one(Cue, line.cue_id), cue_prefix) if line.cue_id else ""
+        milestone = milestones[line.milestone_id] if line.milestone_id else ""
+        match line.kind:
+            case LineKind.DEPOSIT:
+                return f"{milestone}, due at signing"
+            case LineKind.ACCEPTED:
+                return f"{cue}, accepted ({milestone})"
+            case LineKind.HELD_BACK:
+                return f"{cue}, retention ({milestone})"
+            case LineKind.CUT:
+                state = cut_in.get(line.cue_id) if line.cue_id else None
+                return f"{cue}, {CUT_IN[state] if state else 'cut'} ({milestone})"
+            case LineKind.EXTRA_ROUND:
+                return f"{cue}, round {line.round_number} ({milestone})"
+            case LineKind.WORKED_DAY:
+                return f"Work by the day ({milestone})"
+        return f"Taken back: {cue or milestone}"
+
+    return {line.id: text(line) for line in lines}
+
+
+def invoices(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.InvoiceRead]:
+    """Return the invoices of a contract, the oldest first."""
+    contract = visible_contract(session, actor, contract_id)
+    book = load_ledger_book(session, contract)
+    return [invoice_read(session, contract, book, one) for one in queries.invoices_of(session, contract.id)]
+
+
+def visible_invoice(session: Session, actor: Actor, invoice_id: UUID) -> tuple[Invoice, Contract]:
+    """Return an invoice that the caller may see, with its contract."""
+    invoice = queries.invoice_by_id(session, invoice_id)
+    if invoice is None:
+        raise InvoiceNotFound(f"no invoice {invoice_id}")
+    try:
+        return invoice, visible_contract(session, actor, invoice.contract_id)
+    except ContractNotFound:
+        raise InvoiceNotFound(f"no invoice {invoice_id}") from None
+
+
+def invoice(session: Session, actor: Actor, invoice_id: UUID) -> schemas.InvoiceRead:
+    """Return an invoice with its lines and payments."""
+    found, contract = visible_invoice(session, actor, invoice_id)
+    return invoice_read(session, contract, load_ledger_book(session, contract), found)
+
+
+def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice: Invoice) -> schemas.InvoiceRead:
+    """Return an invoice with its lines, its sums and what was paid on it."""
+    texts = queries.invoice_texts(session, invoice.id)
+    lines = [line for line in book.owed if line.invoice_id == invoice.id]
+    taxes = [line for line in lines if line.kind is LineKind.TAX]
+    payments = [one for one in queries.payments_of(session, contract.id) if one.invoice_id == invoice.id]
+    whole_minor = sum(line.amount_minor for line in lines)
+    paid_minor = sum(payment.amount_minor for payment in payments)
+    is_paid = paid_minor == whole_minor
+    last_on = max((payment.paid_on for payment in payments if payment.refund_of_id is None), default=None)
+    is_late = clock.now().date() > invoice.due_on
+    return schemas.InvoiceRead(
+        id=invoice.id,
+        contract_id=contract.id,
+        number=invoice.number,
+        currency=contract.currency,
+        issued_on=invoice.issued_on,
+        due_on=invoice.due_on,
+        seller=invoice.seller,
+        buyer=invoice.buyer,
+        po_number=invoice.po_number,
+        note=invoice.note,
+        reverse_charge=invoice.reverse_charge,
+        lines=[
+            schemas.InvoiceLineRead(text=texts[line.id], amount_minor=line.amount_minor, tax_bp=line.tax_bp)
+            for line in lines
+            if line.kind is not LineKind.TAX
+        ],
+        taxes=[schemas.TaxRead(tax_bp=line.tax_bp or 0, amount_minor=line.amount_minor) for line in taxes],
+        net_minor=whole_minor - sum(line.amount_minor for line in taxes),
+        total_minor=whole_minor,
+        paid_minor=paid_minor,
+        open_minor=whole_minor - paid_minor,
+        state="paid" if is_paid else "late" if is_late else "partly_paid" if paid_minor else "open",
+        days_to_pay=(last_on - invoice.issued_on).days if is_paid and last_on else None,
+        payments=[
+            schemas.PaymentRead(
+                id=payment.id,
+                amount_minor=payment.amount_minor,
+                reference=payment.reference,
+                paid_on=payment.paid_on,
+                refund_of_id=payment.refund_of_id,
+                left_minor=payment.amount_minor
+                + sum(one.amount_minor for one in payments if one.refund_of_id == payment.id),
+            )
+            for payment in payments
+        ],
+    )

@@ -1,0 +1,192 @@
+"""The tables of this room."""
+
+from datetime import date, datetime
+from uuid import UUID
+
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import Person
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.money.rules import LineKind
+from app.sound_lists.models import Cue
+
+
+class Invoice(Base):
+    """What a designer asks a studio to pay; its amounts are those of its lines."""
+
+    __tablename__ = "contracts_invoices"
+    __table_args__ = (
+        UniqueConstraint("studio_id", "designer_id", "number"),
+        CheckConstraint("number > 0", name="numbered_from_one"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    number: Mapped[int]  # counts without gaps for one designer and one studio
+    issued_on: Mapped[date]
+    due_on: Mapped[date]
+    po_number: Mapped[str] = mapped_column(default="")
+    seller: Mapped[str]  # name, address and tax number, as printed
+    buyer: Mapped[str]
+    note: Mapped[str] = mapped_column(default="")
+    reverse_charge: Mapped[bool] = mapped_column(default=False)
+    issued_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Payment(Base):
+    """Money that changed hands for an invoice, as recorded by a person; a refund names the payment it gives back."""
+
+    __tablename__ = "contracts_payments"
+    __table_args__ = (CheckConstraint("amount_minor <> 0", name="not_nothing"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    invoice_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_invoices.id"), index=True)
+    refund_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_payments.id"), index=True)
+    amount_minor: Mapped[int] = mapped_column(BigInteger)  # to the designer; below zero: back to the studio
+    reference: Mapped[str]
+    paid_on: Mapped[date]
+    recorded_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class LedgerLine(Base):
+    """One line of a contract's ledger; lines are added, never changed."""
+
+    __tablename__ = "contracts_ledger_lines"
+    __table_args__ = (
+        CheckConstraint("amount_minor <> 0", name="not_nothing"),
+        CheckConstraint("(kind in ('paid', 'refunded')) = (payment_id is not null)", name="payments_are_named"),
+        CheckConstraint("(kind in ('reversed', 'paid', 'refunded')) = (about_id is not null)", name="about_a_line"),
+        CheckConstraint("cue_id is not null or milestone_id is not null or tax_bp is not null", name="about_something"),
+        Index(
+            "uq_contracts_ledger_lines_reversed",
+            "about_id",
+            unique=True,
+            sqlite_where=text("kind = 'reversed'"),
+            postgresql_where=text("kind = 'reversed'"),
+        ),
+        Index(
+            "uq_contracts_ledger_lines_round",
+            *("contract_id", "cue_id", "round_number"),
+            unique=True,
+            sqlite_where=text("kind = 'extra_round'"),
+            postgresql_where=text("kind = 'extra_round'"),
+        ),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    kind: Mapped[LineKind]
+    amount_minor: Mapped[int] = mapped_column(BigInteger)
+    clause: Mapped[str]  # key of the clause by which it is so
+    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    milestone_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_milestones.id"))
+    about_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_ledger_lines.id"))
+    round_number: Mapped[int | None]
+    tax_bp: Mapped[int | None]
+    payment_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_payments.id"))
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))  # whose act it follows
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
+    cue: Mapped[Cue | None] = relationship(lazy="raise")
+
+
+class InvoiceLine(Base):
+    """Puts a line of the ledger on an invoice; once, for good."""
+
+    __tablename__ = "contracts_invoice_lines"
+
+    ledger_line_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_ledger_lines.id"), primary_key=True)
+    invoice_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_invoices.id"), index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    text: Mapped[str]  # as printed
+
+
+class ExtraRound(Base):
+    """A round beyond the included ones: it waits until the studio agrees to its price, or the designer lets it go."""
+
+    __tablename__ = "contracts_extra_rounds"
+    __table_args__ = (
+        UniqueConstraint("contract_id", "cue_id", "number"),
+        CheckConstraint("agreed_at is null or dropped_at is null", name="agreed_or_dropped"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    number: Mapped[int]
+    proposed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    proposed_at: Mapped[datetime] = mapped_column(default=clock.now)
+    agreed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    agreed_at: Mapped[datetime | None]
+    dropped_at: Mapped[datetime | None]
+    cue: Mapped[Cue] = relationship(lazy="raise")
+
+
+class WorkLog(Base):
+    """Time that a designer says went into a cue; seen by the two parties only."""
+
+    __tablename__ = "contracts_work_logs"
+    __table_args__ = (CheckConstraint("minutes > 0", name="minutes_positive"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    minutes: Mapped[int]
+    worked_on: Mapped[date]
+    logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class WorkedDay(Base):
+    """A day, or quarters of one, of a contract by the day; due once the studio has agreed to it, up to the cap."""
+
+    __tablename__ = "contracts_worked_days"
+    __table_args__ = (
+        UniqueConstraint("contract_id", "worked_on"),
+        CheckConstraint("quarters between 1 and 4", name="a_day_at_most"),
+        CheckConstraint("(agreed_at is null) = (agreed_by is null)", name="agreed_by_somebody"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    milestone_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_milestones.id"))
+    worked_on: Mapped[date]
+    quarters: Mapped[int]
+    note: Mapped[str]
+    logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    agreed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    agreed_at: Mapped[datetime | None]
+
+
+class CalendarLink(Base):
+    """A secret address at which a person's calendar reads the dates of their contracts in a project."""
+
+    __tablename__ = "contracts_calendar_links"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    revoked_at: Mapped[datetime | None]

@@ -1,0 +1,127 @@
+"""Milestones, ledgers, invoices and payments, read from the database; callers have checked who looks."""
+
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from uuid import UUID
+
+from sqlalchemy import Row, func, select
+from sqlalchemy.orm import Session, joinedload
+
+from app.accounts.models import Person
+from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
+
+
+def ledger_of(session: Session, contract_id: UUID) -> Sequence[Row[LedgerLine, UUID | None]]:
+    """Return the lines of a ledger in the order of their writing, each with the invoice that it stands on."""
+    return session.execute(
+        select(LedgerLine, InvoiceLine.invoice_id)
+        .join(InvoiceLine, InvoiceLine.ledger_line_id == LedgerLine.id, isouter=True)
+        .where(LedgerLine.contract_id == contract_id)
+        .options(joinedload(LedgerLine.person), joinedload(LedgerLine.cue))
+        .order_by(LedgerLine.id)
+    ).all()
+
+
+def invoices_of(session: Session, contract_id: UUID) -> Sequence[Invoice]:
+    """Return the invoices of a contract, the oldest first."""
+    return session.scalars(select(Invoice).where(Invoice.contract_id == contract_id).order_by(Invoice.number)).all()
+
+
+def invoice_by_id(session: Session, invoice_id: UUID) -> Invoice | None:
+    """Return an invoice without asking who looks."""
+    return session.get(Invoice, invoice_id)
+
+
+def last_invoice(session: Session, studio_id: UUID, designer_id: UUID) -> Invoice | None:
+    """Return the newest invoice of a designer to a studio."""
+    return session.scalar(
+        select(Invoice)
+        .where(Invoice.studio_id == studio_id, Invoice.designer_id == designer_id)
+        .order_by(Invoice.number.desc())
+        .limit(1)
+    )
+
+
+def next_invoice_number(session: Session, studio_id: UUID, designer_id: UUID) -> int:
+    """Return the number of a designer's next invoice to a studio; locked until the transaction ends."""
+    session.execute(select(Person.id).where(Person.id == designer_id).with_for_update(key_share=True))
+    last = session.scalar(
+        select(func.max(Invoice.number)).where(Invoice.studio_id == studio_id, Invoice.designer_id == designer_id)
+    )
+    return (last or 0) + 1
+
+
+def payments_of(session: Session, contract_id: UUID) -> Sequence[Payment]:
+    """Return the payments of a contract, refunds included, in the order of their recording."""
+    return session.scalars(select(Payment).where(Payment.contract_id == contract_id).order_by(Payment.id)).all()
+
+
+def payment_by_id(session: Session, payment_id: UUID) -> Payment | None:
+    """Return a payment without asking who looks."""
+    return session.get(Payment, payment_id)
+
+
+def extra_rounds_of(session: Session, contract_id: UUID) -> Sequence[ExtraRound]:
+    """Return the rounds beyond the included ones, in the order of their proposal."""
+    return session.scalars(
+        select(ExtraRound)
+        .where(ExtraRound.contract_id == contract_id)
+        .options(joinedload(ExtraRound.cue))
+        .order_by(ExtraRound.id)
+    ).all()
+
+
+def extra_round_by_id(session: Session, extra_round_id: UUID) -> ExtraRound | None:
+    """Return a round beyond the included ones without asking who looks."""
+    return session.scalar(select(ExtraRound).where(ExtraRound.id == extra_round_id).options(joinedload(ExtraRound.cue)))
+
+
+def worked_days_of(session: Session, contract_id: UUID) -> Sequence[WorkedDay]:
+    """Return the days that were logged, in order."""
+    return session.scalars(
+        select(WorkedDay).where(WorkedDay.contract_id == contract_id).order_by(WorkedDay.worked_on)
+    ).all()
+
+
+def worked_minutes(session: Session, contract_ids: Collection[UUID]) -> dict[tuple[UUID, UUID], int]:
+    """Return the minutes logged by contract and cue; cues without any are left out."""
+    rows = session.execute(
+        select(WorkLog.contract_id, WorkLog.cue_id, func.sum(WorkLog.minutes))
+        .where(WorkLog.contract_id.in_(contract_ids))
+        .group_by(WorkLog.contract_id, WorkLog.cue_id)
+    )
+    minutes: dict[tuple[UUID, UUID], int] = defaultdict(int)
+    for contract_id, cue_id, total in rows:
+        minutes[contract_id, cue_id] = int(total)
+    return dict(minutes)
+
+
+def invoice_texts(session: Session, invoice_id: UUID) -> dict[UUID, str]:
+    """Return what the lines of an invoice say, by the ledger's lines."""
+    rows = session.execute(
+        select(InvoiceLine.ledger_line_id, InvoiceLine.text).where(InvoiceLine.invoice_id == invoice_id)
+    )
+    return dict(rows.all())
+
+
+def worked_day_by_id(session: Session, worked_day_id: UUID) -> WorkedDay | None:
+    """Return a logged day without asking who looks."""
+    return session.get(WorkedDay, worked_day_id)
+
+
+def calendar_by_secret(session: Session, secret_sha256: str) -> CalendarLink | None:
+    """Return the calendar behind a link that was not withdrawn."""
+    return session.scalar(
+        select(CalendarLink).where(CalendarLink.secret_sha256 == secret_sha256, CalendarLink.revoked_at.is_(None))
+    )
+
+
+def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequence[CalendarLink]:
+    """Return a person's calendar links of a project that were not withdrawn."""
+    return session.scalars(
+        select(CalendarLink).where(
+            CalendarLink.project_id == project_id,
+            CalendarLink.person_id == person_id,
+            CalendarLink.revoked_at.is_(None),
+        )
+    ).all()

@@ -1,0 +1,27 @@
+"""What a ledger may hold, stated without a database."""
+
+from datetime import date, timedelta
+from enum import StrEnum
+
+from app.money.errors import DayInFuture
+
+
+class LineKind(StrEnum):
+    """Why a line of the ledger was written."""
+
+    DEPOSIT = "deposit"
+    ACCEPTED = "accepted"
+    HELD_BACK = "held_back"  # what of an accepted cue's share waited for the last cue
+    CUT = "cut"
+    EXTRA_ROUND = "extra_round"
+    WORKED_DAY = "worked_day"
+    TAX = "tax"
+    REVERSED = "reversed"  # takes back a line of any kind above
+    PAID = "paid"
+    REFUNDED = "refunded"  # takes back a line of a payment
+
+
+def ensure_not_ahead(day: date, today: date, why: str) -> None:
+    """Raise DayInFuture for a day that has come nowhere on earth yet: somewhere it is tomorrow already."""
+    if day > today + timedelta(days=1):
+        raise DayInFuture(f"{day} lies ahead; {why}", fix="give the day on which it happened")

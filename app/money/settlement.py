@@ -1,0 +1,215 @@
+"""What acceptance, cuts and rounds do to money; called in the transaction of the verdict or cut itself."""
+
+from collections.abc import Collection, Mapping
+from datetime import date
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.accounts.rules import Actor, Role
+from app.agreements import plan_queries, record
+from app.agreements.deemed_acceptance import CLAUSE as SILENCE
+from app.agreements.models import Contract, ContractCue
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import contract_for, lock_contract
+from app.agreements.rules import AcceptedBy, ContractState, WorkState
+from app.kit import clock
+from app.money import queries
+from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
+from app.money.ledger import called, load_ledger_book, priced, rules_of, write
+from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_shares
+from app.money.models import ExtraRound
+from app.money.rules import LineKind
+from app.projects.errors import ProducerNeeded
+from app.projects.models import Project
+
+
+def accept_cue(
+    session: Session,
+    cue_id: UUID,
+    *,
+    designer_ids: Collection[UUID],
+    person_id: UUID,
+    by: AcceptedBy = AcceptedBy.VERDICT,
+) -> None:
+    """Make a cue's share due by the release clause, now that every variation is approved.
+
+    Without an agreed contract of one of the takes' designers nothing is owed; accepting twice is accepting once.
+    """
+    covered = _locked(session, cue_id, designer_ids)
+    if covered is None or covered.accepted_at is not None or covered.cut_at is not None:
+        return
+    covered.accepted_at, covered.accepted_by = clock.now(), by
+    by_clause = by is AcceptedBy.SILENCE
+    _record(session, covered, "accepted", None if by_clause else person_id, {"clause": SILENCE} if by_clause else {})
+    _settle(session, covered.contract_id, person_id, is_by_server=by_clause)
+
+
+def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID) -> None:
+    """Take a cue that was approved before into its contract, which is agreed; what was accepted anywhere stays there.
+
+    `person_id` is who had approved it. Adopting twice is adopting once.
+    """
+    contract = lock_contract(session, contract_id)
+    covered = plan_queries.cue_of(session, contract_id, cue_id)
+    if covered is None or covered.accepted_at is not None or covered.cut_at is not None or contract.agreed_at is None:
+        return
+    if contract.state is not ContractState.AGREED or plan_queries.is_accepted_elsewhere(session, contract_id, cue_id):
+        return
+    covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
+    _record(session, covered, "adopted", None, {"approved_by": session.get_one(Person, person_id).name})
+    _settle(session, contract_id, person_id, is_by_server=True)
+
+
+def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
+    """Write into a contract's record that somebody was reminded of a cue, and until when its verdict is waited for."""
+    covered = plan_queries.cue_of(session, contract_id, cue_id)
+    if covered is None:
+        return
+    prefix = session.get_one(Project, covered.project_id).cue_prefix
+    to = session.get_one(Person, to_id).name
+    facts = {"cue": called(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
+    record.append(session, contract_id, "reminded", facts, by=None)
+
+
+def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
+    """Take a cue's share back by a reversing line, where a verdict was reversed or undone."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.accepted_at is None or covered.cut_at is not None:
+        return
+    covered.accepted_at = covered.accepted_by = None
+    _record(session, covered, "reopened", person_id)
+    _settle(session, covered.contract_id, person_id)
+
+
+def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: UUID) -> None:
+    """Settle a cut cue by the kill fee of the state that the work was in."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.cut_at is not None:
+        return
+    covered.cut_at = clock.now()
+    covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
+    _record(session, covered, "cut", person_id, {"state": covered.cut_in.value})
+    _settle(session, covered.contract_id, person_id)
+
+
+def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID) -> ExtraRound | None:
+    """Propose the price of a round beyond the included ones; None where the contract includes it, or there is none."""
+    covered = _locked(session, cue_id, None)
+    if covered is None or covered.cut_at is not None:
+        return None
+    contract = session.get_one(Contract, covered.contract_id)
+    terms = terms_of(session, contract)
+    if number <= terms.rounds_included or not price_of_round(_priced(covered), terms.extra_round_bp):
+        return None
+    proposed = ExtraRound(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        cue_id=cue_id,
+        number=number,
+        proposed_by=person_id,
+    )
+    session.add(proposed)
+    session.flush()
+    _record(session, covered, "round_proposed", person_id, {"round": number})
+    return proposed
+
+
+def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:
+    """Agree to a further round's price, as the studio; it is due at once."""
+    proposed, contract = _proposal(session, actor, extra_round_id)
+    if contract.designer_id == actor.person:
+        raise OtherPartyNeeded("only the studio agrees to the fee; you can waive it")
+    if Role.PRODUCER not in actor.roles_in(contract.studio_id):
+        raise ProducerNeeded("only a producer of the studio agrees to a price")
+    proposed.agreed_at, proposed.agreed_by = clock.now(), actor.person
+    covered = next(cue for cue in plan_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
+    entry = Entry(
+        LineKind.EXTRA_ROUND,
+        price_of_round(_priced(covered), terms_of(session, contract).extra_round_bp),
+        CLAUSES[LineKind.EXTRA_ROUND],
+        cue_id=proposed.cue_id,
+        milestone_id=covered.milestone_id,
+        round_number=proposed.number,
+    )
+    write(session, contract, [entry], person_id=actor.person)
+    return proposed
+
+
+def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:
+    """Let a further round go without a price, as the designer."""
+    proposed, contract = _proposal(session, actor, extra_round_id)
+    if contract.designer_id != actor.person:
+        raise OtherPartyNeeded("only the designer can waive the fee of a round")
+    proposed.dropped_at = clock.now()
+    covered = next(cue for cue in plan_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
+    _record(session, covered, "round_dropped", actor.person, {"round": proposed.number})
+    return proposed
+
+
+def _proposal(session: Session, actor: Actor, extra_round_id: UUID) -> tuple[ExtraRound, Contract]:
+    proposed = queries.extra_round_by_id(session, extra_round_id)
+    contract = contract_for(session, actor, proposed.contract_id) if proposed else None
+    if proposed is None or contract is None:
+        raise ExtraRoundNotFound(f"no extra round {extra_round_id}")
+    lock_contract(session, contract.id)
+    session.refresh(proposed, ["agreed_at", "dropped_at"])
+    if proposed.agreed_at is not None or proposed.dropped_at is not None:
+        raise RoundAlreadySettled("this round was agreed to or waived already")
+    return proposed, contract
+
+
+def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | None) -> ContractCue | None:
+    covered = plan_queries.running_cue(session, cue_id, designer_ids)
+    if covered is not None:
+        lock_contract(session, covered.contract_id)
+        session.refresh(covered, ["accepted_at", "accepted_by", "cut_at", "cut_in"])
+    return covered
+
+
+def _settle(session: Session, contract_id: UUID, person_id: UUID, *, is_by_server: bool = False) -> None:
+    session.flush()
+    contract = session.get_one(Contract, contract_id)
+    rules = rules_of(contract, terms_of(session, contract))
+    cues = priced(plan_queries.cues_of(session, contract_id))
+    due = settle_shares(load_ledger_book(session, contract), cues, rules)
+    write(session, contract, due, person_id=person_id, is_by_server=is_by_server)
+
+
+def _priced(covered: ContractCue) -> PricedCue:
+    (cue,) = priced([covered])
+    return cue
+
+
+def record_work(
+    session: Session,
+    cue_id: UUID,
+    designer_id: UUID,
+    kind: str,
+    facts: Mapping[str, object],
+    *,
+    by: UUID | None,
+    on_behalf_of: UUID | None = None,
+) -> None:
+    """Write what became of a designer's work into the record of the contract that covers the cue, if one does.
+
+    `by` is the person or the build token that did it; None: the server.
+    """
+    covered = plan_queries.running_cue(session, cue_id, {designer_id})
+    if covered is not None:
+        _record(session, covered, kind, by, facts, on_behalf_of)
+
+
+def _record(
+    session: Session,
+    covered: ContractCue,
+    kind: str,
+    by: UUID | None,
+    facts: Mapping[str, object] | None = None,
+    on_behalf_of: UUID | None = None,
+) -> None:
+    prefix = session.get_one(Project, covered.project_id).cue_prefix
+    facts = {"cue": called(covered.cue, prefix), **(facts or {})}
+    record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of)

@@ -1,0 +1,37 @@
+"""Whether a designer sees a project's work: engaged now, and past its NDA. Every other room asks here."""
+
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import ColumnElement, and_, exists, or_
+from sqlalchemy.orm import InstrumentedAttribute
+
+from app.accounts.rules import Actor
+from app.projects.models import Engagement, Project
+from app.projects.rules import EngagementKind
+
+Column = InstrumentedAttribute[UUID] | ColumnElement[Any]
+
+
+def nda_is_pending(project: Project, engagement: Engagement) -> bool:
+    """Whether a designer has yet to accept the NDA that the project asks for; the studio's own people need none."""
+    return project.nda_needed and engagement.kind is not EngagementKind.IN_HOUSE and engagement.nda_accepted_at is None
+
+
+def engaged_with_nda_accepted() -> ColumnElement[bool]:
+    """Admit engagements, joined with their projects, that run and of which `nda_is_pending` is false."""
+    past_nda = or_(
+        Project.nda_needed.is_(False),
+        Engagement.kind == EngagementKind.IN_HOUSE,
+        Engagement.nda_accepted_at.is_not(None),
+    )
+    return and_(Project.id == Engagement.project_id, Engagement.ended_at.is_(None), past_nda)
+
+
+def visible_work(actor: Actor, *, studio_id: Column, project_id: Column, designer_id: Column) -> ColumnElement[bool]:
+    """Admit work of the caller's studios, and the caller's own in projects that show it to them."""
+    shown = exists().where(
+        Engagement.project_id == project_id, Engagement.designer_id == actor.person_id, engaged_with_nda_accepted()
+    )
+    studios = [studio for studio, roles in actor.roles.items() if roles]
+    return or_(studio_id.in_(studios), and_(designer_id == actor.person_id, shown))

@@ -1,0 +1,37 @@
+"""What is drawn of a sound, put into the store."""
+
+from pathlib import Path
+from uuid import UUID
+
+from app.kit.runtime import Runtime
+from app.kit.storage import StoredBlob
+from app.renders import drawing
+from app.renders.models import Picture
+
+
+def stored_picture(
+    runtime: Runtime,
+    studio_id: UUID,
+    sound_sha256: str,
+    folder: Path,
+    drawn: drawing.Drawn,
+    preview: StoredBlob | None = None,
+    spectrum: StoredBlob | None = None,
+) -> Picture:
+    """Store what was drawn of a sound, but for what is stored already: what plays it, and what that looks like."""
+    peaks = runtime.store.put_file(studio_id, folder / drawing.PEAKS)
+    spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
+    if preview is None and not drawn["plays_itself"]:
+        preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
+    return Picture(
+        studio_id=studio_id,
+        sound_sha256=sound_sha256,
+        duration_s=drawn["duration_s"],
+        facts=dict(drawn["facts"]),
+        thumb=dict(drawn["thumb"]),
+        peaks_sha256=peaks.sha256,
+        spectrum_sha256=spectrum.sha256,
+        preview_sha256=preview.sha256 if preview else sound_sha256,
+        preview_media_type="audio/wav",
+        drawn_bytes=sum(blob.size_bytes for blob in (peaks, spectrum, preview) if blob),
+    )

@@ -1,0 +1,112 @@
+"""Jobs of one take: its check, its picture and its game files."""
+
+from uuid import UUID
+
+import structlog
+
+from app.conformance.checking import check_take
+from app.conformance.queries import fix_by_id
+from app.conformance.workspaces import TakeWorkspace
+from app.deliveries.queries import take_with_cue
+from app.kit import kill_points
+from app.kit.queue import BULK, Payload, job
+from app.kit.runtime import Runtime
+from app.renders import batches, drawing, queries, service
+from app.renders.children import children, in_child, retried, sandbox
+from app.renders.making import RENDERS, make_missing
+from app.renders.models import Picture
+from app.renders.pictures import stored_picture
+from audio_checks import (
+    RenderRefused,
+    SandboxFailed,
+    Unreadable,
+)
+
+log = structlog.get_logger(__name__)
+
+
+@job("renders.prepare_take")
+def prepare_take(runtime: Runtime, payload: Payload) -> None:
+    """Check a received take and record its verdict; then draw it and make its game files, in the same child."""
+    with TakeWorkspace(runtime.store, children()) as workspace:
+        take_id = UUID(payload["take_id"])
+        check_take(runtime, take_id, workspace)
+        _make_renders(runtime, take_id, workspace)
+
+
+# Earlier versions had a job for the check alone; such a job, run again after its verdict, makes what is not made yet.
+job("conformance.check_take")(prepare_take)
+
+
+@job("renders.make_renders")
+def make_renders(runtime: Runtime, payload: Payload) -> None:
+    """Draw the master of a checked take and, of one that may ship, make the game files that its spec wants."""
+    with TakeWorkspace(runtime.store, children()) as workspace:
+        _make_renders(runtime, UUID(payload["take_id"]), workspace)
+
+
+# An earlier version asked for a master's picture by itself; such a job draws what is not drawn yet.
+job("renders.draw_take")(make_renders)
+
+
+def _make_renders(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:
+    """Make what a take lacks and put it on record; what moves on meanwhile is asked for by whoever moves it."""
+    with runtime.database.reading() as session:
+        order = service.order_renders_and_drawing(session, take_id)
+    if order is None:
+        return
+    kill_points.point("renders.before_render")
+    renders, picture = make_missing(runtime, order, order.missing, workspace, draws=order.draws)
+    kill_points.point("renders.after_render")
+    with runtime.database.writing() as session:
+        service.save_renders(session, renders, picture)
+        if order.may_ship:
+            service.complete(session, order)
+        kill_points.point("renders.before_commit")
+    kill_points.point("renders.after_commit")
+    for render, _ in renders:
+        RENDERS.labels(render.state.value).inc()
+
+
+@job("renders.draw_fix")
+def draw_fix(runtime: Runtime, payload: Payload) -> None:
+    """Draw a fixed copy and make its preview, so that its designer sees and hears it before it is used."""
+    with runtime.database.reading() as session:
+        fix = fix_by_id(session, UUID(payload["fix_id"]))
+        if fix is None or fix.sha256 is None:
+            return
+        if queries.picture_of(session, fix.studio_id, fix.sha256) is not None:
+            return
+        studio_id, sha256 = fix.studio_id, fix.sha256
+        take = take_with_cue(session, fix.take_id)
+        loop = take is not None and take.cue is not None and take.cue.loop
+    with runtime.store.local_copy(studio_id, sha256) as master, runtime.store.making() as folder:
+        try:
+            drawn = retried(in_child(sandbox(), [master], [folder], drawing.draw, str(master), str(folder), loop=loop))
+        except (Unreadable, RenderRefused, SandboxFailed) as error:
+            log.info("a sound could not be drawn", sha256=sha256, error=str(error))
+            picture = Picture(studio_id=studio_id, sound_sha256=sha256)
+        else:
+            picture = stored_picture(runtime, studio_id, sha256, folder, drawn)
+    with runtime.database.writing() as session:
+        service.save_renders(session, [], picture)
+
+
+@job("renders.update_renders")
+def update_renders(runtime: Runtime, payload: Payload) -> None:
+    """Ask for the game files that a new spec or changed cues want of takes admitted before; old ones stay."""
+    project_id = UUID(payload["project_id"])
+    if "cue_ids" not in payload:
+        with runtime.database.writing() as session:
+            batches.start_for_spec(session, project_id)
+        return
+    with runtime.database.writing() as session:
+        for take_id in queries.admitted_take_ids(session, project_id, [UUID(cue) for cue in payload["cue_ids"]]):
+            runtime.queue.enqueue(
+                session,
+                "renders.make_renders",
+                {"take_id": str(take_id)},
+                key=f"{payload['event_id']}:renders.make_renders:{take_id}",
+                studio_id=UUID(payload["studio_id"]),
+                priority=BULK,
+            )

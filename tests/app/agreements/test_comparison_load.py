@@ -1,0 +1,94 @@
+"""What a comparison of two versions costs, and that nobody waits for another's."""
+
+import itertools
+import random
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import pytest
+
+from app.agreements import comparison
+from app.agreements.comparison import MAX_CHARS, MAX_LINES, compare
+from app.agreements.differences import differences
+from app.agreements.errors import TooLongToCompare
+from app.kit.concurrency import MAX_WAIT_S
+from app.kit.db import new_id
+from app.kit.fair_share import FairShare, TooManyAtOnce
+from tests.attack.long_contract import add_two_long_versions, random_text
+from tests.support.server import World
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_stretches_are_the_whole_of_both(seed: int) -> None:
+    draw = random.Random(seed)
+    alphabet = draw.choice([2, 5, 30, 300])
+    old = [draw.randrange(alphabet) for _ in range(draw.randrange(300))]
+    new = list(old)
+    for _ in range(draw.randrange(30)):
+        new.insert(draw.randint(0, len(new)), draw.randrange(alphabet))
+        del new[draw.randrange(len(new))]
+    found = list(differences(old, new))
+    assert [one for stretch in found for one in old[stretch.old_from : stretch.old_to]] == old
+    assert [one for stretch in found for one in new[stretch.new_from : stretch.new_to]] == new
+    for each in found:
+        assert each.is_same == (old[each.old_from : each.old_to] == new[each.new_from : each.new_to])
+    assert all(one.is_same != other.is_same for one, other in itertools.pairwise(found))
+
+
+def test_a_few_changed_words_of_a_long_text_are_the_only_ones_told() -> None:
+    text = "\n\n".join(f"Clause {place}: the designer delivers what the studio asks for." for place in range(600))
+    later = text.replace("Clause 311: the designer", "Clause 311: the composer")
+    changed = [line for line in compare(text, later) if line.change != "same"]
+    assert [(run.is_in, run.text) for run in changed[0].runs if run.is_in != "both"] == [
+        ("earlier", "designer"),
+        ("later", "composer"),
+    ]
+    assert len(changed) == 1
+
+
+@pytest.mark.parametrize(
+    "between", [" ", "\n\n", " the\n\n"], ids=["one paragraph", "paragraphs", "paragraphs that end alike"]
+)
+@pytest.mark.parametrize(
+    "some", [["a", "b"], [f"w{place}" for place in range(3_000)]], ids=["two words", "three thousand"]
+)
+def test_the_longest_texts_take_seconds_at_most(some: list[str], between: str) -> None:
+    began = time.process_time()
+    compare(random_text(1, some, between), random_text(2, some, between))
+    assert time.process_time() - began < 60.0, "the square of 50,000 words would take hours"
+
+
+@pytest.mark.parametrize("text", ["x" * (MAX_CHARS + 1), "a\n" * MAX_LINES], ids=["characters", "lines"])
+def test_longer_ones_are_refused_in_numbers(text: str) -> None:
+    with pytest.raises(TooLongToCompare, match=r"400,000|20,000"):
+        comparison.ensure_comparable(text, "")
+
+
+def test_one_person_has_two_at_once_and_another_has_two_more() -> None:
+    share, person = FairShare(2, "comparisons"), new_id()
+    refused = pytest.raises(TooManyAtOnce, match="2 comparisons at once is the most")
+    with share.of(person), share.of(person), share.of(new_id()), refused, share.of(person):
+        pass
+    with share.of(person):
+        pass
+
+
+def test_twenty_comparisons_by_one_person_keep_nobody_else_waiting(world: World) -> None:
+    contract_id = world.server.in_database(lambda session: add_two_long_versions(session, world))
+    url = f"/v1/contracts/{contract_id}/comparison"
+    greedy, other = world.producer, world.reviewer
+
+    def timed(ask: Callable[[], Any]) -> tuple[int, float]:
+        began = time.monotonic()
+        return ask().status_code, time.monotonic() - began
+
+    with ThreadPoolExecutor(20) as pool:
+        asked = [pool.submit(lambda: greedy.get(url, params={"from_version": 1, "to_version": 2})) for _ in range(20)]
+        answers = [timed(lambda: other.get("/v1/me")) for _ in range(5)]
+        statuses = [one.result().status_code for one in asked]
+    assert {status for status, _ in answers} == {200}
+    assert max(seconds for _, seconds in answers) < MAX_WAIT_S / 2, "waiting for the whole of it is answered 503"
+    assert set(statuses) <= {200, 429}, statuses
+    assert 200 in statuses

@@ -1,0 +1,133 @@
+"""People are served first; uploads behind them, and still within a time."""
+
+import asyncio
+from contextlib import AsyncExitStack
+
+import pytest
+
+from app.kit import concurrency as rules
+from app.kit.concurrency import ConcurrencyLimiter, Overloaded
+
+LONG_S = 60.0
+SOON_S = 5.0
+
+
+async def upload(limiter: ConcurrencyLimiter, came: list[str], name: str) -> None:
+    async with limiter.for_upload():
+        came.append(name)
+        await asyncio.sleep(0)
+
+
+async def enter(limiter: ConcurrencyLimiter, inside: AsyncExitStack, count: int) -> None:
+    """Let people in who read, and stay."""
+    for _ in range(count):
+        await inside.enter_async_context(limiter.for_person(reads=True))
+
+
+def test_an_upload_waits_while_a_person_is_served(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(rules, "YIELD_TO_PEOPLE_S", LONG_S)
+
+    async def both() -> list[str]:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        async with AsyncExitStack() as inside:
+            await enter(limiter, inside, 2)
+            waits = [asyncio.create_task(upload(limiter, came, name)) for name in ("first", "second", "third")]
+            await asyncio.sleep(0.05)
+            assert came == []
+        await asyncio.wait_for(asyncio.gather(*waits), SOON_S)
+        return came
+
+    assert asyncio.run(both()) == ["first", "second", "third"]
+
+
+def test_a_line_of_uploads_moves_though_people_never_leave(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(rules, "YIELD_TO_PEOPLE_S", 0.02)
+
+    async def crowd() -> float:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        async with AsyncExitStack() as inside:
+            await enter(limiter, inside, rules.MAX_CONCURRENT)
+            begun = asyncio.get_running_loop().time()
+            waits = [upload(limiter, came, str(number)) for number in range(10)]
+            await asyncio.wait_for(asyncio.gather(*waits), SOON_S)
+            taken_s = asyncio.get_running_loop().time() - begun
+        assert came == [str(number) for number in range(10)]
+        return taken_s
+
+    assert asyncio.run(crowd()) >= 10 * 0.019, "one at a time gave way for as long as it was to"
+
+
+def test_people_do_not_wait_for_uploads():
+    async def both() -> None:
+        limiter = ConcurrencyLimiter()
+        async with AsyncExitStack() as inside:
+            for _ in range(rules.MAX_CONCURRENT_UPLOADS):
+                await inside.enter_async_context(limiter.for_upload())
+            waits = asyncio.create_task(upload(limiter, [], "one more"))
+            for _ in range(rules.MAX_CONCURRENT_FINISHES):
+                await inside.enter_async_context(limiter.for_upload_finish())
+            await asyncio.wait_for(enter(limiter, inside, rules.MAX_CONCURRENT), SOON_S)
+            assert not waits.done()
+        await asyncio.wait_for(waits, SOON_S)
+
+    asyncio.run(both())
+
+
+def test_a_seat_that_was_left_is_the_next_ones_and_only_once():
+    async def line() -> int:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        async with AsyncExitStack() as inside:
+            held = [await inside.enter_async_context(limiter.for_upload()) for _ in range(rules.MAX_CONCURRENT_UPLOADS)]
+            held[0].release()
+            held[0].release()
+            third = await inside.enter_async_context(limiter.for_upload())
+            waits = asyncio.create_task(upload(limiter, came, "fourth"))
+            await asyncio.sleep(0.05)
+            seated = len(came)
+            third.release()
+            await asyncio.wait_for(waits, SOON_S)
+        return seated
+
+    assert asyncio.run(line()) == 0
+
+
+def test_whoever_waits_too_long_is_told_but_not_whose_bytes_are_here(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(rules, "MAX_WAIT_S", 0.05)
+
+    async def full() -> None:
+        limiter = ConcurrencyLimiter()
+        async with AsyncExitStack() as inside:
+            for _ in range(rules.MAX_CONCURRENT_UPLOADS):
+                await inside.enter_async_context(limiter.for_upload())
+            for _ in range(rules.MAX_CONCURRENT_FINISHES):
+                await inside.enter_async_context(limiter.for_upload_finish())
+            with pytest.raises(Overloaded):
+                await upload(limiter, [], "begins")
+
+            async def end() -> None:
+                async with limiter.for_upload_finish():
+                    pass
+
+            ends = asyncio.create_task(end())
+            await asyncio.sleep(0.2)
+            assert not ends.done()
+        await asyncio.wait_for(ends, SOON_S)
+
+    asyncio.run(full())
+
+
+def test_whoever_goes_away_holds_nobody_up(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(rules, "YIELD_TO_PEOPLE_S", LONG_S)
+
+    async def line() -> list[str]:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        async with AsyncExitStack() as inside:
+            await enter(limiter, inside, 1)
+            waits = [asyncio.create_task(upload(limiter, came, name)) for name in ("gone", "there")]
+            await asyncio.sleep(0.02)
+            waits[0].cancel()
+            await asyncio.sleep(0.02)
+        await asyncio.wait_for(waits[1], SOON_S)
+        return came
+
+    assert asyncio.run(line()) == ["there"]

@@ -1,0 +1,51 @@
+"""Memory that large requests needed at once goes back to the system."""
+
+import json
+import platform
+import subprocess
+import sys
+
+import pytest
+
+MEASURE = """
+import json, sys, threading
+if sys.argv[1] == "set up":
+    from app.kit.memory import return_free_memory
+    return_free_memory()
+
+def mib():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4096 / 2**20
+
+def work():
+    bytes(20 << 20)  # freed: by default glibc then takes blocks of up to 20 MiB from its heaps
+    barrier.wait()
+    held = [[bytes(200 << 10) for _ in range(50)] for _ in range(2)]
+    held.append([bytes(600) for _ in range(20)])
+    del held[:2]
+    barrier.wait()
+    kept.append(held)
+    done.wait()
+
+barrier, done, kept = threading.Barrier(9), threading.Event(), []
+threads = [threading.Thread(target=work) for _ in range(8)]
+before = mib()
+for thread in threads:
+    thread.start()
+barrier.wait()
+barrier.wait()
+print(json.dumps(mib() - before), flush=True)
+done.set()
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators return memory by themselves")
+def test_free_memory_of_many_threads_returns():
+    def left_mib(how: str) -> float:
+        done = subprocess.run(
+            [sys.executable, "-c", MEASURE, how], capture_output=True, text=True, check=True, timeout=60
+        )
+        return float(json.loads(done.stdout))
+
+    assert left_mib("as it is") > 100, "glibc keeps free memory: without this there is nothing to set up"
+    assert left_mib("set up") < 30

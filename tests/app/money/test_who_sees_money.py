@@ -1,0 +1,89 @@
+"""Money is seen by those between whom it changes hands: who speaks for the studio, and the designer it is owed to."""
+
+from typing import Any
+
+import pytest
+from icalendar import Calendar
+
+from tests.app.money.agreed import TODAY, Agreed, day, milestone
+from tests.app.reviews.making import refused, told
+from tests.support.server import World
+
+
+@pytest.fixture
+def invoiced(world: World) -> tuple[Agreed, dict[str, Any]]:
+    """Return a contract with an invoice over its one cue, which was accepted four days late."""
+    agreed = Agreed(world)
+    cue = agreed.cue("radar_ping")
+    agreed.agree(milestone("Alpha", cue, amount_minor=18_000, due_on=day(-4)))
+    agreed.approve(agreed.take(cue))
+    return agreed, agreed.invoice()
+
+
+def test_no_sight_is_no_contract_and_no_invoice(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
+    agreed, invoice = invoiced
+    world, contract = agreed.world, f"/v1/contracts/{agreed.contract_id}"
+    paths = [
+        contract,
+        *(f"{contract}/{what}" for what in ("milestones", "ledger", "invoices", "extra-rounds", "estimates")),
+        f"/v1/invoices/{invoice['id']}",
+        f"/v1/invoices/{invoice['id']}/invoice.pdf",
+    ]
+    for path in paths:
+        for outsider in (world.stranger, world.other_designer, world.reviewer):
+            assert outsider.get(path).status_code == 404, path
+    body = {"amount_minor": 1, "reference": "T", "paid_on": TODAY.isoformat()}
+    by_reviewer = world.reviewer.post(f"/v1/invoices/{invoice['id']}/payments", json=body)
+    assert refused(by_reviewer) == (404, "invoice-not-found")
+
+
+def test_sight_is_not_yet_a_right(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
+    agreed, invoice = invoiced
+    world = agreed.world
+    body = {"amount_minor": 1, "reference": "T", "paid_on": TODAY.isoformat()}
+    for looker in (world.designer, world.approver):
+        assert told(looker.get(f"/v1/invoices/{invoice['id']}"))["total_minor"] == 18_000
+        paid = looker.post(f"/v1/invoices/{invoice['id']}/payments", json=body)
+        assert refused(paid) == (403, "producer-needed")
+    mine = world.producer.post(f"/v1/contracts/{agreed.contract_id}/invoices", json={"seller": "me"})
+    assert refused(mine) == (403, "other-party-needed")
+
+
+def test_who_only_reviews_sees_the_project_and_none_of_its_money(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
+    agreed, _ = invoiced
+    world, project = agreed.world, f"/v1/projects/{agreed.world.project_id}"
+    for path in (f"{project}/money", f"{project}/contracts"):
+        assert refused(world.reviewer.get(path)) == (403, "team-needed")
+        assert world.approver.get(path).status_code == 200
+        assert world.stranger.get(path).status_code == 404
+    assert refused(world.reviewer.post(f"{project}/calendar")) == (403, "team-needed")
+    (cue,) = told(world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"][0]["cues"]
+    assert world.reviewer.get(f"/v1/cues/{cue['cue']['id']}/money").json() is None
+    assert told(world.approver.get(f"/v1/cues/{cue['cue']['id']}/money"))["milestone"] == "Alpha"
+
+
+def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
+    world = invoiced[0].world
+    for party in (world.producer, world.designer):
+        (contract,) = told(party.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
+        assert [slip["days"] for slip in contract["slips"]] == [4]
+    (seen,) = told(world.approver.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
+    assert (seen["slips"], seen["slip_growth_days"]) == ([], None)
+    assert seen["figures"]["due_minor"] == 18_000
+
+
+def test_a_calendar_empties_when_its_holder_speaks_for_the_team_no_more(
+    invoiced: tuple[Agreed, dict[str, Any]],
+) -> None:
+    world = invoiced[0].world
+    url = world.approver.post(f"/v1/projects/{world.project_id}/calendar").json()["url"]
+
+    def events() -> int:
+        return len(Calendar.from_ical(world.nobody.get(url[url.index("/v1/") :]).content).walk("VEVENT"))
+
+    assert events() == 1
+    why = {"person_id": str(world.producer_id), "reason": "The audio director left."}
+    assert world.producer.put(f"/v1/projects/{world.project_id}/approver", json=why).is_success
+    gone = world.producer.delete(f"/v1/projects/{world.project_id}/liaisons/{world.approver_id}")
+    assert gone.is_success, gone.text
+    assert events() == 0
